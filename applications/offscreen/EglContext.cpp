@@ -1,0 +1,146 @@
+#include <offscreen/EglContext.h>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include <EGL/eglext.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+template <typename Function>
+Function getFunction(const char* name)
+{
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+bool isSoftware(EGLDeviceEXT device)
+{
+    const auto query = getFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    const char* extensions = query ? query(device, EGL_EXTENSIONS) : nullptr;
+    return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+}
+
+/** The displays worth trying: those of GPUs, Mesa's without a surface, software devices, the default one. */
+std::vector<EGLDisplay> findDisplays()
+{
+    std::vector<EGLDisplay> displays;
+    std::vector<EGLDisplay> softwareDisplays;
+    const auto getDisplay = getFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    const auto queryDevices = getFunction<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    if (getDisplay && queryDevices)
+    {
+        std::array<EGLDeviceEXT, 16> devices{};
+        EGLint count = 0;
+        if (queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count))
+            for (EGLint index = 0; index < count; ++index)
+            {
+                const EGLDeviceEXT device = devices[static_cast<std::size_t>(index)];
+                (isSoftware(device) ? softwareDisplays : displays)
+                    .push_back(getDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+            }
+    }
+    if (getDisplay) displays.push_back(getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+    displays.insert(displays.end(), softwareDisplays.begin(), softwareDisplays.end());
+    displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    return displays;
+}
+
+EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext shared)
+{
+    constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,
+                                    4,
+                                    EGL_CONTEXT_MINOR_VERSION,
+                                    0,
+                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                    EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                    EGL_NONE};
+    const EGLContext context = eglCreateContext(display, config, shared, COMPATIBLE.data());
+    // What is older still has a context to give, of whose version the library can complain better than EGL does.
+    return context != EGL_NO_CONTEXT ? context : eglCreateContext(display, config, shared, nullptr);
+}
+
+} // namespace
+
+EglContext::EglContext(Traits* traits)
+{
+    _traits = traits;
+    setState(new osg::State);
+    getState()->setGraphicsContext(this);
+    if (traits->sharedContext.valid())
+    {
+        getState()->setContextID(traits->sharedContext->getState()->getContextID());
+        incrementContextIDUsageCount(getState()->getContextID());
+    }
+    else
+    {
+        getState()->setContextID(createNewContextID());
+    }
+}
+
+EglContext::~EglContext() { close(true); }
+
+bool EglContext::realizeImplementation()
+{
+    // A viewer realizes its contexts again.
+    if (isRealizedImplementation()) return true;
+    _error = "there is no EGL display that gives an OpenGL context";
+    for (EGLDisplay display : findDisplays())
+        if (display != EGL_NO_DISPLAY && realizeOn(display)) return true;
+    return false;
+}
+
+bool EglContext::realizeOn(EGLDisplay display)
+{
+    if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) return false;
+
+    const std::array wanted{EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                            EGL_RED_SIZE,        8,               EGL_GREEN_SIZE,      8,
+                            EGL_BLUE_SIZE,       8,               EGL_ALPHA_SIZE,      static_cast<EGLint>(_traits->alpha),
+                            EGL_DEPTH_SIZE,      static_cast<EGLint>(_traits->depth),
+                            EGL_STENCIL_SIZE,    static_cast<EGLint>(_traits->stencil),
+                            EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0) return false;
+
+    const auto* shared = dynamic_cast<EglContext*>(_traits->sharedContext.get());
+    const std::array size{EGL_WIDTH, _traits->width, EGL_HEIGHT, _traits->height, EGL_NONE};
+    _surface = eglCreatePbufferSurface(display, config, size.data());
+    _context = createContext(display, config, shared ? shared->_context : EGL_NO_CONTEXT);
+    _display = display;
+    if (_surface != EGL_NO_SURFACE && _context != EGL_NO_CONTEXT) return true;
+    closeImplementation();
+    return false;
+}
+
+void EglContext::closeImplementation()
+{
+    if (_display == EGL_NO_DISPLAY) return;
+    if (_context != EGL_NO_CONTEXT && eglGetCurrentContext() == _context) releaseContextImplementation();
+    if (_context != EGL_NO_CONTEXT) eglDestroyContext(_display, _context);
+    if (_surface != EGL_NO_SURFACE) eglDestroySurface(_display, _surface);
+    _context = EGL_NO_CONTEXT;
+    _surface = EGL_NO_SURFACE;
+    _display = EGL_NO_DISPLAY;
+}
+
+bool EglContext::makeCurrentImplementation()
+{
+    // The API is chosen for each thread.
+    return isRealizedImplementation() && eglBindAPI(EGL_OPENGL_API) &&
+           eglMakeCurrent(_display, _surface, _surface, _context);
+}
+
+bool EglContext::makeContextCurrentImplementation(osg::GraphicsContext*) { return makeCurrentImplementation(); }
+
+bool EglContext::releaseContextImplementation()
+{
+    return eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+} // namespace osgLego

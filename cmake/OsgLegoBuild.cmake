@@ -1,0 +1,42 @@
+# What every target of the project shares: the language, the warnings, the folders of the build tree.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+
+# Installed programs, libraries and plugins find the library beside them, wherever the tree is moved to.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/..;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+find_program(OSGLEGO_CCACHE ccache)
+if(OSGLEGO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${OSGLEGO_CCACHE})
+endif()
+
+add_library(osgLegoOptions INTERFACE)
+target_compile_options(osgLegoOptions INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+    $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
+if(OSGLEGO_SANITIZE)
+    target_compile_options(osgLegoOptions INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(osgLegoOptions INTERFACE -fsanitize=address,undefined)
+endif()
+
+# The include folders of OpenSceneGraph and GLM count as system ones: their warnings are not ours.
+function(osglego_use_osg target)
+    target_include_directories(${target} SYSTEM PUBLIC ${OPENSCENEGRAPH_INCLUDE_DIRS})
+    target_link_libraries(${target} PUBLIC ${OPENSCENEGRAPH_LIBRARIES})
+endfunction()

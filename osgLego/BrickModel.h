@@ -1,0 +1,73 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/Export.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <osg/Referenced>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The six neighbours of a cell, as the bits that say which of them are empty. */
+enum BrickSide : std::uint8_t
+{
+    SIDE_LEFT = 1,   //!< towards -x
+    SIDE_RIGHT = 2,  //!< towards +x
+    SIDE_FRONT = 4,  //!< towards -y
+    SIDE_BACK = 8,   //!< towards +y
+    SIDE_BOTTOM = 16, //!< towards -z
+    SIDE_TOP = 32    //!< towards +z
+};
+
+/** A covered cell: its place in the grid, its colour, and which of its neighbours are empty (BrickSide bits). */
+struct Brick
+{
+    std::array<std::uint16_t, 3> cell{};
+    std::array<std::uint8_t, 3> color{};
+    std::uint8_t openSides = 0;
+
+    bool operator==(const Brick&) const = default;
+};
+
+/** The bricks of a mesh on the CPU: every covered cell of its grid, with or without an open side.
+ *
+ * The bricks are sorted by their number in the grid, x + width * (y + depth * z), each cell once.
+ *
+ * Usage:
+ *
+ *     osg::ref_ptr<const osgLego::BrickModel> model = osgLego::legolizeOnCpu(*node, settings);
+ *     for (const osgLego::Brick& brick : model->getBricks()) ...
+ *
+ * Free of GL, immutable once created; every function may be called from any thread.
+ */
+class OSGLEGO_EXPORT BrickModel : public osg::Referenced
+{
+public:
+    /** Take over covered cells, in any order, each once; their `openSides` are found here. */
+    static osg::ref_ptr<const BrickModel> create(const BrickGrid& grid, std::vector<Brick> bricks);
+
+    const BrickGrid& getGrid() const { return _grid; }
+    const std::vector<Brick>& getBricks() const { return _bricks; }
+    /** The bricks with at least one open side: those that are drawn. */
+    std::size_t getNumVisible() const;
+    /** The brick in a cell, null when that is empty or outside the grid. */
+    const Brick* find(const glm::ivec3& cell) const;
+
+private:
+    BrickModel() = default;
+    ~BrickModel() override = default;
+
+    void findOpenSides();
+
+    BrickGrid _grid;
+    std::vector<Brick> _bricks;
+};
+
+} // namespace osgLego

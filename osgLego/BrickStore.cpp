@@ -1,0 +1,131 @@
+#include <osgLego/BrickStore.h>
+
+#include <osgLego/CpuLegolizer.h>
+
+#include <osg/Notify>
+
+namespace osgLego
+{
+
+bool ContextBricks::isOf(const LegoSource& wanted) const
+{
+    if (_revision != wanted.revision) return false;
+    // A thread that holds the mutex is at work in the context, which is therefore there.
+    const std::unique_lock lock(_mutex, std::try_to_lock);
+    return !lock || buffer.isValid();
+}
+
+std::string ContextBricks::getFailure() const
+{
+    const std::lock_guard lock(_mutex);
+    return failure;
+}
+
+LegoStatistics ContextBricks::getStatistics() const
+{
+    const std::lock_guard lock(_mutex);
+    return statistics;
+}
+
+osg::ref_ptr<const BrickModel> ContextBricks::getModel() const
+{
+    const std::lock_guard lock(_mutex);
+    return model;
+}
+
+void ContextBricks::finish()
+{
+    buffer = std::move(work->bricks);
+    numBricks = static_cast<GLsizei>(work->numBricks);
+    source = work->source;
+    work->statistics.numLegolizations = statistics.numLegolizations + 1;
+    work->statistics.numDrawnBricks = work->numBricks;
+    statistics = work->statistics;
+    model = source->readBack ? BrickModel::create(source->triangles->getGrid(), std::move(work->readBack)) : nullptr;
+    failure.clear();
+    work.reset();
+    _revision = source->revision;
+}
+
+void ContextBricks::fail(const LegoSource& failed, const std::string& why)
+{
+    work.reset();
+    failure = why;
+    if (_failedRevision.exchange(failed.revision) != failed.revision)
+        OSG_WARN << "osgLego: " << why << "; the source is drawn as it is, not in bricks" << std::endl;
+}
+
+void ContextBricks::release()
+{
+    work.reset();
+    buffer = GlBuffer();
+    numBricks = 0;
+    source = nullptr;
+    model = nullptr;
+    failure.clear();
+    _revision = 0;
+    _failedRevision = 0;
+}
+
+void BrickStore::setSource(const LegoSource* source)
+{
+    const std::lock_guard lock(_mutex);
+    if (_source == source) return;
+    _source = source;
+    _textures.clear();
+}
+
+osg::ref_ptr<const LegoSource> BrickStore::getSource() const
+{
+    const std::lock_guard lock(_mutex);
+    return _source;
+}
+
+osg::ref_ptr<ContextBricks> BrickStore::getContext(unsigned int contextID) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<ContextBricks>& bricks = _contexts[contextID];
+    if (!bricks) bricks = new ContextBricks;
+    return bricks;
+}
+
+osg::ref_ptr<const BrickModel> BrickStore::getModel() const
+{
+    const osg::ref_ptr<const LegoSource> wanted = getSource();
+    const std::lock_guard lock(_modelMutex);
+    if (_modelSource == wanted) return _model;
+    _modelSource = wanted;
+    _model = wanted ? legolizeOnCpu(*wanted->triangles) : nullptr;
+    return _model;
+}
+
+osg::ref_ptr<osg::Texture2D> BrickStore::getTexture(const SurfaceTexture& surface) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[&surface];
+    if (!texture)
+    {
+        texture = new osg::Texture2D(surface.getImage());
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+        texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        texture->setWrap(osg::Texture::WRAP_S, surface.getWrapS());
+        texture->setWrap(osg::Texture::WRAP_T, surface.getWrapT());
+        texture->setBorderColor(surface.getBorderColor());
+        texture->setResizeNonPowerOfTwoHint(false);
+    }
+    return texture;
+}
+
+void BrickStore::releaseGLObjects(osg::State* state) const
+{
+    const std::lock_guard lock(_mutex);
+    for (const auto& [surface, texture] : _textures) texture->releaseGLObjects(state);
+    for (const auto& [contextID, bricks] : _contexts)
+    {
+        if (state && state->getContextID() != contextID) continue;
+        const std::lock_guard contextLock(bricks->getMutex());
+        bricks->release();
+    }
+}
+
+} // namespace osgLego

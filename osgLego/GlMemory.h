@@ -1,0 +1,17 @@
+#pragma once
+
+#include <osg/GL>
+
+namespace osgLego
+{
+
+/** Whether GL has run out of memory since its errors were asked for last. Clears the errors; needs a current context. */
+inline bool takeOutOfMemoryError()
+{
+    bool result = false;
+    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
+        result = result || error == GL_OUT_OF_MEMORY;
+    return result;
+}
+
+} // namespace osgLego

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <utility>
+
+#include <osg/ContextData>
+#include <osg/GLExtensions>
+#include <osg/GLObjects>
+#include <osg/State>
+#include <osg/observer_ptr>
+
+namespace osgLego
+{
+
+/** Deletes one kind of GL object for one context, in that context's own thread, when OSG flushes what was deleted. */
+template <void (*DELETE)(const osg::GLExtensions&, GLuint)>
+class GlObjectManager : public osg::GLObjectManager
+{
+public:
+    explicit GlObjectManager(unsigned int contextID) :
+        osg::GLObjectManager("osgLego::GlObjectManager", contextID)
+    {
+    }
+
+    void deleteGLObject(GLuint name) override
+    {
+        if (const osg::GLExtensions* extensions = osg::GLExtensions::Get(_contextID, false)) DELETE(*extensions, name);
+    }
+};
+
+/** Owns the name of a GL object that contexts of one ID share: a buffer or a texture.
+ *
+ * Created by a thread in which the context is current; destroyed anywhere, the object itself then being deleted through
+ * OSG's deferred deletion. A name outlives neither its context nor that context's ID: isValid() turns false when the
+ * context is gone, even if a new one took over the ID.
+ */
+template <void (*CREATE)(const osg::GLExtensions&, GLuint&), void (*DELETE)(const osg::GLExtensions&, GLuint)>
+class GlObject
+{
+public:
+    GlObject() = default;
+    explicit GlObject(const osg::State& state) :
+        _manager(osg::get<Manager>(state.getContextID()))
+    {
+        CREATE(*state.get<osg::GLExtensions>(), _name);
+    }
+    GlObject(GlObject&& other) noexcept :
+        _manager(other._manager), _name(std::exchange(other._name, 0))
+    {
+    }
+    GlObject& operator=(GlObject&& other) noexcept
+    {
+        std::swap(_manager, other._manager);
+        std::swap(_name, other._name);
+        return *this;
+    }
+    GlObject(const GlObject&) = delete;
+    GlObject& operator=(const GlObject&) = delete;
+    ~GlObject()
+    {
+        osg::ref_ptr<Manager> manager;
+        if (_name != 0 && _manager.lock(manager)) manager->scheduleGLObjectForDeletion(_name);
+    }
+
+    /** The name to hand to GL; 0 when there is none. */
+    GLuint get() const { return _name; }
+    bool isValid() const { return _name != 0 && _manager.valid(); }
+
+private:
+    using Manager = GlObjectManager<DELETE>;
+
+    osg::observer_ptr<Manager> _manager;
+    GLuint _name = 0;
+};
+
+inline void createGlBuffer(const osg::GLExtensions& extensions, GLuint& name) { extensions.glGenBuffers(1, &name); }
+inline void deleteGlBuffer(const osg::GLExtensions& extensions, GLuint name) { extensions.glDeleteBuffers(1, &name); }
+inline void createGlTexture(const osg::GLExtensions&, GLuint& name) { glGenTextures(1, &name); }
+inline void deleteGlTexture(const osg::GLExtensions&, GLuint name) { glDeleteTextures(1, &name); }
+
+using GlBuffer = GlObject<createGlBuffer, deleteGlBuffer>;
+using GlTexture = GlObject<createGlTexture, deleteGlTexture>;
+
+} // namespace osgLego

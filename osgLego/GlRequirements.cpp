@@ -1,0 +1,90 @@
+#include <osgLego/GlRequirements.h>
+
+#include <osgLego/GridTriangles.h>
+#include <osgLego/SlabPlan.h>
+
+#include <sstream>
+#include <vector>
+
+#include <osg/ContextData>
+#include <osg/Notify>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr float NEEDED_VERSION = 4.0f;
+
+struct Limit
+{
+    GLenum name;
+    const char* text;
+    GLint needed;
+};
+
+std::string joined(const std::vector<std::string>& items)
+{
+    std::string result;
+    for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
+    return result;
+}
+
+std::string findMissing(const osg::GLExtensions& extensions)
+{
+    std::vector<std::string> missing;
+    const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    const std::string here = std::string(" (here: ") + (version ? version : "none") + ")";
+    if (GlRequirements::isVersionTooLow(extensions)) return "OpenGL 4.0 or later with GLSL 4.00 is needed" + here;
+
+    GLint profile = 0;
+    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
+        return "a context of the compatibility profile is needed, not of the core profile" + here;
+
+    constexpr auto LOOKUP_TEXELS = static_cast<GLint>(6 * GridBatch::MAXIMUM_TRIANGLES);
+    for (const Limit& limit : {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", SlabPlan::MAXIMUM_WIDTH},
+                               Limit{GL_MAX_TEXTURE_BUFFER_SIZE, "GL_MAX_TEXTURE_BUFFER_SIZE", LOOKUP_TEXELS},
+                               Limit{GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
+                                     "GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS", 1024},
+                               Limit{GL_MAX_GEOMETRY_SHADER_INVOCATIONS, "GL_MAX_GEOMETRY_SHADER_INVOCATIONS", 2}})
+    {
+        GLint value = 0;
+        glGetIntegerv(limit.name, &value);
+        if (value >= limit.needed) continue;
+        std::ostringstream text;
+        text << limit.text << " of " << limit.needed << " (here: " << value << ")";
+        missing.push_back(text.str());
+    }
+    return missing.empty() ? std::string() : joined(missing) + " is needed" + here;
+}
+
+} // namespace
+
+GlRequirements::GlRequirements(unsigned int) {}
+
+const std::string& GlRequirements::getMissing(const osg::State& state)
+{
+    auto* requirements = osg::get<GlRequirements>(state.getContextID());
+    if (!requirements->_checked)
+    {
+        requirements->_checked = true;
+        requirements->_missing = findMissing(*state.get<osg::GLExtensions>());
+        if (!requirements->_missing.empty())
+        {
+            OSG_WARN << "osgLego: " << requirements->_missing
+                     << "; sources are drawn as they are, not in bricks" << std::endl;
+        }
+    }
+    return requirements->_missing;
+}
+
+bool GlRequirements::isVersionTooLow(const osg::GLExtensions& extensions)
+{
+    // A little less, since both versions come out of text as floats.
+    constexpr float SLACK = 0.01f;
+    return extensions.glVersion < NEEDED_VERSION - SLACK || extensions.glslLanguageVersion < NEEDED_VERSION - SLACK;
+}
+
+} // namespace osgLego

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include <osg/GLExtensions>
+#include <osg/Referenced>
+#include <osg/State>
+
+namespace osgLego
+{
+
+/** What the passes need of a GL context, checked once for each context ID.
+ *
+ * OpenGL 4.0 in the compatibility profile (OSG's fixed-function state and geometry shaders side by side), GLSL 4.00,
+ * two geometry shader invocations, 1024 components out of a geometry shader, and buffer textures and textures as large
+ * as the passes make them.
+ */
+class GlRequirements : public osg::Referenced
+{
+public:
+    explicit GlRequirements(unsigned int contextID);
+
+    /** What the current context lacks, in one sentence that begins with what is needed; empty if nothing.
+     *
+     * Call with the context of `state` current. The first call with something missing also says so as a warning. */
+    static const std::string& getMissing(const osg::State& state);
+
+    /** Whether the version alone, known without a current context, rules the passes out. */
+    static bool isVersionTooLow(const osg::GLExtensions& extensions);
+
+private:
+    ~GlRequirements() override = default;
+
+    bool _checked = false;
+    std::string _missing;
+};
+
+} // namespace osgLego

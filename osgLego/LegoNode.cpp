@@ -1,0 +1,183 @@
+#include <osgLego/LegoNode.h>
+
+#include <osgLego/LegoPipeline.h>
+#include <osgLego/SourceVisitor.h>
+
+#include <string_view>
+#include <typeinfo>
+
+#include <osg/Notify>
+#include <osgUtil/CullVisitor>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Whether a visitor writes the scene in a file format of triangles. Such writers take nothing but osg::Geometry, and
+ * nothing tells them from other visitors but the names of their classes. */
+bool isGeometryWriter(const osg::NodeVisitor& visitor)
+{
+    const std::string_view name = typeid(visitor).name();
+    return name.find("Writer") != std::string_view::npos || name.find("writer") != std::string_view::npos ||
+           name.find("CreateStl") != std::string_view::npos;
+}
+
+} // namespace
+
+LegoNode::LegoNode() :
+    LegoNode(LegoSettings())
+{
+}
+
+LegoNode::LegoNode(const LegoSettings& settings) :
+    _pipeline(new LegoPipeline(LegoSettings()))
+{
+    setSettings(settings);
+    // Once a frame the source is looked at, whether or not a child has an update callback.
+    setNumChildrenRequiringUpdateTraversal(1);
+}
+
+LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
+    osg::Group(node, copyop), _pipeline(new LegoPipeline(node.getSettings()))
+{
+    setTiming(node.getTiming());
+    setReadBack(node.getReadBack());
+    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+}
+
+LegoNode::~LegoNode() = default;
+
+bool LegoNode::setSettings(const LegoSettings& settings)
+{
+    if (const std::string error = settings.check(); !error.empty())
+    {
+        OSG_WARN << "osgLego: " << error << std::endl;
+        return false;
+    }
+    _pipeline->setSettings(settings);
+    dirtyBound();
+    return true;
+}
+
+LegoSettings LegoNode::getSettings() const { return _pipeline->getSettings(); }
+
+void LegoNode::dirty()
+{
+    _pipeline->dirty();
+    dirtyBound();
+}
+
+void LegoNode::setTiming(bool timing) { _pipeline->setTiming(timing); }
+
+bool LegoNode::getTiming() const { return _pipeline->getTiming(); }
+
+void LegoNode::setReadBack(bool readBack) { _pipeline->setReadBack(readBack); }
+
+bool LegoNode::getReadBack() const { return _pipeline->getReadBack(); }
+
+osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
+{
+    _pipeline->refresh(*this);
+    return _pipeline->getStore().getModel();
+}
+
+osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
+{
+    return _pipeline->getStore().getContext(contextID)->getModel();
+}
+
+LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
+{
+    return _pipeline->getStore().getContext(contextID)->getStatistics();
+}
+
+bool LegoNode::isLegolized(unsigned int contextID) const
+{
+    const BrickStore& store = _pipeline->getStore();
+    const osg::ref_ptr<const LegoSource> source = store.getSource();
+    return source && store.getContext(contextID)->isOf(*source);
+}
+
+std::string LegoNode::getFailure(unsigned int contextID) const
+{
+    return _pipeline->getStore().getContext(contextID)->getFailure();
+}
+
+void LegoNode::traverse(osg::NodeVisitor& visitor)
+{
+    switch (visitor.getVisitorType())
+    {
+    case osg::NodeVisitor::UPDATE_VISITOR:
+        osg::Group::traverse(visitor);
+        if (_pipeline->refresh(*this)) dirtyBound();
+        _pipeline->releaseIdlePasses();
+        return;
+    case osg::NodeVisitor::EVENT_VISITOR:
+        osg::Group::traverse(visitor);
+        return;
+    case osg::NodeVisitor::CULL_VISITOR:
+        cull(visitor);
+        return;
+    default:
+        visitBricks(visitor);
+    }
+}
+
+void LegoNode::cull(osg::NodeVisitor& visitor)
+{
+    _pipeline->refreshIfDirty(*this);
+    osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
+    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) osg::Group::traverse(visitor);
+}
+
+void LegoNode::visitBricks(osg::NodeVisitor& visitor)
+{
+    if (dynamic_cast<SourceVisitor*>(&visitor))
+    {
+        // Our own visitors, which look at the source of this node, or at a node that is part of another one's source.
+        if (visitor.getNodePath().size() == 1)
+        {
+            osg::Group::traverse(visitor);
+            return;
+        }
+    }
+    else if (!isGeometryWriter(visitor))
+    {
+        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
+        _pipeline->getBrickNode().accept(visitor);
+        return;
+    }
+
+    _pipeline->refreshIfDirty(*this);
+    if (const osg::ref_ptr<osg::Node> geometry = _pipeline->getGeometryNode()) geometry->accept(visitor);
+    else osg::Group::traverse(visitor);
+}
+
+osg::BoundingSphere LegoNode::computeBound() const
+{
+    _pipeline->refresh(*this);
+    const osg::BoundingBoxd bounds = _pipeline->getBounds();
+    return bounds.valid() ? osg::BoundingSphere(osg::BoundingBox(bounds)) : osg::Group::computeBound();
+}
+
+void LegoNode::setThreadSafeRefUnref(bool threadSafe)
+{
+    osg::Group::setThreadSafeRefUnref(threadSafe);
+    _pipeline->getBrickNode().setThreadSafeRefUnref(threadSafe);
+}
+
+void LegoNode::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    osg::Group::resizeGLObjectBuffers(maxSize);
+    _pipeline->resizeGLObjectBuffers(maxSize);
+}
+
+void LegoNode::releaseGLObjects(osg::State* state) const
+{
+    osg::Group::releaseGLObjects(state);
+    _pipeline->releaseGLObjects(state);
+}
+
+} // namespace osgLego

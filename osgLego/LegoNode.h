@@ -1,0 +1,101 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Export.h>
+#include <osgLego/LegoSettings.h>
+#include <osgLego/LegoStatistics.h>
+
+#include <string>
+
+#include <osg/Group>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+class LegoPipeline;
+
+/** A group whose children are drawn as bricks in their place, made on the GPU and made anew when they change.
+ *
+ * The children, the source, may be any subgraph (see SceneTriangles for what of it counts). They are updated and get
+ * events as ever; what is drawn, picked and bounded is their bricks, studs included. In a context that can't make
+ * bricks the source is drawn as it is, and a warning says what is missing.
+ *
+ * Preconditions:
+ * 1. A context needs OpenGL 4.0 or later, compatibility profile.
+ * 2. The source is changed where OSG allows a scene to be changed: in the update traversal or between frames. Arrays
+ *    that change are said so by `array->dirty()`, or belong to a geometry whose data variance is DYNAMIC; transforms,
+ *    switches, materials and textures need nothing. For what escapes even so there is dirty().
+ * 3. The scene is updated once a frame, as every osgViewer does. Without an update traversal only the first source,
+ *    setSettings() and dirty() are noticed.
+ *
+ * Usage:
+ *
+ *     osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode;
+ *     lego->addChild(osgDB::readRefNodeFile("bunny.ply"));
+ *     viewer.setSceneData(lego);
+ *
+ * Other node visitors than the update, event and cull visitors: those that traverse all children get the source and the
+ * bricks, those that traverse active children the bricks alone. Writers of file formats get the bricks as an
+ * osg::Geometry; OSG's own formats (.osgt, .osgb) save the settings and the source.
+ *
+ * Functions may be called from the thread that updates the scene, those of the statistics and bricks from any.
+ */
+class OSGLEGO_EXPORT LegoNode : public osg::Group
+{
+public:
+    LegoNode();
+    explicit LegoNode(const LegoSettings& settings);
+    LegoNode(const LegoNode& node, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgLego, LegoNode)
+
+    /** Change the settings; the bricks are made anew in the next frame.
+     * @return false, with a warning and no change, when LegoSettings::check refuses them. */
+    bool setSettings(const LegoSettings& settings);
+    LegoSettings getSettings() const;
+
+    /** Make the bricks anew in the next frame, whether or not a change of the source can be seen. */
+    void dirty();
+
+    /** Wait after each stage of a legolization, so that getStatistics() has its times. Off at first. */
+    void setTiming(bool timing);
+    bool getTiming() const;
+
+    /** Bring all covered cells back from the GPU with each legolization, for getBricks(contextID). Off at first. */
+    void setReadBack(bool readBack);
+    bool getReadBack() const;
+
+    /** The bricks, made on the CPU when they are asked for and kept until the source changes; null without triangles.
+     *
+     * The cells are those of VoxelizationMethod::EXACT, whatever the settings say. Needs no GL context. */
+    osg::ref_ptr<const BrickModel> getBricks() const;
+
+    /** Every covered cell as the GPU of a context found it; null when it has not yet, or setReadBack() is off. */
+    osg::ref_ptr<const BrickModel> getBricks(unsigned int contextID) const;
+
+    /** What the last legolization in a context went through. */
+    LegoStatistics getStatistics(unsigned int contextID) const;
+
+    /** Whether a context has the bricks of the source as it is now. */
+    bool isLegolized(unsigned int contextID) const;
+
+    /** Why a context draws the source instead of bricks, in one sentence; empty when it does not. */
+    std::string getFailure(unsigned int contextID) const;
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    osg::BoundingSphere computeBound() const override;
+    void setThreadSafeRefUnref(bool threadSafe) override;
+    void resizeGLObjectBuffers(unsigned int maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
+protected:
+    ~LegoNode() override;
+
+private:
+    void cull(osg::NodeVisitor& visitor);
+    void visitBricks(osg::NodeVisitor& visitor);
+
+    osg::ref_ptr<LegoPipeline> _pipeline;
+};
+
+} // namespace osgLego

@@ -1,0 +1,183 @@
+#include <osgLego/LegoPipeline.h>
+
+#include <osgLego/BrickGeometry.h>
+#include <osgLego/GlRequirements.h>
+#include <osgLego/SourceSignature.h>
+
+#include <osg/Notify>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// After so many frames without work the passes are let go, and with them their textures; a frame that is still being
+// drawn is never that far behind.
+constexpr unsigned int IDLE_FRAMES = 8;
+// More cull visitors than any program keeps: what is beyond them are visitors that are gone.
+constexpr std::size_t MAXIMUM_CULL_VISITORS = 256;
+
+std::uint64_t makeRevision()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+} // namespace
+
+LegoPipeline::LegoPipeline(const LegoSettings& settings) :
+    _settings(settings), _store(new BrickStore), _brickNode(new osg::Geode)
+{
+    _brickNode->addDrawable(new BrickDrawable(*_store));
+}
+
+void LegoPipeline::setSettings(const LegoSettings& settings)
+{
+    const std::lock_guard lock(_mutex);
+    if (settings == _settings) return;
+    _settings = settings;
+    _isDirty = true;
+}
+
+LegoSettings LegoPipeline::getSettings() const
+{
+    const std::lock_guard lock(_mutex);
+    return _settings;
+}
+
+void LegoPipeline::setTiming(bool timing)
+{
+    const std::lock_guard lock(_mutex);
+    if (timing == _timing) return;
+    _timing = timing;
+    _isDirty = true;
+}
+
+bool LegoPipeline::getTiming() const
+{
+    const std::lock_guard lock(_mutex);
+    return _timing;
+}
+
+void LegoPipeline::setReadBack(bool readBack)
+{
+    const std::lock_guard lock(_mutex);
+    if (readBack == _readBack) return;
+    _readBack = readBack;
+    _isDirty = true;
+}
+
+bool LegoPipeline::getReadBack() const
+{
+    const std::lock_guard lock(_mutex);
+    return _readBack;
+}
+
+bool LegoPipeline::refresh(const osg::Node& node)
+{
+    const std::lock_guard lock(_mutex);
+    const bool wasDirty = _isDirty.exchange(false);
+    const std::uint64_t signature = computeSourceSignature(node);
+    if (!wasDirty && signature == _signature) return false;
+    _signature = signature;
+
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
+    osg::ref_ptr<LegoSource> source;
+    if (scene->getNumTriangles() > 0)
+    {
+        source = new LegoSource;
+        source->revision = makeRevision();
+        source->settings = _settings;
+        source->triangles = GridTriangles::create(*scene, _settings);
+        source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+        source->timing = _timing;
+        source->readBack = _readBack;
+    }
+    _store->setSource(source.get());
+    _brickNode->getDrawable(0)->dirtyBound();
+    return true;
+}
+
+void LegoPipeline::releaseIdlePasses()
+{
+    const std::lock_guard lock(_mutex);
+    if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
+    _passes = nullptr;
+    _lastCulls.clear();
+}
+
+bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::ref_ptr<const LegoSource> source = _store->getSource();
+    if (!source) return false;
+    const osg::State& state = *visitor.getState();
+    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    if (isHopeless(state, *bricks, *source)) return false;
+    if (!bricks->isOf(*source)) cullPasses(visitor, *source);
+    _brickNode->accept(visitor);
+    return true;
+}
+
+bool LegoPipeline::isHopeless(const osg::State& state, const ContextBricks& bricks, const LegoSource& source) const
+{
+    if (bricks.getFailedRevision() == source.revision) return true;
+    // Known only once the context has been current; before, the first pass finds out.
+    const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
+    return extensions && bricks.getFailedRevision() != 0 && GlRequirements::isVersionTooLow(*extensions);
+}
+
+void LegoPipeline::cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source)
+{
+    const std::lock_guard lock(_mutex);
+    // A node with several parents is culled several times in a frame, but its passes are queued once.
+    if (_lastCulls.size() >= MAXIMUM_CULL_VISITORS) _lastCulls.clear();
+    const CullKey key(source.revision, visitor.getTraversalNumber());
+    const auto [last, isNew] = _lastCulls.try_emplace(&visitor, key);
+    if (!isNew && last->second == key) return;
+    last->second = key;
+
+    const PassPlan plan = PassPlan::create(source);
+    if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_store, plan);
+    _passes->cull(visitor);
+    _idleFrames = 0;
+}
+
+osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
+{
+    const osg::ref_ptr<const BrickModel> model = _store->getModel();
+    if (!model) return nullptr;
+    const std::lock_guard lock(_mutex);
+    if (model != _geometryModel)
+    {
+        _geometryModel = model;
+        _geometryNode = new osg::Geode;
+        _geometryNode->addDrawable(createBrickGeometry(*model));
+    }
+    return _geometryNode;
+}
+
+osg::BoundingBoxd LegoPipeline::getBounds() const
+{
+    const osg::ref_ptr<const LegoSource> source = _store->getSource();
+    return source ? source->triangles->getGrid().getBrickBounds() : osg::BoundingBoxd();
+}
+
+void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    const std::lock_guard lock(_mutex);
+    _brickNode->resizeGLObjectBuffers(maxSize);
+    if (_passes) _passes->resizeGLObjectBuffers(maxSize);
+}
+
+void LegoPipeline::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_mutex);
+    _brickNode->releaseGLObjects(state);
+    _store->releaseGLObjects(state);
+    if (_passes) _passes->releaseGLObjects(state);
+}
+
+} // namespace osgLego

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <osgLego/BrickDrawable.h>
+#include <osgLego/BrickModel.h>
+#include <osgLego/BrickStore.h>
+#include <osgLego/LegolizationPasses.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include <osg/Geode>
+#include <osg/Group>
+#include <osg/NodeVisitor>
+#include <osg/Referenced>
+#include <osgUtil/CullVisitor>
+
+namespace osgLego
+{
+
+/** What is behind a LegoNode: watches its source, has the passes run when they must, and shows the bricks.
+ *
+ * Every function may be called from any thread, as long as no other thread changes the source meanwhile.
+ */
+class LegoPipeline : public osg::Referenced
+{
+public:
+    explicit LegoPipeline(const LegoSettings& settings);
+
+    void setSettings(const LegoSettings& settings);
+    LegoSettings getSettings() const;
+    void setTiming(bool timing);
+    bool getTiming() const;
+    void setReadBack(bool readBack);
+    bool getReadBack() const;
+
+    /** Flatten the source at the next chance, whatever its signature says. */
+    void dirty() { _isDirty = true; }
+
+    /** Look at the source, and flatten it if it is another than before. @return whether it is. */
+    bool refresh(const osg::Node& source);
+    /** The same, but look only when dirty() was said. */
+    bool refreshIfDirty(const osg::Node& source) { return _isDirty && refresh(source); }
+
+    /** Let go of the passes when they have had nothing to do for a while. Called once a frame. */
+    void releaseIdlePasses();
+
+    /** Draw the bricks, and have them made first if the visitor's context lacks them.
+     * @return false when the context can't have them, or there are none: then the source is to be drawn. */
+    bool cull(osgUtil::CullVisitor& visitor);
+
+    /** The node that stands for the bricks: drawn by cull(), picked, bounded. */
+    osg::Geode& getBrickNode() const { return *_brickNode; }
+    /** The bricks as osg::Geometry, made when first asked for; null when there are none. */
+    osg::ref_ptr<osg::Node> getGeometryNode();
+
+    const BrickStore& getStore() const { return *_store; }
+    osg::BoundingBoxd getBounds() const;
+
+    void resizeGLObjectBuffers(unsigned int maxSize);
+    void releaseGLObjects(osg::State* state);
+
+private:
+    using CullKey = std::tuple<std::uint64_t, unsigned int>; // the revision of a source, and a frame
+
+    ~LegoPipeline() override = default;
+
+    bool isHopeless(const osg::State& state, const ContextBricks& bricks, const LegoSource& source) const;
+    void cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source);
+
+    mutable std::mutex _mutex;
+    LegoSettings _settings;
+    bool _timing = false;
+    bool _readBack = false;
+    std::atomic<bool> _isDirty{true};
+    std::uint64_t _signature = 0;
+
+    osg::ref_ptr<BrickStore> _store;
+    osg::ref_ptr<osg::Geode> _brickNode;
+    osg::ref_ptr<LegolizationPasses> _passes;
+    unsigned int _idleFrames = 0;
+    std::map<const osgUtil::CullVisitor*, CullKey> _lastCulls;
+
+    osg::ref_ptr<osg::Geode> _geometryNode;
+    osg::ref_ptr<const BrickModel> _geometryModel;
+};
+
+} // namespace osgLego

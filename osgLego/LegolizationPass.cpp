@@ -1,0 +1,64 @@
+#include <osgLego/LegolizationPass.h>
+
+#include <osg/RenderInfo>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+LegolizationPass::LegolizationPass(BrickStore& store, unsigned int step) :
+    _store(&store), _step(step)
+{
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setCullingActive(false);
+    setDataVariance(osg::Object::STATIC);
+}
+
+void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    const std::lock_guard lock(bricks->getMutex());
+    if (!begin(state, *bricks)) return;
+
+    osg::ref_ptr<const LegoSource> source = bricks->work->source;
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    std::string failure;
+    if (!state.getLastAppliedProgramObject()) failure = std::string("the shaders of ") + className() + " do not compile";
+    else
+    {
+        state.disableAllVertexArrays();
+        state.unbindVertexBufferObject();
+        failure = run(state, *bricks);
+    }
+    if (!failure.empty())
+    {
+        bricks->fail(*source, failure);
+        return;
+    }
+    // The last pass has finished the work, and moved its statistics.
+    if (source->timing) glFinish();
+    LegoStatistics& statistics = bricks->work ? bricks->work->statistics : bricks->statistics;
+    getTime(statistics) += osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    if (bricks->work) ++bricks->work->nextStep;
+}
+
+bool LegolizationPass::begin(osg::State& state, ContextBricks& bricks) const
+{
+    return bricks.work && bricks.work->owner == state.getGraphicsContext() && bricks.work->nextStep == _step;
+}
+
+void LegolizationPass::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _camera->releaseGLObjects(state);
+}
+
+void LegolizationPass::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    osg::Drawable::resizeGLObjectBuffers(maxSize);
+    _camera->resizeGLObjectBuffers(maxSize);
+}
+
+} // namespace osgLego

@@ -1,0 +1,45 @@
+#include <osgLego/LegolizationPasses.h>
+
+#include <osgLego/BrickExtractionPass.h>
+#include <osgLego/ProjectionPass.h>
+#include <osgLego/SubdivisionPass.h>
+#include <osgLego/VoxelizationPass.h>
+
+namespace osgLego
+{
+
+LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) :
+    _plan(plan)
+{
+    unsigned int step = 0;
+    _passes.emplace_back(new SubdivisionPass(store, plan));
+    osg::ref_ptr<osg::Texture2D> picture;
+    if (plan.pictureSize > 0)
+    {
+        picture = PassCamera::createTarget(glm::ivec2(plan.pictureSize));
+        _passes.emplace_back(new ProjectionPass(store, ++step, *picture));
+    }
+    const osg::ref_ptr<osg::Texture2D> voxelImage = PassCamera::createTarget(plan.imageSize);
+    for (std::size_t slab = 0; slab < plan.numSlabs; ++slab)
+    {
+        _passes.emplace_back(new VoxelizationPass(store, ++step, plan, slab, *voxelImage, picture.get()));
+        _passes.emplace_back(new BrickExtractionPass(store, ++step, plan, slab, *voxelImage));
+    }
+}
+
+void LegolizationPasses::cull(osgUtil::CullVisitor& visitor) const
+{
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->getCamera().accept(visitor);
+}
+
+void LegolizationPasses::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->releaseGLObjects(state);
+}
+
+void LegolizationPasses::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->resizeGLObjectBuffers(maxSize);
+}
+
+} // namespace osgLego

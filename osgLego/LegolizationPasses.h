@@ -1,0 +1,37 @@
+#pragma once
+
+#include <osgLego/BrickStore.h>
+#include <osgLego/LegolizationPass.h>
+#include <osgLego/PassPlan.h>
+
+#include <vector>
+
+#include <osgUtil/CullVisitor>
+
+namespace osgLego
+{
+
+/** The passes of a plan in their order: subdivision, the picture of a projected target, and for each slab of the grid
+ * voxelization and extraction, all slabs sharing one voxel image. */
+class LegolizationPasses : public osg::Referenced
+{
+public:
+    LegolizationPasses(BrickStore& store, const PassPlan& plan);
+
+    const PassPlan& getPlan() const { return _plan; }
+
+    /** Queue every pass to be drawn before the stage that the visitor is filling.
+     * Once for each visitor and frame; one thread at a time. */
+    void cull(osgUtil::CullVisitor& visitor) const;
+
+    void releaseGLObjects(osg::State* state) const;
+    void resizeGLObjectBuffers(unsigned int maxSize) const;
+
+private:
+    ~LegolizationPasses() override = default;
+
+    PassPlan _plan;
+    std::vector<osg::ref_ptr<LegolizationPass>> _passes;
+};
+
+} // namespace osgLego

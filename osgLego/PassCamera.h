@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <osg/Camera>
+#include <osg/Drawable>
+#include <osg/Program>
+#include <osg/StateSet>
+#include <osg/Texture2D>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The camera of a pass: draws the one drawable of the pass into a frame buffer object, before the frame.
+ *
+ * The drawable owns the camera and not the other way round: a frame that is being drawn holds its drawables, and so
+ * keeps the camera alive even when the node was removed meanwhile.
+ */
+class PassCamera : public osg::Camera
+{
+public:
+    /** Draw into a texture, cleared before to `clearColor`. */
+    PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, const osg::Vec4& clearColor);
+    /** Draw nothing: for transform feedback, which needs a complete frame buffer all the same. */
+    explicit PassCamera(const osg::Drawable& drawable);
+
+    void traverse(osg::NodeVisitor& visitor) override;
+
+    /** A texture for a pass to draw into: RGBA, 32-bit floats, texels fetched one by one. */
+    static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size);
+
+    /** The state of a pass: its program, and everything else as GL starts with, whatever the scene around sets. */
+    static osg::ref_ptr<osg::StateSet> createStateSet(osg::Program& program);
+
+private:
+    ~PassCamera() override = default;
+
+    void setUp(const glm::ivec2& size);
+
+    const osg::Drawable& _drawable;
+};
+
+} // namespace osgLego

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <osgLego/LegoSource.h>
+#include <osgLego/SlabPlan.h>
+
+namespace osgLego
+{
+
+/** What decides which passes there are and what they draw into; sources with equal plans share their passes. */
+struct PassPlan
+{
+    VoxelizationMethod method = VoxelizationMethod::EXACT;
+    VoxelizationTarget target = VoxelizationTarget::ADDRESSED;
+    int pictureSize = 0;      //!< the side of a projected target, in pixels; else 0
+    int cellsPerTriangle = 0; //!< how many cells a fine triangle may meet, for the exact method; else 0
+    glm::ivec2 imageSize{0};  //!< of the voxel image
+    std::size_t numSlabs = 0;
+
+    static PassPlan create(const LegoSource& source);
+
+    bool operator==(const PassPlan&) const = default;
+};
+
+} // namespace osgLego

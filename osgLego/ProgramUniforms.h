@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <osg/GLExtensions>
+#include <osg/Program>
+#include <osg/State>
+#include <osg/Uniform>
+
+namespace osgLego
+{
+
+/** Sets uniforms of the program that a state has applied last, at once and by name.
+ *
+ * For values that change from draw call to draw call; a name that the program does not use is passed over. Needs the
+ * context of the state current.
+ */
+class ProgramUniforms
+{
+public:
+    explicit ProgramUniforms(const osg::State& state) :
+        _extensions(*state.get<osg::GLExtensions>()), _program(*state.getLastAppliedProgramObject())
+    {
+    }
+
+    void set(const char* name, int value) const { _extensions.glUniform1i(find(name), value); }
+    void set(const char* name, float value) const { _extensions.glUniform1f(find(name), value); }
+    void set(const char* name, const glm::ivec2& value) const { _extensions.glUniform2iv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::ivec3& value) const { _extensions.glUniform3iv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::mat4& value) const
+    {
+        _extensions.glUniformMatrix4fv(find(name), 1, GL_FALSE, &value[0].x);
+    }
+
+private:
+    GLint find(const char* name) const { return _program.getUniformLocation(osg::Uniform::getNameID(name)); }
+
+    const osg::GLExtensions& _extensions;
+    const osg::Program::PerContextProgram& _program;
+};
+
+} // namespace osgLego

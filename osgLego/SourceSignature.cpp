@@ -1,0 +1,128 @@
+#include <osgLego/SourceSignature.h>
+
+#include <osgLego/SourceVisitor.h>
+#include <osgLego/SurfaceState.h>
+
+#include <bit>
+#include <cstring>
+
+#include <osg/Geometry>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Mixes numbers into one, in order (the multiplication and shifts of MurmurHash's 64-bit finalizer). */
+class Signature
+{
+public:
+    void add(std::uint64_t value)
+    {
+        std::uint64_t mixed = (_value ^ value) * 0xff51afd7ed558ccdull;
+        mixed ^= mixed >> 33;
+        mixed *= 0xc4ceb9fe1a85ec53ull;
+        _value = mixed ^ (mixed >> 29);
+    }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(const void* pointer) { add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(pointer))); }
+    void add(const osg::Matrixd& matrix)
+    {
+        for (int element = 0; element < 16; ++element) add(matrix.ptr()[element]);
+    }
+    void add(const osg::Vec4d& vector)
+    {
+        for (unsigned int component = 0; component < 4; ++component) add(vector[component]);
+    }
+    void addBytes(const void* data, std::size_t size)
+    {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t offset = 0; offset < size; offset += sizeof(std::uint64_t))
+        {
+            std::uint64_t word = 0;
+            std::memcpy(&word, bytes + offset, std::min(size - offset, sizeof(word)));
+            add(word);
+        }
+    }
+
+    std::uint64_t get() const { return _value; }
+
+private:
+    std::uint64_t _value = 0;
+};
+
+class SignatureVisitor : public SourceVisitor
+{
+public:
+    META_NodeVisitor(osgLego, SignatureVisitor)
+
+    Signature& getSignature() { return _signature; }
+
+protected:
+    void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
+                      const std::vector<const osg::StateSet*>& stateSets) override
+    {
+        _signature.add(static_cast<const void*>(&drawable));
+        _signature.add(toRoot);
+        addState(SurfaceState(stateSets));
+        if (const osg::Geometry* geometry = drawable.asGeometry()) addGeometry(*geometry);
+    }
+
+private:
+    void addState(const SurfaceState& state)
+    {
+        _signature.add(state.getColor());
+        _signature.add(std::uint64_t(state.usesColorArray()));
+        _signature.add(static_cast<std::uint64_t>(state.getEnvironment()));
+        _signature.add(static_cast<const void*>(state.getTexture()));
+        if (const osg::Texture2D* texture = state.getTexture())
+        {
+            _signature.add(static_cast<const void*>(texture->getImage()));
+            _signature.add(std::uint64_t(texture->getImage() ? texture->getImage()->getModifiedCount() : 0));
+            _signature.add(std::uint64_t(texture->getWrap(osg::Texture::WRAP_S)));
+            _signature.add(std::uint64_t(texture->getWrap(osg::Texture::WRAP_T)));
+            _signature.add(osg::Vec4d(texture->getBorderColor()));
+        }
+        if (state.getTextureMatrix()) _signature.add(osg::Matrixd(state.getTextureMatrix()->getMatrix()));
+    }
+
+    void addGeometry(const osg::Geometry& geometry)
+    {
+        const bool byContents = geometry.getDataVariance() == osg::Object::DYNAMIC;
+        addData(geometry.getVertexArray(), byContents);
+        addData(geometry.getColorArray(), byContents);
+        addData(geometry.getTexCoordArray(0), byContents);
+        if (geometry.getColorArray()) _signature.add(std::uint64_t(geometry.getColorArray()->getBinding()));
+        for (const osg::ref_ptr<osg::PrimitiveSet>& set : geometry.getPrimitiveSetList())
+        {
+            addData(set.get(), byContents);
+            _signature.add(std::uint64_t(set->getMode()));
+            _signature.add(std::uint64_t(set->getNumIndices()));
+            if (set->getNumIndices() > 0) _signature.add(std::uint64_t(set->index(0)));
+        }
+    }
+
+    void addData(const osg::BufferData* data, bool byContents)
+    {
+        _signature.add(static_cast<const void*>(data));
+        if (!data) return;
+        _signature.add(std::uint64_t(data->getModifiedCount()));
+        _signature.add(std::uint64_t(data->getTotalDataSize()));
+        if (byContents && data->getDataPointer()) _signature.addBytes(data->getDataPointer(), data->getTotalDataSize());
+    }
+
+    Signature _signature;
+};
+
+} // namespace
+
+std::uint64_t computeSourceSignature(const osg::Node& node)
+{
+    SignatureVisitor visitor;
+    // accept() is not const, but the visitor only reads.
+    const_cast<osg::Node&>(node).accept(visitor);
+    return visitor.getSignature().get();
+}
+
+} // namespace osgLego

@@ -1,0 +1,227 @@
+#include <osgLego/TriangleOverlap.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Up to this many candidate cells are tried one by one, more are halved first.
+constexpr int DIRECT_CANDIDATES = 27;
+// In cells; boxes of many cells are judged generously, their cells exactly.
+constexpr double GENEROSITY = 1e-9;
+// An axis this short comes from a sliver or an edge along an axis, and tells nothing.
+constexpr double SHORTEST_AXIS = 1e-9;
+
+/** A convex polygon: a triangle gains at most one corner from each face of a cell. */
+struct Polygon
+{
+    std::array<glm::dvec3, 9> corners;
+    int count = 0;
+
+    void add(const glm::dvec3& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
+};
+
+/** What of a polygon lies where sign * coordinate >= sign * bound (Sutherland and Hodgman). */
+Polygon clipped(const Polygon& polygon, int axis, double sign, double bound)
+{
+    Polygon result;
+    for (int index = 0; index < polygon.count; ++index)
+    {
+        const glm::dvec3& from = polygon.corners[static_cast<std::size_t>(index)];
+        const glm::dvec3& to = polygon.corners[static_cast<std::size_t>((index + 1) % polygon.count)];
+        const double fromInside = sign * (from[axis] - bound);
+        const double toInside = sign * (to[axis] - bound);
+        if (fromInside >= 0.0) result.add(from);
+        if ((fromInside >= 0.0) != (toInside >= 0.0))
+            result.add(glm::mix(from, to, fromInside / (fromInside - toInside)));
+    }
+    return result;
+}
+
+double areaOf(const Polygon& polygon)
+{
+    glm::dvec3 sum(0.0);
+    for (int index = 2; index < polygon.count; ++index)
+        sum += glm::cross(polygon.corners[static_cast<std::size_t>(index - 1)] - polygon.corners[0],
+                          polygon.corners[static_cast<std::size_t>(index)] - polygon.corners[0]);
+    return 0.5 * glm::length(sum);
+}
+
+} // namespace
+
+TriangleOverlap::TriangleOverlap(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) :
+    _corners{a, b, c}, _minimum(glm::min(a, glm::min(b, c))), _maximum(glm::max(a, glm::max(b, c)))
+{
+    const std::array<glm::dvec3, 3> edges{b - a, c - b, a - c};
+    _axes[0] = makeAxis(glm::cross(edges[0], edges[1]));
+    std::size_t next = 1;
+    for (const glm::dvec3& edge : edges)
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            glm::dvec3 unit(0.0);
+            unit[axis] = 1.0;
+            _axes[next++] = makeAxis(glm::cross(unit, edge));
+        }
+}
+
+TriangleOverlap::Axis TriangleOverlap::makeAxis(const glm::dvec3& direction) const
+{
+    Axis axis;
+    axis.direction = direction;
+    const std::array<double, 3> places{glm::dot(direction, _corners[0]), glm::dot(direction, _corners[1]),
+                                       glm::dot(direction, _corners[2])};
+    axis.triangleMinimum = *std::min_element(places.begin(), places.end());
+    axis.triangleMaximum = *std::max_element(places.begin(), places.end());
+    const glm::dvec3 upward = glm::max(direction, glm::dvec3(0.0));
+    const glm::dvec3 downward = glm::min(direction, glm::dvec3(0.0));
+    axis.cellMinimum = downward.x + downward.y + downward.z;
+    axis.cellMaximum = upward.x + upward.y + upward.z;
+    axis.minimumIsOpen = downward != glm::dvec3(0.0);
+    axis.maximumIsOpen = upward != glm::dvec3(0.0);
+    return axis;
+}
+
+bool TriangleOverlap::overlaps(const glm::ivec3& cell) const
+{
+    const glm::dvec3 corner(cell);
+    if (glm::any(glm::lessThan(_maximum, corner)) || glm::any(glm::greaterThanEqual(_minimum, corner + 1.0)))
+        return false;
+    for (const Axis& axis : _axes)
+    {
+        const double shift = glm::dot(axis.direction, corner);
+        const double cellMinimum = axis.cellMinimum + shift;
+        const double cellMaximum = axis.cellMaximum + shift;
+        if (axis.triangleMinimum > cellMaximum || axis.triangleMaximum < cellMinimum) return false;
+        if (axis.triangleMinimum == cellMaximum && axis.maximumIsOpen) return false;
+        if (axis.triangleMaximum == cellMinimum && axis.minimumIsOpen) return false;
+    }
+    return true;
+}
+
+double TriangleOverlap::getMargin(const glm::ivec3& cell) const
+{
+    const glm::dvec3 corner(cell);
+    const glm::dvec3 gaps = glm::max(_minimum - (corner + 1.0), corner - _maximum);
+    double gap = std::max({gaps.x, gaps.y, gaps.z});
+    for (const Axis& axis : _axes)
+    {
+        const double length = glm::length(axis.direction);
+        if (length < SHORTEST_AXIS) continue;
+        const double shift = glm::dot(axis.direction, corner);
+        gap = std::max(gap, std::max(axis.triangleMinimum - axis.cellMaximum - shift,
+                                     axis.cellMinimum + shift - axis.triangleMaximum) /
+                                length);
+    }
+    return -gap;
+}
+
+double TriangleOverlap::getAreaInside(const glm::ivec3& cell) const
+{
+    Polygon polygon;
+    for (const glm::dvec3& corner : _corners) polygon.add(corner);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (_minimum[axis] < cell[axis]) polygon = clipped(polygon, axis, 1.0, cell[axis]);
+        if (_maximum[axis] > cell[axis] + 1) polygon = clipped(polygon, axis, -1.0, cell[axis] + 1);
+    }
+    return areaOf(polygon);
+}
+
+glm::dvec3 TriangleOverlap::findNearest(const glm::dvec3& point) const
+{
+    const auto& [a, b, c] = _corners;
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const double d1 = glm::dot(ab, point - a);
+    const double d2 = glm::dot(ac, point - a);
+    if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
+
+    const double d3 = glm::dot(ab, point - b);
+    const double d4 = glm::dot(ac, point - b);
+    if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
+
+    const double shareC = d1 * d4 - d3 * d2;
+    if (shareC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+    {
+        const double v = d1 / (d1 - d3);
+        return {1.0 - v, v, 0.0};
+    }
+
+    const double d5 = glm::dot(ab, point - c);
+    const double d6 = glm::dot(ac, point - c);
+    if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
+
+    const double shareB = d5 * d2 - d1 * d6;
+    if (shareB <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+    {
+        const double w = d2 / (d2 - d6);
+        return {1.0 - w, 0.0, w};
+    }
+
+    const double shareA = d3 * d6 - d5 * d4;
+    if (shareA <= 0.0 && d4 >= d3 && d5 >= d6)
+    {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0.0, 1.0 - w, w};
+    }
+
+    const double sum = shareA + shareB + shareC;
+    return {shareA / sum, shareB / sum, shareC / sum};
+}
+
+void TriangleOverlap::findCells(const glm::ivec3& dimensions, std::vector<glm::ivec3>& cells) const
+{
+    const glm::ivec3 minimum = glm::max(glm::ivec3(glm::floor(_minimum)), glm::ivec3(0));
+    const glm::ivec3 maximum = glm::min(glm::ivec3(glm::floor(_maximum)), dimensions - 1);
+    if (glm::any(glm::greaterThan(minimum, maximum))) return;
+    findCellsBetween(minimum, maximum, cells);
+}
+
+bool TriangleOverlap::mayOverlap(const glm::ivec3& minimum, const glm::ivec3& maximum) const
+{
+    const glm::dvec3 corner(minimum);
+    const glm::dvec3 size(maximum - minimum + 1);
+    for (const Axis& axis : _axes)
+    {
+        const double shift = glm::dot(axis.direction, corner);
+        const double slack = GENEROSITY * (glm::dot(glm::abs(axis.direction), size) + std::abs(shift));
+        const double low = shift + glm::dot(glm::min(axis.direction, glm::dvec3(0.0)), size) - slack;
+        const double high = shift + glm::dot(glm::max(axis.direction, glm::dvec3(0.0)), size) + slack;
+        if (axis.triangleMinimum > high || axis.triangleMaximum < low) return false;
+    }
+    return true;
+}
+
+void TriangleOverlap::findCellsBetween(const glm::ivec3& minimum, const glm::ivec3& maximum,
+                                       std::vector<glm::ivec3>& cells) const
+{
+    const glm::ivec3 size = maximum - minimum + 1;
+    if (static_cast<double>(size.x) * size.y * size.z <= DIRECT_CANDIDATES)
+    {
+        glm::ivec3 cell;
+        for (cell.z = minimum.z; cell.z <= maximum.z; ++cell.z)
+            for (cell.y = minimum.y; cell.y <= maximum.y; ++cell.y)
+                for (cell.x = minimum.x; cell.x <= maximum.x; ++cell.x)
+                    if (overlaps(cell)) cells.push_back(cell);
+        return;
+    }
+
+    if (!mayOverlap(minimum, maximum)) return;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    glm::ivec3 lowerMaximum = maximum;
+    lowerMaximum[axis] = minimum[axis] + size[axis] / 2 - 1;
+    glm::ivec3 upperMinimum = minimum;
+    upperMinimum[axis] = lowerMaximum[axis] + 1;
+    findCellsBetween(minimum, lowerMaximum, cells);
+    findCellsBetween(upperMinimum, maximum, cells);
+}
+
+} // namespace osgLego

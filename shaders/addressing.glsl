@@ -1,0 +1,27 @@
+// Where the cells of a slab (whole layers of the grid) lie in the voxel image: one texel each, row by row.
+
+uniform ivec3 gridSize;       // cells along x, y and z
+uniform ivec2 slab;           // the first layer (z) that the image holds, and the one after the last
+uniform ivec2 voxelImageSize; // texels
+
+ivec2 texelOfCell(ivec3 cell)
+{
+    int number = cell.x + gridSize.x * (cell.y + gridSize.y * (cell.z - slab.x));
+    return ivec2(number % voxelImageSize.x, number / voxelImageSize.x);
+}
+
+ivec3 cellOfTexel(ivec2 texel)
+{
+    int number = texel.x + voxelImageSize.x * texel.y;
+    int row = number / gridSize.x;
+    return ivec3(number - row * gridSize.x, row % gridSize.y, row / gridSize.y + slab.x);
+}
+
+// The clip coordinates of a point that falls on a texel of an image.
+vec4 positionOfTexel(ivec2 texel, ivec2 imageSize)
+{
+    return vec4((vec2(texel) + 0.5) / vec2(imageSize) * 2.0 - 1.0, 0.0, 1.0);
+}
+
+// Clip coordinates that no fragment comes of.
+const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);

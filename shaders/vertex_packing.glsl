@@ -1,0 +1,16 @@
+// What the passes keep in a vertex: its colour, and the mipmap whose texels are as large as a cell.
+
+const float MAXIMUM_LEVEL = 16.0;
+
+// Colour and texture level as they are packed in a vertex: red, green | blue, level.
+vec4 unpackColorAndLevel(uvec2 words)
+{
+    vec4 fractions = vec4(unpackUnorm2x16(words.x), unpackUnorm2x16(words.y));
+    return vec4(fractions.rgb, fractions.a * MAXIMUM_LEVEL);
+}
+
+uvec2 packColorAndLevel(vec4 colorAndLevel)
+{
+    vec4 fractions = vec4(colorAndLevel.rgb, colorAndLevel.a / MAXIMUM_LEVEL);
+    return uvec2(packUnorm2x16(fractions.rg), packUnorm2x16(fractions.ba));
+}

@@ -1,0 +1,156 @@
+// Exact voxelization: a fine triangle emits a point for each cell that it overlaps.
+//
+// The test is Akenine-Moller's (Fast 3D Triangle-Box Overlap Testing, 2001) with half-open cells: a cell holds its
+// lower faces and not its upper ones. TriangleOverlap is the same on the CPU, in double precision.
+
+layout(triangles) in;
+// As many as an edge of the longest length allowed may meet, along all three axes.
+layout(points, max_vertices = MAXIMUM_CELLS) out;
+
+in vec3 position[];
+flat in uint triangle[];
+
+flat out float weight;        // the fine triangle's area inside the cell
+flat out uint sourceTriangle; // the triangle that it was cut from
+
+#include "addressing.glsl"
+
+// In cells squared: lets a triangle that only grazes a cell decide its colour when no other covers it.
+const float LEAST_WEIGHT = 1e-9;
+
+// An axis in a coordinate plane: a cell is apart when its corner's place on the axis leaves the bounds, or is one of
+// them that is open.
+struct PlaneAxis
+{
+    vec2 direction;
+    float lower;
+    float upper;
+    bool lowerIsOpen;
+    bool upperIsOpen;
+};
+
+PlaneAxis planeAxis(vec2 edge, vec2 a, vec2 b, vec2 c)
+{
+    vec2 direction = vec2(-edge.y, edge.x);
+    vec3 places = vec3(dot(direction, a), dot(direction, b), dot(direction, c));
+    vec2 upward = max(direction, 0.0);
+    vec2 downward = min(direction, 0.0);
+    return PlaneAxis(direction, min(places.x, min(places.y, places.z)) - (upward.x + upward.y),
+                     max(places.x, max(places.y, places.z)) - (downward.x + downward.y),
+                     any(greaterThan(direction, vec2(0.0))), any(lessThan(direction, vec2(0.0))));
+}
+
+bool isApart(PlaneAxis axis, vec2 corner)
+{
+    float place = dot(axis.direction, corner);
+    return place < axis.lower || place > axis.upper || (place == axis.lower && axis.lowerIsOpen) ||
+           (place == axis.upper && axis.upperIsOpen);
+}
+
+bool planeIsApart(vec3 normal, float offset, vec3 corner)
+{
+    float place = dot(normal, corner);
+    vec3 upward = max(normal, 0.0);
+    vec3 downward = min(normal, 0.0);
+    float lower = offset - (upward.x + upward.y + upward.z);
+    float upper = offset - (downward.x + downward.y + downward.z);
+    return place < lower || place > upper || (place == lower && any(greaterThan(normal, vec3(0.0)))) ||
+           (place == upper && any(lessThan(normal, vec3(0.0))));
+}
+
+struct Polygon
+{
+    vec3 corners[9];
+    int count;
+};
+
+// What of a polygon lies where scale * coordinate >= bound (Sutherland and Hodgman).
+Polygon clipped(Polygon polygon, int axis, float scale, float bound)
+{
+    Polygon result;
+    result.count = 0;
+    for (int index = 0; index < polygon.count; ++index)
+    {
+        vec3 from = polygon.corners[index];
+        vec3 to = polygon.corners[index + 1 < polygon.count ? index + 1 : 0];
+        float fromInside = scale * from[axis] - bound;
+        float toInside = scale * to[axis] - bound;
+        if (fromInside >= 0.0) result.corners[result.count++] = from;
+        if ((fromInside >= 0.0) != (toInside >= 0.0))
+            result.corners[result.count++] = mix(from, to, fromInside / (fromInside - toInside));
+    }
+    return result;
+}
+
+float areaInside(vec3 a, vec3 b, vec3 c, vec3 lowest, vec3 highest, vec3 corner)
+{
+    Polygon polygon;
+    polygon.corners[0] = a;
+    polygon.corners[1] = b;
+    polygon.corners[2] = c;
+    polygon.count = 3;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (lowest[axis] < corner[axis]) polygon = clipped(polygon, axis, 1.0, corner[axis]);
+        if (highest[axis] > corner[axis] + 1.0) polygon = clipped(polygon, axis, -1.0, -corner[axis] - 1.0);
+    }
+
+    vec3 sum = vec3(0.0);
+    for (int index = 2; index < polygon.count; ++index)
+        sum += cross(polygon.corners[index - 1] - polygon.corners[0], polygon.corners[index] - polygon.corners[0]);
+    return 0.5 * length(sum);
+}
+
+void main()
+{
+    vec3 lowest = min(position[0], min(position[1], position[2]));
+    vec3 highest = max(position[0], max(position[1], position[2]));
+    ivec3 first = ivec3(lowest);
+    ivec3 last = ivec3(highest);
+    int firstInSlab = max(first.z, slab.x);
+    int lastInSlab = min(last.z, slab.y - 1);
+    if (firstInSlab > lastInSlab) return;
+
+    // Near the origin, so that no digits are lost.
+    vec3 origin = vec3(first);
+    vec3 a = position[0] - origin;
+    vec3 b = position[1] - origin;
+    vec3 c = position[2] - origin;
+    lowest -= origin;
+    highest -= origin;
+
+    vec3 normal = cross(b - a, c - a);
+    float offset = dot(normal, a);
+    PlaneAxis axes[9];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        int u = (axis + 1) % 3;
+        int v = (axis + 2) % 3;
+        vec2 a2 = vec2(a[u], a[v]);
+        vec2 b2 = vec2(b[u], b[v]);
+        vec2 c2 = vec2(c[u], c[v]);
+        axes[3 * axis] = planeAxis(b2 - a2, a2, b2, c2);
+        axes[3 * axis + 1] = planeAxis(c2 - b2, a2, b2, c2);
+        axes[3 * axis + 2] = planeAxis(a2 - c2, a2, b2, c2);
+    }
+
+    ivec3 cell;
+    for (cell.z = firstInSlab; cell.z <= lastInSlab; ++cell.z)
+        for (cell.y = first.y; cell.y <= last.y; ++cell.y)
+            for (cell.x = first.x; cell.x <= last.x; ++cell.x)
+            {
+                vec3 corner = vec3(cell - first);
+                bool apart = planeIsApart(normal, offset, corner);
+                for (int axis = 0; axis < 3; ++axis)
+                {
+                    vec2 corner2 = vec2(corner[(axis + 1) % 3], corner[(axis + 2) % 3]);
+                    for (int edge = 0; edge < 3; ++edge) apart = apart || isApart(axes[3 * axis + edge], corner2);
+                }
+                if (apart) continue;
+                weight = areaInside(a, b, c, lowest, highest, corner) + LEAST_WEIGHT;
+                sourceTriangle = triangle[0];
+                gl_Position = positionOfTexel(texelOfCell(cell), voxelImageSize);
+                EmitVertex();
+                EndPrimitive();
+            }
+}
