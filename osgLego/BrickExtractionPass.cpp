@@ -14,7 +14,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int RUN_LENGTH = 8;
+constexpr int RUN_LENGTH = 16;
 constexpr std::size_t BRICK_BYTES = 3 * sizeof(std::uint32_t);
 
 osg::ref_ptr<osg::Program> createProgram()
@@ -64,9 +64,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);
-    uniforms.set("gridSize", grid.dimensions);
-    uniforms.set("slab", glm::ivec2(slab.imageBegin, slab.imageEnd));
-    uniforms.set("voxelImageSize", _plan.imageSize);
+    setAddressing(uniforms, grid, slab, _plan.imageSize);
     uniforms.set("firstLayer", slab.begin);
 
     if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() / 2 + 1024);

@@ -8,6 +8,7 @@
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
+#include <osgUtil/GLObjectsVisitor>
 
 namespace osgLego
 {
@@ -145,7 +146,10 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     }
     else if (!isGeometryWriter(visitor))
     {
-        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
+        // The source is not drawn, so its GL objects need not be compiled.
+        const bool isCompiling = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor) != nullptr;
+        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN && !isCompiling)
+            osg::Group::traverse(visitor);
         _pipeline->getBrickNode().accept(visitor);
         return;
     }

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <osgLego/SlabPlan.h>
+
+#include <bit>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -39,5 +43,15 @@ private:
     const osg::GLExtensions& _extensions;
     const osg::Program::PerContextProgram& _program;
 };
+
+/** Set what shaders/addressing.glsl needs to find the cells of a slab in a voxel image. */
+inline void setAddressing(const ProgramUniforms& uniforms, const BrickGrid& grid, const Slab& slab,
+                          const glm::ivec2& imageSize)
+{
+    uniforms.set("gridSize", grid.dimensions);
+    uniforms.set("slab", glm::ivec2(slab.imageBegin, slab.imageEnd));
+    uniforms.set("voxelImageSize", imageSize);
+    uniforms.set("voxelImageShift", std::countr_zero(static_cast<unsigned int>(imageSize.x)));
+}
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include <osgLego/SlabPlan.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace osgLego
 {
@@ -22,7 +23,7 @@ SlabPlan SlabPlan::create(const BrickGrid& grid)
     }
 
     const int texels = layerTexels * layersInImage;
-    plan.imageSize.x = std::min(texels, MAXIMUM_WIDTH);
+    plan.imageSize.x = std::min(static_cast<int>(std::bit_ceil(static_cast<unsigned int>(texels))), MAXIMUM_WIDTH);
     plan.imageSize.y = (texels + plan.imageSize.x - 1) / plan.imageSize.x;
     return plan;
 }

@@ -28,7 +28,7 @@ struct SlabPlan
     static constexpr int MAXIMUM_WIDTH = 4096;
 
     std::vector<Slab> slabs;
-    glm::ivec2 imageSize{0}; //!< of the voxel image, in texels
+    glm::ivec2 imageSize{0}; //!< of the voxel image, in texels; the width is a power of two
 
     static SlabPlan create(const BrickGrid& grid);
 };

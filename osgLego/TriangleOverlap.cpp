@@ -20,39 +20,51 @@ constexpr double GENEROSITY = 1e-9;
 // An axis this short comes from a sliver or an edge along an axis, and tells nothing.
 constexpr double SHORTEST_AXIS = 1e-9;
 
-/** A convex polygon: a triangle gains at most one corner from each face of a cell. */
-struct Polygon
-{
-    std::array<glm::dvec3, 9> corners;
-    int count = 0;
+using Corners = std::array<glm::dvec3, 3>;
 
-    void add(const glm::dvec3& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
-};
-
-/** What of a polygon lies where sign * coordinate >= sign * bound (Sutherland and Hodgman). */
-Polygon clipped(const Polygon& polygon, int axis, double sign, double bound)
+/** Twice the vector area between the origin and the part of the segment pq that lies in the unit cell, faces included.
+ */
+glm::dvec3 sweptInCell(const glm::dvec3& p, const glm::dvec3& q)
 {
-    Polygon result;
-    for (int index = 0; index < polygon.count; ++index)
+    const glm::dvec3 along = q - p;
+    double begin = 0.0;
+    double end = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
     {
-        const glm::dvec3& from = polygon.corners[static_cast<std::size_t>(index)];
-        const glm::dvec3& to = polygon.corners[static_cast<std::size_t>((index + 1) % polygon.count)];
-        const double fromInside = sign * (from[axis] - bound);
-        const double toInside = sign * (to[axis] - bound);
-        if (fromInside >= 0.0) result.add(from);
-        if ((fromInside >= 0.0) != (toInside >= 0.0))
-            result.add(glm::mix(from, to, fromInside / (fromInside - toInside)));
+        if (along[axis] == 0.0)
+        {
+            if (p[axis] < 0.0 || p[axis] > 1.0) return glm::dvec3(0.0);
+            continue;
+        }
+        const double lower = -p[axis] / along[axis];
+        const double upper = (1.0 - p[axis]) / along[axis];
+        begin = std::max(begin, std::min(lower, upper));
+        end = std::min(end, std::max(lower, upper));
     }
-    return result;
+    return begin < end ? glm::cross(p + begin * along, p + end * along) : glm::dvec3(0.0);
 }
 
-double areaOf(const Polygon& polygon)
+/** The chord along which the plane of a face cuts a triangle, from where its outline leaves the inner side to where it
+ * comes back; nothing where the plane misses it.
+ * @param face 0 for the lower face of an axis, 1 for the upper. */
+glm::dvec3 sweptOnFace(const Corners& corners, int axis, double face)
 {
-    glm::dvec3 sum(0.0);
-    for (int index = 2; index < polygon.count; ++index)
-        sum += glm::cross(polygon.corners[static_cast<std::size_t>(index - 1)] - polygon.corners[0],
-                          polygon.corners[static_cast<std::size_t>(index)] - polygon.corners[0]);
-    return 0.5 * glm::length(sum);
+    glm::dvec3 leave(0.0);
+    glm::dvec3 enter(0.0);
+    bool isCut = false;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+        const glm::dvec3& from = corners[corner];
+        const glm::dvec3& to = corners[(corner + 1) % 3];
+        const double here = face == 0.0 ? from[axis] : 1.0 - from[axis];
+        const double there = face == 0.0 ? to[axis] : 1.0 - to[axis];
+        if ((here >= 0.0) == (there >= 0.0)) continue;
+        glm::dvec3 crossing = glm::mix(from, to, here / (here - there));
+        crossing[axis] = face;
+        (here >= 0.0 ? leave : enter) = crossing;
+        isCut = true;
+    }
+    return isCut ? sweptInCell(leave, enter) : glm::dvec3(0.0);
 }
 
 } // namespace
@@ -125,14 +137,18 @@ double TriangleOverlap::getMargin(const glm::ivec3& cell) const
 
 double TriangleOverlap::getAreaInside(const glm::ivec3& cell) const
 {
-    Polygon polygon;
-    for (const glm::dvec3& corner : _corners) polygon.add(corner);
+    // By Stokes' theorem: the outline of the part inside is made of pieces of the triangle's edges and of its chords
+    // with the planes of the cell's faces.
+    const glm::dvec3 origin(cell);
+    const Corners corners{_corners[0] - origin, _corners[1] - origin, _corners[2] - origin};
+    glm::dvec3 sum = sweptInCell(corners[0], corners[1]) + sweptInCell(corners[1], corners[2]) +
+                     sweptInCell(corners[2], corners[0]);
     for (int axis = 0; axis < 3; ++axis)
     {
-        if (_minimum[axis] < cell[axis]) polygon = clipped(polygon, axis, 1.0, cell[axis]);
-        if (_maximum[axis] > cell[axis] + 1) polygon = clipped(polygon, axis, -1.0, cell[axis] + 1);
+        if (_minimum[axis] < origin[axis]) sum += sweptOnFace(corners, axis, 0.0);
+        if (_maximum[axis] > origin[axis] + 1.0) sum += sweptOnFace(corners, axis, 1.0);
     }
-    return areaOf(polygon);
+    return 0.5 * glm::length(sum);
 }
 
 glm::dvec3 TriangleOverlap::findNearest(const glm::dvec3& point) const

@@ -72,9 +72,7 @@ std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) cons
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);
-    uniforms.set("gridSize", grid.dimensions);
-    uniforms.set("slab", glm::ivec2(slab.imageBegin, slab.imageEnd));
-    uniforms.set("voxelImageSize", _plan.imageSize);
+    setAddressing(uniforms, grid, slab, _plan.imageSize);
 
     if (_plan.method == VoxelizationMethod::EXACT) drawExact(state, work);
     else if (_plan.target == VoxelizationTarget::PROJECTED) drawPicture(state, work);

@@ -58,46 +58,59 @@ bool planeIsApart(vec3 normal, float offset, vec3 corner)
            (place == upper && any(lessThan(normal, vec3(0.0))));
 }
 
-struct Polygon
+// Twice the vector area between the origin and the part of the segment pq that lies in the unit cell, faces included.
+vec3 sweptInCell(vec3 p, vec3 q)
 {
-    vec3 corners[9];
-    int count;
-};
+    vec3 along = q - p;
+    bvec3 still = equal(along, vec3(0.0));
+    vec3 outside = vec3(lessThan(p, vec3(0.0))) + vec3(greaterThan(p, vec3(1.0)));
+    if (dot(vec3(still), outside) > 0.0) return vec3(0.0);
 
-// What of a polygon lies where scale * coordinate >= bound (Sutherland and Hodgman).
-Polygon clipped(Polygon polygon, int axis, float scale, float bound)
-{
-    Polygon result;
-    result.count = 0;
-    for (int index = 0; index < polygon.count; ++index)
-    {
-        vec3 from = polygon.corners[index];
-        vec3 to = polygon.corners[index + 1 < polygon.count ? index + 1 : 0];
-        float fromInside = scale * from[axis] - bound;
-        float toInside = scale * to[axis] - bound;
-        if (fromInside >= 0.0) result.corners[result.count++] = from;
-        if ((fromInside >= 0.0) != (toInside >= 0.0))
-            result.corners[result.count++] = mix(from, to, fromInside / (fromInside - toInside));
-    }
-    return result;
+    const float FAR = 1e30;
+    vec3 inverse = 1.0 / mix(along, vec3(1.0), still);
+    vec3 lower = -p * inverse;
+    vec3 upper = (1.0 - p) * inverse;
+    vec3 begins = mix(min(lower, upper), vec3(-FAR), still);
+    vec3 ends = mix(max(lower, upper), vec3(FAR), still);
+    float begin = max(max(begins.x, begins.y), max(begins.z, 0.0));
+    float end = min(min(ends.x, ends.y), min(ends.z, 1.0));
+    return begin < end ? cross(p + begin * along, p + end * along) : vec3(0.0);
 }
 
-float areaInside(vec3 a, vec3 b, vec3 c, vec3 lowest, vec3 highest, vec3 corner)
+// The chord along which the plane of a face cuts a triangle, from where its outline leaves the inner side to where it
+// comes back; nothing where the plane misses it. face is 0 for the lower face of an axis and 1 for the upper.
+vec3 sweptOnFace(vec3 a, vec3 b, vec3 c, int axis, float face)
 {
-    Polygon polygon;
-    polygon.corners[0] = a;
-    polygon.corners[1] = b;
-    polygon.corners[2] = c;
-    polygon.count = 3;
+    vec3 corners[3] = vec3[](a, b, c);
+    vec3 leave = vec3(0.0);
+    vec3 enter = vec3(0.0);
+    bool isCut = false;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+        vec3 from = corners[corner];
+        vec3 to = corners[(corner + 1) % 3];
+        float here = face == 0.0 ? from[axis] : 1.0 - from[axis];
+        float there = face == 0.0 ? to[axis] : 1.0 - to[axis];
+        if ((here >= 0.0) == (there >= 0.0)) continue;
+        vec3 crossing = mix(from, to, here / (here - there));
+        crossing[axis] = face;
+        if (here >= 0.0) leave = crossing;
+        else enter = crossing;
+        isCut = true;
+    }
+    return isCut ? sweptInCell(leave, enter) : vec3(0.0);
+}
+
+// The area of the part of a triangle inside the unit cell, by Stokes' theorem: the outline of that part is made of
+// pieces of the triangle's edges and of its chords with the planes of the cell's faces.
+float areaInCell(vec3 a, vec3 b, vec3 c, vec3 lowest, vec3 highest)
+{
+    vec3 sum = sweptInCell(a, b) + sweptInCell(b, c) + sweptInCell(c, a);
     for (int axis = 0; axis < 3; ++axis)
     {
-        if (lowest[axis] < corner[axis]) polygon = clipped(polygon, axis, 1.0, corner[axis]);
-        if (highest[axis] > corner[axis] + 1.0) polygon = clipped(polygon, axis, -1.0, -corner[axis] - 1.0);
+        if (lowest[axis] < 0.0) sum += sweptOnFace(a, b, c, axis, 0.0);
+        if (highest[axis] > 1.0) sum += sweptOnFace(a, b, c, axis, 1.0);
     }
-
-    vec3 sum = vec3(0.0);
-    for (int index = 2; index < polygon.count; ++index)
-        sum += cross(polygon.corners[index - 1] - polygon.corners[0], polygon.corners[index] - polygon.corners[0]);
     return 0.5 * length(sum);
 }
 
@@ -147,7 +160,7 @@ void main()
                     for (int edge = 0; edge < 3; ++edge) apart = apart || isApart(axes[3 * axis + edge], corner2);
                 }
                 if (apart) continue;
-                weight = areaInside(a, b, c, lowest, highest, corner) + LEAST_WEIGHT;
+                weight = areaInCell(a - corner, b - corner, c - corner, lowest - corner, highest - corner) + LEAST_WEIGHT;
                 sourceTriangle = triangle[0];
                 gl_Position = positionOfTexel(texelOfCell(cell), voxelImageSize);
                 EmitVertex();
