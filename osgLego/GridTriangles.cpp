@@ -60,11 +60,12 @@ double texelsPerCell(const Corners& corners, const glm::ivec2& textureSize)
     return std::sqrt(0.5 * (trace + root));
 }
 
+/** The mipmap in which a cell is two texels wide: linear filtering then gathers what lies within one cell's width. */
 double textureLevel(const Corners& corners, const SurfaceTexture* texture)
 {
     if (!texture) return 0.0;
     const double texels = texelsPerCell(corners, texture->getSize());
-    return texels > 1.0 ? std::min(std::log2(texels), GridVertex::MAXIMUM_LEVEL) : 0.0;
+    return texels > 2.0 ? std::min(std::log2(0.5 * texels), GridVertex::MAXIMUM_LEVEL) : 0.0;
 }
 
 Corners toGrid(const BrickGrid& grid, const SceneVertex* vertices, const SurfaceTexture* texture,

@@ -18,8 +18,8 @@ namespace osgLego
 /** A corner of a triangle in a grid: 32 bytes, laid out as the shaders of the passes read it.
  *
  * `colorAndLevel` packs four 16-bit fractions: red, green (first word), blue, and the texture level over
- * MAXIMUM_LEVEL (second word). The level is the mipmap whose texels are as large as a cell on this triangle; all three
- * corners carry the same.
+ * MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels wide, where
+ * linear filtering gathers what lies within one cell; all three corners carry the same.
  */
 struct GridVertex
 {

@@ -193,7 +193,7 @@ osg::ref_ptr<osg::Node> createCockpit()
                                   plain(black)));
     geode->addDrawable(createLoft({ring(-0.42, 0.10, 0.58, 0.66), ring(-0.28, 0.22, 0.58, 0.78), ring(-0.18, 0.25, 0.58, 0.84)},
                                   plain(glass)));
-    geode->addDrawable(createLoft({ring(0.46, 0.17, 0.58, 0.92), ring(0.70, 0.16, 0.58, 0.90), ring(1.10, 0.10, 0.58, 0.76)},
+    geode->addDrawable(createLoft({ring(0.46, 0.17, 0.58, 0.92), ring(0.65, 0.16, 0.58, 0.89), ring(0.95, 0.11, 0.58, 0.74)},
                                   plain(osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f))));
 
     std::vector<Ring> helmet;

@@ -36,11 +36,11 @@ osg::ref_ptr<osg::Image> createImage(int width, int height, const ColorAt& color
     return image;
 }
 
-/** Whether a point of a roundel, its radius 1, lies on the number in it, which is read from behind the car. */
+/** Whether a point of a roundel, its radius 1, lies on the number in it, which is read from in front of the car. */
 bool isOnNumber(const osg::Vec2d& point)
 {
     const int column = static_cast<int>(std::floor((0.5 - point.y() / 1.1) * 5.0));
-    const int row = static_cast<int>(std::floor((0.5 + point.x() / 1.4) * 7.0));
+    const int row = static_cast<int>(std::floor((0.5 - point.x() / 1.4) * 7.0));
     if (column < 0 || column > 4 || row < 0 || row > 6) return false;
     return SEVEN[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == '#';
 }
@@ -49,9 +49,9 @@ osg::Vec3ub liveryAt(double along, double across)
 {
     constexpr double LENGTH_OVER_WIDTH = 4.4; // of the body, so that the roundels are round
     const double fromMiddle = std::abs(across - 0.5);
-    for (const double center : {0.27, 0.80})
+    for (const double center : {0.27, 0.82})
     {
-        const double radius = center < 0.5 ? 0.30 : 0.36;
+        const double radius = center < 0.5 ? 0.30 : 0.34;
         const osg::Vec2d point((along - center) * LENGTH_OVER_WIDTH / radius, (across - 0.5) / radius);
         if (point.length() < 1.0) return isOnNumber(point) ? BLACK : WHITE;
     }

@@ -1,4 +1,4 @@
-// What the passes keep in a vertex: its colour, and the mipmap whose texels are as large as a cell.
+// What the passes keep in a vertex: its colour, and the mipmap to look its texture up in.
 
 const float MAXIMUM_LEVEL = 16.0;
 

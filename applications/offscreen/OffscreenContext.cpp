@@ -1,5 +1,7 @@
 #include <offscreen/OffscreenContext.h>
 
+#include <osg/GLExtensions>
+
 #if defined(OSGLEGO_OSMESA)
 #include <offscreen/OsMesaContext.h>
 #else
@@ -15,6 +17,22 @@ using OffscreenContext = OsMesaContext;
 using OffscreenContext = EglContext;
 #endif
 
+namespace
+{
+
+/** OSG takes a function for supported when a library exports its name, which libGL and libOSMesa do for all; this one
+ * it would use for every multisampled frame buffer object, and it does nothing where the extension is missing. */
+void forgetDeadFunctions(osg::GraphicsContext& context)
+{
+    if (!context.makeCurrent()) return;
+    const unsigned int contextID = context.getState()->getContextID();
+    if (!osg::isGLExtensionSupported(contextID, "GL_NV_framebuffer_multisample_coverage"))
+        context.getState()->get<osg::GLExtensions>()->glRenderbufferStorageMultisampleCoverageNV = nullptr;
+    context.releaseContext();
+}
+
+} // namespace
+
 osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error)
 {
     osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
@@ -27,9 +45,13 @@ osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height,
     traits->doubleBuffer = false;
 
     osg::ref_ptr<OffscreenContext> context = new OffscreenContext(traits);
-    if (context->realize()) return context;
-    error = context->getError();
-    return nullptr;
+    if (!context->realize())
+    {
+        error = context->getError();
+        return nullptr;
+    }
+    forgetDeadFunctions(*context);
+    return context;
 }
 
 } // namespace osgLego

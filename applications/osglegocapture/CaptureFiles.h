@@ -1,0 +1,31 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include <OpenImageIO/imagebuf.h>
+#include <osg/Image>
+
+namespace osgLego
+{
+
+/** Write a file under another name, and give it its own only when it is complete. Throws CaptureError.
+ * @param write makes the file of the given name; what it throws is passed on, and the file removed. */
+void writeComplete(const std::string& fileName, const std::function<void(const std::string& temporaryName)>& write);
+
+/** Write text. Throws CaptureError. */
+void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write);
+
+/** Write a picture in the format of its extension, its rows from the top down. Throws CaptureError. */
+void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture);
+
+/** A picture drawn by OSG as OpenImageIO holds it: first row on top. */
+OIIO::ImageBuf toImageBuf(const osg::Image& image);
+
+/** Write `x,y,z,red,green,blue`, a line for every brick. Throws CaptureError. */
+void writeCells(const std::string& fileName, const BrickModel& model);
+
+} // namespace osgLego

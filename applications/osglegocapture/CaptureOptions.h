@@ -1,0 +1,47 @@
+#pragma once
+
+#include <osgLego/LegoSettings.h>
+
+#include <optional>
+#include <string>
+
+namespace osgLego
+{
+
+/** Which way of making a GL context is used. */
+enum class ContextKind
+{
+    AUTO, //!< EGL, and OSMesa where there is none
+    EGL,
+    OSMESA
+};
+
+/** Where the camera stands, around the middle of the model. */
+struct CaptureView
+{
+    double azimuth = 30.0;   //!< degrees; 0 looks at the front, 90 at the right side of it
+    double elevation = 25.0; //!< degrees above the horizon, -90 to 90
+    double distance = 0.0;   //!< radii of the model's bounding sphere from its middle; 0: as near as it all fits in
+};
+
+/** What the command line of osglegocapture says. */
+struct CaptureOptions
+{
+    std::string mesh; //!< empty: the built-in model
+    std::string output;
+    std::optional<LegoSettings> settings; //!< unset: 64, or what the file name of the mesh says
+    int width = 1280;
+    int height = 720;
+    CaptureView view;
+    bool original = false;
+    ContextKind context = ContextKind::AUTO;
+    std::string statistics;
+    std::string cells;
+    std::string reference;
+};
+
+/** Read the command line; help and mistakes are answered here.
+ * @return the exit code when the program is to end now, nothing when it is to go on with `options`. */
+std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options);
+
+} // namespace osgLego

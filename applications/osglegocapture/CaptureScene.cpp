@@ -1,0 +1,178 @@
+#include "CaptureScene.h"
+
+#include "ExitCode.h"
+
+#include <osgLego/RacingCar.h>
+#include <osgLego/SceneTriangles.h>
+
+#include <cmath>
+
+#include <osg/LightModel>
+#include <osg/Math>
+#include <osg/Timer>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+#include <osgUtil/CullVisitor>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
+constexpr int SAMPLES = 4;
+const osg::Vec4 BACKGROUND(0.93f, 0.94f, 0.96f, 1.0f);
+
+/** Finds the first LegoNode in a scene. */
+class LegoNodeFinder : public osg::NodeVisitor
+{
+public:
+    LegoNodeFinder() :
+        osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
+    {
+    }
+
+    void apply(osg::Group& group) override
+    {
+        if (!_found) _found = dynamic_cast<LegoNode*>(&group);
+        if (!_found) traverse(group);
+    }
+
+    LegoNode* getFound() const { return _found; }
+
+private:
+    LegoNode* _found = nullptr;
+};
+
+osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
+{
+    if (fileName.empty()) return createRacingCar();
+    osgDB::ReaderWriter::ReadResult result =
+        osgDB::Registry::instance()->readNode(fileName, osgDB::Registry::instance()->getOptions());
+    if (result.validNode()) return result.getNode();
+    // Pseudo-loaders lengthen the name of a file, so that only they can tell whether it is there.
+    const bool isPlain = osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
+    const std::string why = !result.message().empty() ? result.message()
+                            : isPlain                 ? "there is no such file"
+                                                      : "OpenSceneGraph can't read it";
+    throw CaptureError(EXIT_BAD_INPUT, "'" + fileName + "': " + why);
+}
+
+double elapsed(osg::Timer_t start) { return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick()); }
+
+} // namespace
+
+CaptureScene::CaptureScene(const CaptureOptions& options) :
+    _options(options)
+{
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    _source = readMesh(options.mesh);
+    _readingTime = elapsed(start);
+    _shown = _source;
+    if (options.original) return;
+
+    LegoNodeFinder finder;
+    if (!options.settings) _source->accept(finder);
+    _lego = finder.getFound();
+    if (!_lego)
+    {
+        _lego = new LegoNode(options.settings.value_or(LegoSettings()));
+        _lego->addChild(_source);
+        _shown = _lego;
+    }
+    if (SceneTriangles::create(*_lego)->getNumTriangles() == 0)
+        throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "' has no triangles to legolize");
+    _lego->setTiming(!options.statistics.empty());
+    _lego->setReadBack(!options.statistics.empty() || !options.cells.empty());
+}
+
+osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(_options.width, _options.height, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    setUpCamera(context, *image);
+    _viewer.realize();
+    _viewer.frame();
+    if (_lego)
+        if (const std::string failure = _lego->getFailure(context.getState()->getContextID()); !failure.empty())
+            throw CaptureError(EXIT_NO_GL, failure);
+
+    // The picture is there; a second one only tells how long it takes when nothing is to be made anew.
+    if (_options.statistics.empty()) return image;
+    context.makeCurrent();
+    glFinish();
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    _viewer.frame();
+    context.makeCurrent();
+    glFinish();
+    _drawingTime = elapsed(start);
+    return image;
+}
+
+void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
+{
+    // The viewer's own camera draws nothing: the picture is made in a frame buffer object, so that its samples and
+    // formats are the same whatever the context's own are.
+    osg::Camera* window = _viewer.getCamera();
+    window->setGraphicsContext(&context);
+    window->setViewport(0, 0, context.getTraits()->width, context.getTraits()->height);
+    window->setDrawBuffer(GL_FRONT);
+    window->setReadBuffer(GL_FRONT);
+
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setRenderOrder(osg::Camera::PRE_RENDER);
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->attach(osg::Camera::COLOR_BUFFER, &image, SAMPLES, SAMPLES);
+    camera->setViewport(0, 0, _options.width, _options.height);
+    camera->setClearColor(BACKGROUND);
+    placeCamera(*camera);
+    camera->addChild(_shown);
+
+    // A light over the left shoulder: head on, edges would drown.
+    _viewer.setLightingMode(osg::View::HEADLIGHT);
+    _viewer.getLight()->setPosition(osg::Vec4(-0.5f, 0.7f, 1.0f, 0.0f));
+    _viewer.getLight()->setDiffuse(osg::Vec4(0.8f, 0.8f, 0.8f, 1.0f));
+    osg::ref_ptr<osg::LightModel> ambient = new osg::LightModel;
+    ambient->setAmbientIntensity(osg::Vec4(0.35f, 0.35f, 0.37f, 1.0f));
+    camera->getOrCreateStateSet()->setAttribute(ambient);
+    camera->getStateSet()->setMode(GL_MULTISAMPLE_ARB, osg::StateAttribute::ON);
+
+    _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    _viewer.setReleaseContextAtEndOfFrameHint(false);
+    _viewer.setSceneData(camera);
+}
+
+void CaptureScene::placeCamera(osg::Camera& camera) const
+{
+    const bool isYUp = getUpAxis() == UpAxis::Y;
+    const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
+    const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
+    const osg::Vec3d right(1, 0, 0);
+    const double azimuth = osg::DegreesToRadians(_options.view.azimuth);
+    const double elevation = osg::DegreesToRadians(_options.view.elevation);
+    const osg::Vec3d ahead = front * std::cos(azimuth) + right * std::sin(azimuth);
+    const osg::Vec3d toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
+    const osg::Vec3d headUp = up * std::cos(elevation) - ahead * std::sin(elevation);
+
+    // Of the mesh, not of its bricks, so that pictures of both fit on each other.
+    const osg::BoundingSphere bound = _source->getBound();
+    const double halfView = osg::DegreesToRadians(0.5 * FIELD_OF_VIEW);
+    const double radii = _options.view.distance > 0.0 ? _options.view.distance : 1.05 / std::sin(halfView);
+    const double aspect = static_cast<double>(_options.width) / _options.height;
+    const double vertical = aspect >= 1.0 ? halfView : std::atan(std::tan(halfView) / aspect);
+    camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect, 0.01 * bound.radius(),
+                                            100.0 * bound.radius());
+    camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * (radii * bound.radius()), bound.center(), headUp);
+}
+
+UpAxis CaptureScene::getUpAxis() const
+{
+    if (_options.settings) return _options.settings->upAxis;
+    return _lego ? _lego->getSettings().upAxis : UpAxis::Z;
+}
+
+} // namespace osgLego

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "CaptureOptions.h"
+
+#include <osgLego/LegoNode.h>
+
+#include <osg/Camera>
+#include <osg/GraphicsContext>
+#include <osg/Image>
+#include <osg/Node>
+#include <osgViewer/Viewer>
+
+namespace osgLego
+{
+
+/** What is captured: a mesh, the bricks of it, and the camera in front of them.
+ *
+ * Throws CaptureError. One thread.
+ */
+class CaptureScene
+{
+public:
+    /** Read the mesh, or make the built-in one. */
+    explicit CaptureScene(const CaptureOptions& options);
+
+    /** Draw in a context, as often as it takes for the bricks to be there.
+     * @return the picture, RGB of 8 bits, its first row at the bottom. */
+    osg::ref_ptr<osg::Image> draw(osg::GraphicsContext& context);
+
+    /** The node that makes the bricks; null when the mesh is drawn as it is. */
+    LegoNode* getLegoNode() const { return _lego.get(); }
+    double getReadingTime() const { return _readingTime; }
+    /** Milliseconds of the last frame in which nothing was made anew. */
+    double getDrawingTime() const { return _drawingTime; }
+
+private:
+    void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
+    void placeCamera(osg::Camera& camera) const;
+    UpAxis getUpAxis() const;
+
+    const CaptureOptions& _options;
+    osgViewer::Viewer _viewer; // closes the context when it goes
+    osg::ref_ptr<osg::Node> _source;
+    osg::ref_ptr<osg::Node> _shown;
+    osg::ref_ptr<LegoNode> _lego;
+    double _readingTime = 0.0;
+    double _drawingTime = 0.0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,64 @@
+#include "StatisticsFile.h"
+
+#include "CaptureFiles.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+#include <osg/GL>
+
+namespace osgLego
+{
+
+namespace
+{
+
+template <typename Vector>
+nlohmann::ordered_json toJson(const Vector& vector)
+{
+    return {vector.x, vector.y, vector.z};
+}
+
+/** To the microsecond: what is behind that is noise. */
+double rounded(double milliseconds) { return std::round(1000.0 * milliseconds) / 1000.0; }
+
+std::string glText(GLenum name)
+{
+    const auto* text = reinterpret_cast<const char*>(glGetString(name));
+    return text ? text : "";
+}
+
+} // namespace
+
+void writeStatistics(const std::string& fileName, const CaptureScene& scene, osg::GraphicsContext& context)
+{
+    context.makeCurrent();
+    nlohmann::ordered_json json{
+        {"renderer", glText(GL_RENDERER)}, {"version", glText(GL_VERSION)}, {"context", context.className()}};
+    nlohmann::ordered_json milliseconds{{"reading", rounded(scene.getReadingTime())}};
+    if (const LegoNode* lego = scene.getLegoNode())
+    {
+        const unsigned int contextID = context.getState()->getContextID();
+        const LegoStatistics statistics = lego->getStatistics(contextID);
+        const osg::ref_ptr<const BrickModel> model = lego->getBricks(contextID);
+        const BrickGrid& grid = model->getGrid();
+        json["settings"] = lego->getSettings().toString();
+        json["triangles"] = statistics.numTriangles;
+        json["passes"] = statistics.numSubdivisionPasses;
+        json["fineTriangles"] = statistics.numFineTriangles;
+        json["coveredCells"] = model->getBricks().size();
+        json["drawnBricks"] = statistics.numDrawnBricks;
+        json["grid"] = {{"origin", toJson(grid.origin)},
+                        {"cellSize", toJson(grid.cellSize)},
+                        {"dimensions", toJson(grid.dimensions)}};
+        milliseconds["flattening"] = rounded(statistics.flattening);
+        milliseconds["subdivision"] = rounded(statistics.subdivision);
+        milliseconds["voxelization"] = rounded(statistics.voxelization);
+        milliseconds["extraction"] = rounded(statistics.extraction);
+    }
+    milliseconds["drawing"] = rounded(scene.getDrawingTime());
+    json["milliseconds"] = milliseconds;
+    writeText(fileName, [&](std::ostream& stream) { stream << json.dump(4) << '\n'; });
+}
+
+} // namespace osgLego

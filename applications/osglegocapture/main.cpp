@@ -1,0 +1,136 @@
+#include "CaptureFiles.h"
+#include "CaptureOptions.h"
+#include "CaptureScene.h"
+#include "Comparison.h"
+#include "ExitCode.h"
+#include "StatisticsFile.h"
+
+#include <offscreen/OffscreenContext.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Says on a terminal what is being done; elsewhere, nothing. */
+class Progress
+{
+public:
+    ~Progress() { clear(); }
+
+    void show(const char* what) const
+    {
+        if (_isTerminal) fmt::print(stderr, "\r\x1b[K{} ...", what);
+        std::fflush(stderr);
+    }
+
+    void clear() const
+    {
+        if (_isTerminal) fmt::print(stderr, "\r\x1b[K");
+    }
+
+private:
+    bool _isTerminal = isatty(STDERR_FILENO) != 0;
+};
+
+/** Where the difference to a reference goes: beside the output, or beside nothing. */
+std::string differenceNameOf(const CaptureOptions& options)
+{
+    const std::filesystem::path path(options.output.empty() ? std::filesystem::path(options.reference).filename()
+                                                            : std::filesystem::path(options.output));
+    return (path.parent_path() / (path.stem().string() + "-difference.png")).string();
+}
+
+osg::ref_ptr<osg::GraphicsContext> createContext()
+{
+    constexpr int UNUSED_SIZE = 16; // the picture has a frame buffer of its own
+    std::string error;
+    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
+    if (!context) throw CaptureError(EXIT_NO_GL, error);
+    return context;
+}
+
+int capture(const CaptureOptions& options)
+{
+    const Progress progress;
+    progress.show("reading");
+    CaptureScene scene(options);
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    progress.show(options.original ? "drawing" : "legolizing and drawing");
+    const OIIO::ImageBuf picture = toImageBuf(*scene.draw(*context));
+
+    progress.show("writing");
+    if (!options.output.empty()) writePicture(options.output, picture);
+    if (!options.statistics.empty()) writeStatistics(options.statistics, scene, *context);
+    if (!options.cells.empty())
+        writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
+    progress.clear();
+    if (options.reference.empty()) return EXIT_FINE;
+    return compareWithReference(picture, options.reference, differenceNameOf(options)) ? EXIT_FINE : EXIT_DIFFERENT;
+}
+
+#if !defined(OSGLEGO_OSMESA)
+/** Go on as the program that is linked with OSMesa instead of EGL; a process can have one of them only. Comes back only
+ * when there is no such program. */
+void becomeOsMesa(char** argv)
+{
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::string other = self.string() + "-osmesa";
+    execv(other.c_str(), argv);
+    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to go on with; allowed: --context egl");
+}
+
+bool hasEgl()
+{
+    std::string error;
+    return createOffscreenContext(1, 1, error).valid();
+}
+#endif
+
+int run(int argc, char** argv)
+{
+    CaptureOptions options;
+    if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
+#if !defined(OSGLEGO_OSMESA)
+    const bool wantsOsMesa =
+        options.context == ContextKind::OSMESA || (options.context == ContextKind::AUTO && !hasEgl());
+    if (wantsOsMesa) becomeOsMesa(argv);
+#endif
+    return capture(options);
+}
+
+} // namespace
+
+} // namespace osgLego
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return osgLego::run(argc, argv);
+    }
+    catch (const osgLego::CaptureError& error)
+    {
+        fmt::print(stderr, "osglegocapture: {}\n", error.what());
+        return error.getCode();
+    }
+    catch (const std::bad_alloc&)
+    {
+        fmt::print(stderr, "osglegocapture: out of memory; allowed: a lower resolution, or a smaller picture\n");
+        return osgLego::EXIT_BAD_INPUT;
+    }
+    catch (const std::exception& error)
+    {
+        fmt::print(stderr, "osglegocapture: {}\n", error.what());
+        return osgLego::EXIT_BAD_INPUT;
+    }
+}
