@@ -34,9 +34,3 @@ if(OSGLEGO_SANITIZE)
         -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(osgLegoOptions INTERFACE -fsanitize=address,undefined)
 endif()
-
-# The include folders of OpenSceneGraph and GLM count as system ones: their warnings are not ours.
-function(osglego_use_osg target)
-    target_include_directories(${target} SYSTEM PUBLIC ${OPENSCENEGRAPH_INCLUDE_DIRS})
-    target_link_libraries(${target} PUBLIC ${OPENSCENEGRAPH_LIBRARIES})
-endfunction()

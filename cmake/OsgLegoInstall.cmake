@@ -1,0 +1,15 @@
+# The library, its public headers, and a package that find_package(osgLego) finds.
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
+
+install(TARGETS osgLego EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+get_target_property(public_headers osgLego OSGLEGO_PUBLIC_HEADERS)
+list(TRANSFORM public_headers PREPEND ${PROJECT_SOURCE_DIR}/osgLego/)
+install(FILES ${public_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgLego)
+install(EXPORT osgLegoTargets NAMESPACE osgLego:: DESTINATION ${package_folder})
+
+configure_package_config_file(cmake/osgLegoConfig.cmake.in ${PROJECT_BINARY_DIR}/osgLegoConfig.cmake
+    INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/osgLegoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/osgLegoConfig.cmake ${PROJECT_BINARY_DIR}/osgLegoConfigVersion.cmake
+              cmake/OsgLegoOpenSceneGraph.cmake
+        DESTINATION ${package_folder})

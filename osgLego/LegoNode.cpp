@@ -70,6 +70,12 @@ void LegoNode::dirty()
     dirtyBound();
 }
 
+bool LegoNode::hasTriangles() const
+{
+    _pipeline->refresh(*this);
+    return _pipeline->getStore().getSource().valid();
+}
+
 void LegoNode::setTiming(bool timing) { _pipeline->setTiming(timing); }
 
 bool LegoNode::getTiming() const { return _pipeline->getTiming(); }

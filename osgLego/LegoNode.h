@@ -57,6 +57,9 @@ public:
     /** Make the bricks anew in the next frame, whether or not a change of the source can be seen. */
     void dirty();
 
+    /** Whether the source shows any triangle; without one there are no bricks. */
+    bool hasTriangles() const;
+
     /** Wait after each stage of a legolization, so that getStatistics() has its times. Off at first. */
     void setTiming(bool timing);
     bool getTiming() const;

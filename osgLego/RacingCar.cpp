@@ -204,10 +204,11 @@ osg::ref_ptr<osg::Node> createCockpit()
         helmet.push_back(ringOf({0.22 - 0.18 * std::cos(angle), radius, 0.88 - radius, 0.88 + radius, 2.0}, CORNERS));
     }
     geode->addDrawable(createLoft(helmet,
-                                  [=](std::size_t step, std::size_t corner)
+                                  [&](std::size_t step, std::size_t corner)
                                   {
-                                      const bool isVisor = step < 5 && (corner < 5 || corner > 19 || (corner > 7 && corner < 17));
-                                      return isVisor && step > 1 ? black : yellow;
+                                      const osg::Vec3d& place = helmet[step][corner];
+                                      const bool isVisor = place.x() < 0.20 && std::abs(place.z() - 0.89) < 0.055;
+                                      return isVisor ? black : yellow;
                                   }));
     for (unsigned int index = 0; index < geode->getNumDrawables(); ++index)
         smooth(*geode->getDrawable(index)->asGeometry());

@@ -6,8 +6,8 @@ flat in uint color;
 
 uniform int lights; // bit i: light i is on; below 0: lighting is off, and colours show as they are
 
-const float SPECULAR = 0.25;
-const float SHININESS = 40.0;
+const float SPECULAR = 0.1; // of the light; the rest is what colours scatter
+const float SHININESS = 48.0;
 
 float attenuationOf(gl_LightSourceParameters light, vec3 toLight)
 {
@@ -45,5 +45,5 @@ void main()
         float highlight = max(dot(reflect(-direction, normal), toEye), 0.0);
         specular += attenuation * pow(highlight, SHININESS) * gl_LightSource[index].specular.rgb;
     }
-    gl_FragColor = vec4(albedo * diffuse + SPECULAR * specular, 1.0);
+    gl_FragColor = vec4(mix(albedo * diffuse, specular, SPECULAR), 1.0);
 }

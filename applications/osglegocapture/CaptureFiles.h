@@ -12,10 +12,6 @@
 namespace osgLego
 {
 
-/** Write a file under another name, and give it its own only when it is complete. Throws CaptureError.
- * @param write makes the file of the given name; what it throws is passed on, and the file removed. */
-void writeComplete(const std::string& fileName, const std::function<void(const std::string& temporaryName)>& write);
-
 /** Write text. Throws CaptureError. */
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write);
 

@@ -3,7 +3,6 @@
 #include "ExitCode.h"
 
 #include <osgLego/RacingCar.h>
-#include <osgLego/SceneTriangles.h>
 
 #include <cmath>
 
@@ -14,7 +13,6 @@
 #include <osgDB/FileUtils>
 #include <osgDB/ReadFile>
 #include <osgDB/Registry>
-#include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
@@ -83,7 +81,7 @@ CaptureScene::CaptureScene(const CaptureOptions& options) :
         _lego->addChild(_source);
         _shown = _lego;
     }
-    if (SceneTriangles::create(*_lego)->getNumTriangles() == 0)
+    if (!_lego->hasTriangles())
         throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "' has no triangles to legolize");
     _lego->setTiming(!options.statistics.empty());
     _lego->setReadBack(!options.statistics.empty() || !options.cells.empty());
@@ -134,7 +132,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
 
     // A light over the left shoulder: head on, edges would drown.
     _viewer.setLightingMode(osg::View::HEADLIGHT);
-    _viewer.getLight()->setPosition(osg::Vec4(-0.5f, 0.7f, 1.0f, 0.0f));
+    _viewer.getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
     _viewer.getLight()->setDiffuse(osg::Vec4(0.8f, 0.8f, 0.8f, 1.0f));
     osg::ref_ptr<osg::LightModel> ambient = new osg::LightModel;
     ambient->setAmbientIntensity(osg::Vec4(0.35f, 0.35f, 0.37f, 1.0f));

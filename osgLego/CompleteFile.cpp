@@ -1,0 +1,54 @@
+#include <osgLego/CompleteFile.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+fs::path temporaryPathOf(const fs::path& path)
+{
+    fs::path name = path.stem();
+    name += "." + std::to_string(getpid()) + ".part";
+    name += path.extension();
+    return path.parent_path() / name;
+}
+
+/** What a writer says, with the name of the file instead of the temporary one. */
+std::string renamed(std::string text, const std::string& from, const std::string& to)
+{
+    for (auto place = text.find(from); place != std::string::npos; place = text.find(from, place + to.size()))
+        text.replace(place, from.size(), to);
+    return text;
+}
+
+} // namespace
+
+std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(const std::string&)>& write)
+{
+    std::error_code ignored;
+    const fs::path path(fileName);
+    if (fs::is_directory(path, ignored)) return "it is a folder";
+    const fs::path folder = path.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored)) return "there is no folder '" + folder.string() + "'";
+
+    const fs::path temporary = temporaryPathOf(path);
+    std::string why = renamed(write(temporary.string()), temporary.string(), fileName);
+    if (why.empty())
+    {
+        std::error_code error;
+        fs::rename(temporary, path, error);
+        if (error) why = error.message();
+    }
+    if (!why.empty()) fs::remove(temporary, ignored);
+    return why;
+}
+
+} // namespace osgLego

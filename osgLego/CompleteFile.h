@@ -1,0 +1,20 @@
+#pragma once
+
+#include <osgLego/Export.h>
+
+#include <functional>
+#include <string>
+
+namespace osgLego
+{
+
+/** Write a file so that it is there complete or not at all: under another name beside its own, which it gets in the end.
+ *
+ * May be called from any thread.
+ * @param write makes the file of the name that it is given, which has the same extension, and answers why it can't; an
+ * empty text if it can.
+ * @return why there is no file now, or still the one of before; empty when it is written. */
+OSGLEGO_EXPORT std::string writeCompleteFile(const std::string& fileName,
+                                             const std::function<std::string(const std::string& temporaryName)>& write);
+
+} // namespace osgLego

@@ -1,0 +1,75 @@
+#include "LegolizeName.h"
+
+#include <osgLego/LegoNode.h>
+#include <osgLego/RacingCar.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/ReaderWriter>
+#include <osgDB/Registry>
+
+/** The pseudo-loader `.legolize`: reads the file whose name comes before, and puts it under an osgLego::LegoNode.
+ *
+ *     osgviewer bunny.ply.legolize
+ *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"
+ *     osgviewer bunny.ply.legolize -O "64,proportions=plate"
+ *     osgviewer sample.legolize
+ *
+ * Settings are those of osgLego::LegoSettings; those in the name count for more than those of the options. What of the
+ * options is no setting is handed on to the reader of the file. */
+class ReaderWriterLegolize : public osgDB::ReaderWriter
+{
+public:
+    ReaderWriterLegolize()
+    {
+        supportsExtension("legolize", "Pseudo-loader that turns a model into bricks");
+        supportsOption("<number>", "the resolution: cells along the longest side, 1 to 1024");
+        supportsOption("resolution=<number>", "the same");
+        supportsOption("proportions=cube|brick|plate", "the shape of a cell");
+        supportsOption("up=y|z", "the axis along which studs point");
+        supportsOption("method=points|exact", "the method of voxelization");
+        supportsOption("target=projected|addressed", "what a texel stands for");
+        supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
+        supportsOption("edge=<number>", "the longest edge that subdivision leaves, in cells, 0.0625 to 4");
+    }
+
+    const char* className() const override { return "legolize pseudo-loader"; }
+
+    ReadResult readObject(const std::string& name, const Options* options) const override
+    {
+        return readNode(name, options);
+    }
+
+    ReadResult readNode(const std::string& name, const Options* options) const override
+    {
+        LegolizeName parsed;
+        if (!LegolizeName::parse(name, parsed)) return ReadResult::FILE_NOT_HANDLED;
+
+        const LegolizeOptions own = LegolizeOptions::parse(options ? options->getOptionString() : std::string());
+        osgLego::LegoSettings settings;
+        std::string error;
+        for (const std::string& text : {own.settings, parsed.settings})
+            if (!text.empty() && !osgLego::LegoSettings::parse(text, settings, error)) return ReadResult(error);
+
+        if (parsed.fileName == "sample") return legolize(osgLego::createRacingCar(), settings, name);
+        osg::ref_ptr<Options> rest = options ? options->cloneOptions() : new Options;
+        rest->setOptionString(own.rest);
+        ReadResult result = osgDB::Registry::instance()->readNode(parsed.fileName, rest);
+        // Not "not handled": the reader of .legolize has done its part, and there is no use in looking for others.
+        if (result.notHandled()) return ReadResult("there is no reader for '" + parsed.fileName + "'");
+        if (!result.validNode()) return result;
+        return legolize(result.getNode(), settings, name);
+    }
+
+private:
+    static ReadResult legolize(const osg::ref_ptr<osg::Node>& source, const osgLego::LegoSettings& settings,
+                               const std::string& name)
+    {
+        osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode(settings);
+        lego->setName(name);
+        lego->addChild(source);
+        if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
+        return lego.get();
+    }
+};
+
+REGISTER_OSGPLUGIN(legolize, ReaderWriterLegolize)

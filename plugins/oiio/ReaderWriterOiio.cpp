@@ -1,0 +1,70 @@
+#include "ImageConversion.h"
+
+#include <sstream>
+
+#include <OpenImageIO/imageio.h>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/ReaderWriter>
+#include <osgDB/Registry>
+
+/** Images through OpenImageIO, floats kept as floats: .exr, .hdr, .tif and whatever else it knows.
+ *
+ * OSG finds this plugin by itself for .exr. For formats that it has a plugin of its own for, put `.oiio` behind the name
+ * (`probe.hdr.oiio`), or load this one first (`osgviewer -e oiio ...`). */
+class ReaderWriterOiio : public osgDB::ReaderWriter
+{
+public:
+    ReaderWriterOiio()
+    {
+        supportsExtension("oiio", "Pseudo-loader: the file before it, by OpenImageIO");
+        // "tiff:tif,tiff,tx;openexr:exr,sxr" and so on.
+        std::istringstream formats(OIIO::get_string_attribute("extension_list"));
+        for (std::string format; std::getline(formats, format, ';');)
+        {
+            const auto colon = format.find(':');
+            if (colon == std::string::npos) continue;
+            std::istringstream extensions(format.substr(colon + 1));
+            for (std::string extension; std::getline(extensions, extension, ',');)
+                supportsExtension(extension, format.substr(0, colon) + " by OpenImageIO");
+        }
+    }
+
+    const char* className() const override { return "OpenImageIO image reader and writer"; }
+
+    ReadResult readObject(const std::string& name, const Options* options) const override
+    {
+        return readImage(name, options);
+    }
+
+    ReadResult readImage(const std::string& name, const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
+        const std::string fileName = osgDB::findDataFile(withoutPseudoExtension(name), options);
+        if (fileName.empty()) return ReadResult::FILE_NOT_FOUND;
+        std::string error;
+        const osg::ref_ptr<osg::Image> image = readWithOiio(fileName, error);
+        return image ? ReadResult(image.get()) : ReadResult(error);
+    }
+
+    WriteResult writeObject(const osg::Object& object, const std::string& name, const Options* options) const override
+    {
+        const auto* image = dynamic_cast<const osg::Image*>(&object);
+        return image ? writeImage(*image, name, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
+    WriteResult writeImage(const osg::Image& image, const std::string& name, const Options*) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return WriteResult::FILE_NOT_HANDLED;
+        const std::string error = writeWithOiio(image, withoutPseudoExtension(name));
+        return error.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(error);
+    }
+
+private:
+    static std::string withoutPseudoExtension(const std::string& name)
+    {
+        return osgDB::getLowerCaseFileExtension(name) == "oiio" ? osgDB::getNameLessExtension(name) : name;
+    }
+};
+
+REGISTER_OSGPLUGIN(oiio, ReaderWriterOiio)
