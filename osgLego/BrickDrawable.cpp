@@ -4,6 +4,7 @@
 #include <osgLego/ProgramUniforms.h>
 #include <osgLego/ShaderLibrary.h>
 
+#include <array>
 #include <cstdint>
 
 #include <osg/RenderInfo>
@@ -17,14 +18,16 @@ namespace
 constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
 constexpr int NUM_LIGHTS = 8;
 
-/** The lights that the state has switched on, a bit each; -1 when lighting is off altogether. */
-int lightsOf(const osg::State& state)
+/** Tell the program which lights the state has switched on. */
+void setLights(const ProgramUniforms& uniforms, const osg::State& state)
 {
-    if (!state.getLastAppliedMode(GL_LIGHTING)) return -1;
-    int lights = 0;
+    std::array<int, NUM_LIGHTS> numbers{};
+    int count = 0;
     for (int light = 0; light < NUM_LIGHTS; ++light)
-        if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light))) lights |= 1 << light;
-    return lights;
+        if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
+            numbers[static_cast<std::size_t>(count++)] = light;
+    uniforms.set("numLights", state.getLastAppliedMode(GL_LIGHTING) ? count : -1);
+    uniforms.set("lightNumbers", numbers.data(), NUM_LIGHTS);
 }
 
 } // namespace
@@ -54,7 +57,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     osg::State& state = *renderInfo.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     const std::lock_guard lock(bricks->getMutex());
-    if (bricks->numBricks == 0 || !bricks->buffer.isValid() || !state.getLastAppliedProgramObject()) return;
+    if (bricks->numBricks == 0 || !state.getLastAppliedProgramObject()) return;
 
     // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
     // origin of their coordinates do not shake.
@@ -67,7 +70,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     const int up = grid.getUpIndex();
     uniforms.set("upAxis", up);
     uniforms.set("studHeight", static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
-    uniforms.set("lights", lightsOf(state));
+    setLights(uniforms, state);
 
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     state.disableAllVertexArrays();

@@ -67,7 +67,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     setAddressing(uniforms, grid, slab, _plan.imageSize);
     uniforms.set("firstLayer", slab.begin);
 
-    if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() / 2 + 1024);
+    if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + 1024);
     const int runs = (grid.dimensions.x + RUN_LENGTH - 1) / RUN_LENGTH;
     const int numRuns = runs * grid.dimensions.y * (slab.end - slab.begin);
     TransformFeedback feedback(*state.get<osg::GLExtensions>());

@@ -18,6 +18,6 @@ namespace osgLego
 OSGLEGO_EXPORT osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model);
 
 /** Hand the open faces of the bricks, without studs, to a functor, as quads in model units: for picking. */
-void acceptBrickFaces(const BrickModel& model, osg::PrimitiveFunctor& functor);
+OSGLEGO_EXPORT void acceptBrickFaces(const BrickModel& model, osg::PrimitiveFunctor& functor);
 
 } // namespace osgLego

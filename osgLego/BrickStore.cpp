@@ -7,14 +7,6 @@
 namespace osgLego
 {
 
-bool ContextBricks::isOf(const LegoSource& wanted) const
-{
-    if (_revision != wanted.revision) return false;
-    // A thread that holds the mutex is at work in the context, which is therefore there.
-    const std::unique_lock lock(_mutex, std::try_to_lock);
-    return !lock || buffer.isValid();
-}
-
 std::string ContextBricks::getFailure() const
 {
     const std::lock_guard lock(_mutex);
@@ -55,6 +47,22 @@ void ContextBricks::fail(const LegoSource& failed, const std::string& why)
         OSG_WARN << "osgLego: " << why << "; the source is drawn as it is, not in bricks" << std::endl;
 }
 
+void ContextBricks::despair(unsigned int contextID, const std::string& why)
+{
+    {
+        const std::lock_guard lock(_mutex);
+        work.reset();
+        failure = why;
+        _isHopeless = true;
+    }
+    // Of all the nodes in a context one speaks.
+    static std::mutex mutex;
+    static std::map<unsigned int, std::string> said;
+    const std::lock_guard lock(mutex);
+    if (std::exchange(said[contextID], why) != why)
+        OSG_WARN << "osgLego: " << why << "; sources are drawn as they are, not in bricks" << std::endl;
+}
+
 void ContextBricks::release()
 {
     work.reset();
@@ -65,6 +73,7 @@ void ContextBricks::release()
     failure.clear();
     _revision = 0;
     _failedRevision = 0;
+    _isHopeless = false;
 }
 
 void BrickStore::setSource(const LegoSource* source)
@@ -114,6 +123,12 @@ osg::ref_ptr<osg::Texture2D> BrickStore::getTexture(const SurfaceTexture& surfac
         texture->setResizeNonPowerOfTwoHint(false);
     }
     return texture;
+}
+
+void BrickStore::releaseTextures() const
+{
+    const std::lock_guard lock(_mutex);
+    _textures.clear();
 }
 
 void BrickStore::releaseGLObjects(osg::State* state) const

@@ -54,12 +54,12 @@ public:
     /** Hold this for every use of the members that are not atomic. */
     std::mutex& getMutex() const { return _mutex; }
 
-    /** Whether these are the bricks of a source, and still there. May be called without the mutex, not with it. */
-    bool isOf(const LegoSource& wanted) const;
-    /** The same for who holds the mutex. */
-    bool isOfLocked(const LegoSource& wanted) const { return _revision == wanted.revision && buffer.isValid(); }
+    /** Whether these are the bricks of a source. May be called from any thread, without the mutex. */
+    bool isOf(const LegoSource& wanted) const { return _revision == wanted.revision; }
     /** The revision of the last source that could not be legolized; 0 when there is none. Likewise. */
     std::uint64_t getFailedRevision() const { return _failedRevision; }
+    /** Whether the context lacks what the passes need. Likewise. */
+    bool isHopeless() const { return _isHopeless; }
     // What the members below say, for who does not hold the mutex.
     std::string getFailure() const;
     LegoStatistics getStatistics() const;
@@ -69,6 +69,8 @@ public:
     void finish();
     /** Give up the legolization under way, and say why, once. */
     void fail(const LegoSource& source, const std::string& why);
+    /** Give up on the context, and say why, once a context. The mutex is taken here. */
+    void despair(unsigned int contextID, const std::string& why);
     /** Forget everything; the GL objects go through OSG's deferred deletion. */
     void release();
 
@@ -86,6 +88,7 @@ private:
     mutable std::mutex _mutex;
     std::atomic<std::uint64_t> _revision{0};
     std::atomic<std::uint64_t> _failedRevision{0};
+    std::atomic<bool> _isHopeless{false};
 };
 
 /** What a LegoNode, its passes and its drawable share: the source that is wanted, and the bricks of every context.
@@ -105,8 +108,10 @@ public:
      * source. */
     osg::ref_ptr<const BrickModel> getModel() const;
 
-    /** The texture of a surface, for any context; one and the same as long as the source is. */
+    /** The texture of a surface, for any context; one and the same until releaseTextures(), or another source. */
     osg::ref_ptr<osg::Texture2D> getTexture(const SurfaceTexture& surface) const;
+    /** Let go of the textures of surfaces, which are needed only to make bricks. */
+    void releaseTextures() const;
 
     /** Let go of the GL objects of one context, or of all when `state` is null. */
     void releaseGLObjects(osg::State* state) const;

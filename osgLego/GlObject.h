@@ -30,8 +30,7 @@ public:
 /** Owns the name of a GL object that contexts of one ID share: a buffer or a texture.
  *
  * Created by a thread in which the context is current; destroyed anywhere, the object itself then being deleted through
- * OSG's deferred deletion. A name outlives neither its context nor that context's ID: isValid() turns false when the
- * context is gone, even if a new one took over the ID.
+ * OSG's deferred deletion; when the context is gone meanwhile, and another one has taken over its ID, nothing is.
  */
 template <void (*CREATE)(const osg::GLExtensions&, GLuint&), void (*DELETE)(const osg::GLExtensions&, GLuint)>
 class GlObject
@@ -63,7 +62,6 @@ public:
 
     /** The name to hand to GL; 0 when there is none. */
     GLuint get() const { return _name; }
-    bool isValid() const { return _name != 0 && _manager.valid(); }
 
 private:
     using Manager = GlObjectManager<DELETE>;

@@ -3,11 +3,12 @@
 #include <osgLego/GridTriangles.h>
 #include <osgLego/SlabPlan.h>
 
+#include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <vector>
 
 #include <osg/ContextData>
-#include <osg/Notify>
 
 namespace osgLego
 {
@@ -33,11 +34,11 @@ std::string joined(const std::vector<std::string>& items)
 
 std::string findMissing(const osg::GLExtensions& extensions)
 {
+    if (std::string version = GlRequirements::getMissingVersion(extensions); !version.empty()) return version;
+
     std::vector<std::string> missing;
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     const std::string here = std::string(" (here: ") + (version ? version : "none") + ")";
-    if (GlRequirements::isVersionTooLow(extensions)) return "OpenGL 4.0 or later with GLSL 4.00 is needed" + here;
-
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
@@ -71,20 +72,19 @@ const std::string& GlRequirements::getMissing(const osg::State& state)
     {
         requirements->_checked = true;
         requirements->_missing = findMissing(*state.get<osg::GLExtensions>());
-        if (!requirements->_missing.empty())
-        {
-            OSG_WARN << "osgLego: " << requirements->_missing
-                     << "; sources are drawn as they are, not in bricks" << std::endl;
-        }
     }
     return requirements->_missing;
 }
 
-bool GlRequirements::isVersionTooLow(const osg::GLExtensions& extensions)
+std::string GlRequirements::getMissingVersion(const osg::GLExtensions& extensions)
 {
     // A little less, since both versions come out of text as floats.
     constexpr float SLACK = 0.01f;
-    return extensions.glVersion < NEEDED_VERSION - SLACK || extensions.glslLanguageVersion < NEEDED_VERSION - SLACK;
+    if (std::min(extensions.glVersion, extensions.glslLanguageVersion) > NEEDED_VERSION - SLACK) return {};
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << "OpenGL 4.0 or later with GLSL 4.00 is needed (here: OpenGL "
+         << extensions.glVersion << std::setprecision(2) << " with GLSL " << extensions.glslLanguageVersion << ")";
+    return text.str();
 }
 
 } // namespace osgLego

@@ -22,11 +22,11 @@ public:
 
     /** What the current context lacks, in one sentence that begins with what is needed; empty if nothing.
      *
-     * Call with the context of `state` current. The first call with something missing also says so as a warning. */
+     * Call with the context of `state` current. */
     static const std::string& getMissing(const osg::State& state);
 
-    /** Whether the version alone, known without a current context, rules the passes out. */
-    static bool isVersionTooLow(const osg::GLExtensions& extensions);
+    /** The same as far as it can be told by the version alone, for which the context need not be current. */
+    static std::string getMissingVersion(const osg::GLExtensions& extensions);
 
 private:
     ~GlRequirements() override = default;

@@ -21,7 +21,7 @@ namespace osgLego
  * MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels wide, where
  * linear filtering gathers what lies within one cell; all three corners carry the same.
  */
-struct GridVertex
+struct OSGLEGO_EXPORT GridVertex
 {
     static constexpr double MAXIMUM_LEVEL = 16.0;
 
@@ -36,7 +36,7 @@ struct GridVertex
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 
 /** Triangles in a grid that share one texture, three vertices each, at most MAXIMUM_TRIANGLES. */
-struct GridBatch
+struct OSGLEGO_EXPORT GridBatch
 {
     // The passes look source triangles up in a buffer texture, whose size GL limits.
     static constexpr std::size_t MAXIMUM_TRIANGLES = std::size_t(1) << 20;

@@ -150,12 +150,17 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
             return;
         }
     }
+    else if (auto* compiler = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor))
+    {
+        // What will be drawn is compiled, and nothing else.
+        const osg::State* state = compiler->getRenderInfo().getState();
+        if (!state || _pipeline->isFit(*state)) _pipeline->getBrickNode().accept(visitor);
+        else osg::Group::traverse(visitor);
+        return;
+    }
     else if (!isGeometryWriter(visitor))
     {
-        // The source is not drawn, so its GL objects need not be compiled.
-        const bool isCompiling = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor) != nullptr;
-        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN && !isCompiling)
-            osg::Group::traverse(visitor);
+        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
         _pipeline->getBrickNode().accept(visitor);
         return;
     }
@@ -167,9 +172,11 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
 
 osg::BoundingSphere LegoNode::computeBound() const
 {
+    // A child whose bound nobody asked for would not tell when it changes.
+    const osg::BoundingSphere sourceBound = osg::Group::computeBound();
     _pipeline->refresh(*this);
     const osg::BoundingBoxd bounds = _pipeline->getBounds();
-    return bounds.valid() ? osg::BoundingSphere(osg::BoundingBox(bounds)) : osg::Group::computeBound();
+    return bounds.valid() ? osg::BoundingSphere(osg::BoundingBox(bounds)) : sourceBound;
 }
 
 void LegoNode::setThreadSafeRefUnref(bool threadSafe)

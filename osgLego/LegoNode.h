@@ -29,6 +29,9 @@ class LegoPipeline;
  * 3. The scene is updated once a frame, as every osgViewer does. Without an update traversal only the first source,
  *    setSettings() and dirty() are noticed.
  *
+ * 4. As with every node, GL objects are released while the node is in the scene of a context that closes, or by
+ *    releaseGLObjects() before.
+ *
  * Usage:
  *
  *     osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode;

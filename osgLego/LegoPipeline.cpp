@@ -107,6 +107,7 @@ void LegoPipeline::releaseIdlePasses()
     if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
     _passes = nullptr;
     _lastCulls.clear();
+    _store->releaseTextures();
 }
 
 bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
@@ -121,12 +122,22 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     return true;
 }
 
-bool LegoPipeline::isHopeless(const osg::State& state, const ContextBricks& bricks, const LegoSource& source) const
+bool LegoPipeline::isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
 {
-    if (bricks.getFailedRevision() == source.revision) return true;
-    // Known only once the context has been current; before, the first pass finds out.
+    if (bricks.isHopeless() || bricks.getFailedRevision() == source.revision) return true;
+    // There once the context has been current; in a first frame without it, the first pass finds out.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
-    return extensions && bricks.getFailedRevision() != 0 && GlRequirements::isVersionTooLow(*extensions);
+    const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();
+    if (missing.empty()) return false;
+    bricks.despair(state.getContextID(), missing);
+    return true;
+}
+
+bool LegoPipeline::isFit(const osg::State& state) const
+{
+    const std::string& missing = GlRequirements::getMissing(state);
+    if (!missing.empty()) _store->getContext(state.getContextID())->despair(state.getContextID(), missing);
+    return missing.empty();
 }
 
 void LegoPipeline::cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source)

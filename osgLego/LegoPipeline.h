@@ -50,6 +50,9 @@ public:
      * @return false when the context can't have them, or there are none: then the source is to be drawn. */
     bool cull(osgUtil::CullVisitor& visitor);
 
+    /** Find out whether a context, which is current, has what the passes need. */
+    bool isFit(const osg::State& state) const;
+
     /** The node that stands for the bricks: drawn by cull(), picked, bounded. */
     osg::Geode& getBrickNode() const { return *_brickNode; }
     /** The bricks as osg::Geometry, made when first asked for; null when there are none. */
@@ -66,7 +69,7 @@ private:
 
     ~LegoPipeline() override = default;
 
-    bool isHopeless(const osg::State& state, const ContextBricks& bricks, const LegoSource& source) const;
+    bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
     void cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source);
 
     mutable std::mutex _mutex;

@@ -1,5 +1,7 @@
 #include <osgLego/LegolizationPass.h>
 
+#include <osgLego/GlRequirements.h>
+
 #include <osg/RenderInfo>
 #include <osg/Timer>
 
@@ -19,6 +21,11 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
+    {
+        bricks->despair(state.getContextID(), missing);
+        return;
+    }
     const std::lock_guard lock(bricks->getMutex());
     if (!begin(state, *bricks)) return;
 

@@ -30,6 +30,10 @@ public:
 
     void set(const char* name, int value) const { _extensions.glUniform1i(find(name), value); }
     void set(const char* name, float value) const { _extensions.glUniform1f(find(name), value); }
+    void set(const char* name, const int* values, GLsizei count) const
+    {
+        _extensions.glUniform1iv(find(name), count, values);
+    }
     void set(const char* name, const glm::ivec2& value) const { _extensions.glUniform2iv(find(name), 1, &value.x); }
     void set(const char* name, const glm::ivec3& value) const { _extensions.glUniform3iv(find(name), 1, &value.x); }
     void set(const char* name, const glm::mat4& value) const

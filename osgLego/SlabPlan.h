@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickGrid.h>
+#include <osgLego/Export.h>
 
 #include <vector>
 
@@ -22,7 +23,7 @@ struct Slab
  *
  * A grid of up to MAXIMUM_TEXELS cells is one slab; beyond that, memory no longer grows with the grid.
  */
-struct SlabPlan
+struct OSGLEGO_EXPORT SlabPlan
 {
     static constexpr int MAXIMUM_TEXELS = 1 << 24;
     static constexpr int MAXIMUM_WIDTH = 4096;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <osgLego/Export.h>
+
 #include <cstdint>
 
 #include <osg/Node>
@@ -15,6 +17,6 @@ namespace osgLego
  * costs a walk over the nodes, not over the triangles.
  *
  * May be called from any thread as long as no other thread changes the subgraph. */
-std::uint64_t computeSourceSignature(const osg::Node& node);
+OSGLEGO_EXPORT std::uint64_t computeSourceSignature(const osg::Node& node);
 
 } // namespace osgLego

@@ -1,6 +1,5 @@
 #include <osgLego/SubdivisionPass.h>
 
-#include <osgLego/GlRequirements.h>
 #include <osgLego/GlMemory.h>
 #include <osgLego/GridVertexArrays.h>
 #include <osgLego/ProgramUniforms.h>
@@ -183,17 +182,12 @@ bool SubdivisionPass::begin(osg::State& state, ContextBricks& bricks) const
 {
     const osg::ref_ptr<const LegoSource> source = getStore().getSource();
     if (!source || bricks.getFailedRevision() == source->revision) return false;
-    if (bricks.isOfLocked(*source)) return false;
+    if (bricks.isOf(*source)) return false;
     // The source may have changed since the frame was culled: then the next frame has passes that fit.
     if (PassPlan::create(*source) != _plan) return false;
     const bool isOthers = bricks.work && bricks.work->owner != state.getGraphicsContext();
     if (isOthers) return false;
 
-    if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
-    {
-        bricks.fail(*source, missing);
-        return false;
-    }
     bricks.work = std::make_unique<Legolization>();
     bricks.work->source = source;
     bricks.work->owner = state.getGraphicsContext();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <osgLego/Export.h>
+
 #include <osg/GL>
 #include <osg/GLExtensions>
 
@@ -30,7 +32,7 @@ struct CapturedPrimitives
  *
  * https://registry.khronos.org/OpenGL-Refpages/gl4/html/glBeginTransformFeedback.xhtml
  */
-class TransformFeedback
+class OSGLEGO_EXPORT TransformFeedback
 {
 public:
     explicit TransformFeedback(const osg::GLExtensions& extensions);

@@ -17,15 +17,38 @@ flat out uint color;
 
 const float STUD_RADIUS = 0.3;
 const int STUD_SIDES = 16;
+// Around the stud; a table, since not every machine has a quick cosine.
+const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
+    vec2(1.0, 0.0), vec2(0.923879533, 0.382683432), vec2(0.707106781, 0.707106781), vec2(0.382683432, 0.923879533),
+    vec2(0.0, 1.0), vec2(-0.382683432, 0.923879533), vec2(-0.707106781, 0.707106781), vec2(-0.923879533, 0.382683432),
+    vec2(-1.0, 0.0), vec2(-0.923879533, -0.382683432), vec2(-0.707106781, -0.707106781), vec2(-0.382683432, -0.923879533),
+    vec2(0.0, -1.0), vec2(0.382683432, -0.923879533), vec2(0.707106781, -0.707106781), vec2(0.923879533, -0.382683432));
 
-void emitVertex(vec3 position, vec3 normal, vec2 place)
+// A place in the spaces that vertices are needed in, or a step between two places.
+struct Place
 {
-    vec4 eye = gl_ModelViewMatrix * vec4(position, 1.0);
-    eyePosition = eye.xyz;
-    eyeNormal = gl_NormalMatrix * normal;
-    coordinate = place;
+    vec3 eye;
+    vec4 clip;
+};
+
+Place placeOf(vec4 position)
+{
+    vec4 eye = gl_ModelViewMatrix * position;
+    return Place(eye.xyz, gl_ProjectionMatrix * eye);
+}
+
+Place moved(Place place, float distance, Place step)
+{
+    return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
+}
+
+void emitVertex(Place place, vec3 normal, vec2 where)
+{
+    eyePosition = place.eye;
+    eyeNormal = normal;
+    coordinate = where;
     color = brick[0].z;
-    gl_Position = gl_ProjectionMatrix * eye;
+    gl_Position = place.clip;
     EmitVertex();
 }
 
@@ -35,14 +58,18 @@ void emitSide(vec3 cell, int axis, bool upper)
     normal[axis] = upper ? 1.0 : -1.0;
     vec3 corner = cell;
     if (upper) corner[axis] += 1.0;
-    vec3 u = vec3(0.0);
-    vec3 v = vec3(0.0);
+    vec4 u = vec4(0.0);
+    vec4 v = vec4(0.0);
     u[(axis + (upper ? 1 : 2)) % 3] = 1.0;
     v[(axis + (upper ? 2 : 1)) % 3] = 1.0;
-    emitVertex(corner, normal, vec2(0.0, 0.0));
-    emitVertex(corner + u, normal, vec2(1.0, 0.0));
-    emitVertex(corner + v, normal, vec2(0.0, 1.0));
-    emitVertex(corner + u + v, normal, vec2(1.0, 1.0));
+    Place first = placeOf(vec4(corner, 1.0));
+    Place alongU = placeOf(u);
+    Place second = moved(first, 1.0, placeOf(v));
+    vec3 eyeNormal = gl_NormalMatrix * normal;
+    emitVertex(first, eyeNormal, vec2(0.0, 0.0));
+    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0));
+    emitVertex(second, eyeNormal, vec2(0.0, 1.0));
+    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0));
     EndPrimitive();
 }
 
@@ -54,35 +81,33 @@ vec3 across(float u, float v)
     return result;
 }
 
-vec3 directionOf(int side)
+void emitStud(vec3 center, vec3 up)
 {
-    float angle = 6.28318530718 * float(side) / float(STUD_SIDES);
-    return across(cos(angle), sin(angle));
-}
+    Place foot = placeOf(vec4(center, 1.0));
+    Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
+    Place stepU = placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0));
+    Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
+    vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
+    vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
+    vec3 normalUp = gl_NormalMatrix * up;
 
-void emitStudWall(vec3 center, vec3 up)
-{
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
         // The seam's two edges are the same edge, to the last digit.
-        vec3 direction = directionOf(side % STUD_SIDES);
-        vec3 foot = center + STUD_RADIUS * direction;
+        vec2 direction = DIRECTIONS[side % STUD_SIDES];
+        vec3 normal = direction.x * normalU + direction.y * normalV;
         float around = float(side) / float(STUD_SIDES);
-        emitVertex(foot + up, direction, vec2(around, 1.0));
-        emitVertex(foot, direction, vec2(around, 0.0));
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0));
+        emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0));
     }
     EndPrimitive();
-}
 
-void emitStudDisk(vec3 center, vec3 normal)
-{
-    // A strip that zigzags across: 0, 1, 15, 2, 14 and so on.
+    // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
         int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
-        vec3 direction = directionOf(side);
-        vec2 place = vec2(direction[(upAxis + 1) % 3], direction[(upAxis + 2) % 3]);
-        emitVertex(center + STUD_RADIUS * direction, normal, 0.5 + 0.5 * place);
+        vec2 direction = DIRECTIONS[side];
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction);
     }
     EndPrimitive();
 }
@@ -98,10 +123,8 @@ void main()
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)
     {
-        vec3 normal = vec3(0.0);
-        normal[upAxis] = 1.0;
-        vec3 center = cell + across(0.5, 0.5) + normal;
-        emitStudWall(center, studHeight * normal);
-        emitStudDisk(center + studHeight * normal, normal);
+        vec3 up = vec3(0.0);
+        up[upAxis] = 1.0;
+        emitStud(cell + across(0.5, 0.5) + up, up);
     }
 }

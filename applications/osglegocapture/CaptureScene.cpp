@@ -22,28 +22,7 @@ namespace
 
 constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
-const osg::Vec4 BACKGROUND(0.93f, 0.94f, 0.96f, 1.0f);
-
-/** Finds the first LegoNode in a scene. */
-class LegoNodeFinder : public osg::NodeVisitor
-{
-public:
-    LegoNodeFinder() :
-        osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
-    {
-    }
-
-    void apply(osg::Group& group) override
-    {
-        if (!_found) _found = dynamic_cast<LegoNode*>(&group);
-        if (!_found) traverse(group);
-    }
-
-    LegoNode* getFound() const { return _found; }
-
-private:
-    LegoNode* _found = nullptr;
-};
+const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 
 osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
 {
@@ -69,12 +48,11 @@ CaptureScene::CaptureScene(const CaptureOptions& options) :
     const osg::Timer_t start = osg::Timer::instance()->tick();
     _source = readMesh(options.mesh);
     _readingTime = elapsed(start);
+    // A pseudo-loader may have put a node around the mesh already.
+    if (auto* lego = dynamic_cast<LegoNode*>(_source.get())) _lego = lego;
+    if (_lego && (options.original || options.settings)) unwrapSource();
     _shown = _source;
     if (options.original) return;
-
-    LegoNodeFinder finder;
-    if (!options.settings) _source->accept(finder);
-    _lego = finder.getFound();
     if (!_lego)
     {
         _lego = new LegoNode(options.settings.value_or(LegoSettings()));
@@ -85,6 +63,14 @@ CaptureScene::CaptureScene(const CaptureOptions& options) :
         throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "' has no triangles to legolize");
     _lego->setTiming(!options.statistics.empty());
     _lego->setReadBack(!options.statistics.empty() || !options.cells.empty());
+}
+
+void CaptureScene::unwrapSource()
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (unsigned int child = 0; child < _lego->getNumChildren(); ++child) group->addChild(_lego->getChild(child));
+    _source = group;
+    _lego = nullptr;
 }
 
 osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
@@ -133,9 +119,9 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     // A light over the left shoulder: head on, edges would drown.
     _viewer.setLightingMode(osg::View::HEADLIGHT);
     _viewer.getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
-    _viewer.getLight()->setDiffuse(osg::Vec4(0.8f, 0.8f, 0.8f, 1.0f));
+    _viewer.getLight()->setDiffuse(osg::Vec4(0.7f, 0.7f, 0.7f, 1.0f));
     osg::ref_ptr<osg::LightModel> ambient = new osg::LightModel;
-    ambient->setAmbientIntensity(osg::Vec4(0.35f, 0.35f, 0.37f, 1.0f));
+    ambient->setAmbientIntensity(osg::Vec4(0.32f, 0.32f, 0.34f, 1.0f));
     camera->getOrCreateStateSet()->setAttribute(ambient);
     camera->getStateSet()->setMode(GL_MULTISAMPLE_ARB, osg::StateAttribute::ON);
 
@@ -157,7 +143,7 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
     const osg::Vec3d headUp = up * std::cos(elevation) - ahead * std::sin(elevation);
 
     // Of the mesh, not of its bricks, so that pictures of both fit on each other.
-    const osg::BoundingSphere bound = _source->getBound();
+    const osg::BoundingSphere bound = _source == _lego ? _lego->osg::Group::computeBound() : _source->getBound();
     const double halfView = osg::DegreesToRadians(0.5 * FIELD_OF_VIEW);
     const double radii = _options.view.distance > 0.0 ? _options.view.distance : 1.05 / std::sin(halfView);
     const double aspect = static_cast<double>(_options.width) / _options.height;

@@ -34,6 +34,7 @@ public:
     double getDrawingTime() const { return _drawingTime; }
 
 private:
+    void unwrapSource();
     void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
     void placeCamera(osg::Camera& camera) const;
     UpAxis getUpAxis() const;

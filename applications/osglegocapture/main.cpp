@@ -12,6 +12,7 @@
 #include <new>
 
 #include <fmt/format.h>
+#include <osgDB/Registry>
 #include <unistd.h>
 
 namespace osgLego
@@ -96,8 +97,20 @@ bool hasEgl()
 }
 #endif
 
+/** Let OSG find the plugins of the tree that this program stands in, built or installed. */
+void findOwnPlugins()
+{
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path tree = self.parent_path().parent_path();
+    osgDB::FilePathList& folders = osgDB::Registry::instance()->getLibraryFilePathList();
+    for (const char* folder : {"lib", OSGLEGO_LIBRARY_FOLDER})
+        if (std::filesystem::is_directory(tree / folder, error)) folders.push_back((tree / folder).string());
+}
+
 int run(int argc, char** argv)
 {
+    findOwnPlugins();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
 #if !defined(OSGLEGO_OSMESA)

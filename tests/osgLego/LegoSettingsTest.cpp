@@ -1,0 +1,89 @@
+#include <osgLego/LegoSettings.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+LegoSettings parsed(const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << text << ": " << error;
+    return settings;
+}
+
+std::string errorOf(const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_FALSE(LegoSettings::parse(text, settings, error)) << text;
+    EXPECT_EQ(settings, LegoSettings()) << "a failed parse changed the settings";
+    return error;
+}
+
+TEST(LegoSettings, ANumberAloneIsTheResolution) { EXPECT_EQ(parsed("128").resolution, 128u); }
+
+TEST(LegoSettings, EveryKeyIsRead)
+{
+    const LegoSettings settings = parsed("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
+    EXPECT_EQ(settings.resolution, 32u);
+    EXPECT_EQ(settings.proportions, Proportions::PLATE);
+    EXPECT_EQ(settings.upAxis, UpAxis::Y);
+    EXPECT_EQ(settings.method, VoxelizationMethod::POINTS);
+    EXPECT_EQ(settings.getTarget(), VoxelizationTarget::ADDRESSED);
+    EXPECT_EQ(settings.fboSize, 512u);
+    EXPECT_EQ(settings.getEdgeLimit(), 0.5);
+}
+
+TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
+{
+    EXPECT_EQ(parsed("64").getTarget(), VoxelizationTarget::ADDRESSED);
+    EXPECT_EQ(parsed("64").getEdgeLimit(), 2.0);
+    EXPECT_EQ(parsed("64,method=points,fbo=1024").getTarget(), VoxelizationTarget::PROJECTED);
+    EXPECT_EQ(parsed("64,method=points").getEdgeLimit(), 1.0);
+}
+
+TEST(LegoSettings, TheTextFormComesBackAsItWas)
+{
+    for (const char* text : {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625",
+                             "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25"})
+    {
+        EXPECT_EQ(parsed(text).toString(), text);
+        EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
+    }
+}
+
+TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
+{
+    LegoSettings settings = parsed("32,up=y");
+    std::string error;
+    ASSERT_TRUE(LegoSettings::parse("proportions=brick", settings, error));
+    EXPECT_EQ(settings.toString(), "32,proportions=brick,up=y");
+}
+
+TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
+{
+    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge");
+    EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("resolution=-5"), "bad value '-5' for resolution; allowed: a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("proportions=tile"), "bad value 'tile' for proportions; allowed: cube, brick, plate");
+    EXPECT_EQ(errorOf("up=x"), "bad value 'x' for up; allowed: y, z");
+    EXPECT_EQ(errorOf("fbo=8"), "bad value '8' for fbo; allowed: a whole number of pixels, 16 to 8192");
+    EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; allowed: a number of cells, 0.0625 to 4");
+    EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; allowed: a number of cells, 0.0625 to 4");
+    EXPECT_EQ(errorOf("64,32"), "'resolution' is given twice");
+    EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; allowed with method=exact: addressed");
+    EXPECT_NE(errorOf("").find("is neither a resolution"), std::string::npos);
+    EXPECT_NE(errorOf("64,").find("is neither a resolution"), std::string::npos);
+    EXPECT_NE(errorOf("bunny").find("'bunny' is neither a resolution"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace osgLego

@@ -1,0 +1,49 @@
+#include <legolize/LegolizeName.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+void expectParsed(const std::string& name, const std::string& fileName, const std::string& settings)
+{
+    LegolizeName parsed;
+    ASSERT_TRUE(LegolizeName::parse(name, parsed)) << name;
+    EXPECT_EQ(parsed.fileName, fileName) << name;
+    EXPECT_EQ(parsed.settings, settings) << name;
+}
+
+TEST(LegolizeName, TellsTheFileFromTheSettings)
+{
+    expectParsed("model.ply.legolize", "model.ply", "");
+    expectParsed("model.ply.LEGOLIZE", "model.ply", "");
+    expectParsed("model.ply.64.legolize", "model.ply", "64");
+    expectParsed("model.ply.(64,proportions=plate,up=y).legolize", "model.ply", "64,proportions=plate,up=y");
+    expectParsed("model.ply.[64,edge=0.5].legolize", "model.ply", "64,edge=0.5");
+    expectParsed("model.ply.up=y.legolize", "model.ply", "up=y");
+    expectParsed("model.ply.().legolize", "model.ply", "");
+    expectParsed("/a.b/c.(d)/model.ply.(32).legolize", "/a.b/c.(d)/model.ply", "32");
+    expectParsed("/a.64/model.legolize", "/a.64/model", "");
+    expectParsed("car.3ds.legolize", "car.3ds", "");
+    expectParsed("cow.osg.(0,0,90).rot.64.legolize", "cow.osg.(0,0,90).rot", "64");
+    expectParsed("bunny.ply.8.legolize.16.legolize", "bunny.ply.8.legolize", "16");
+    expectParsed("sample.legolize", "sample", "");
+}
+
+TEST(LegolizeName, OtherNamesAreNone)
+{
+    LegolizeName parsed;
+    for (const char* name : {"model.ply", "legolize", ".legolize", "(64).legolize.ply", ".64.legolize"})
+        EXPECT_FALSE(LegolizeName::parse(name, parsed)) << name;
+}
+
+TEST(LegolizeOptions, SettingsAreTakenAndTheRestIsLeft)
+{
+    const LegolizeOptions options =
+        LegolizeOptions::parse("noRotation 64,proportions=plate  compressed edge=0.5 quality=3");
+    EXPECT_EQ(options.settings, "64,proportions=plate,edge=0.5");
+    EXPECT_EQ(options.rest, "noRotation compressed quality=3");
+    EXPECT_EQ(LegolizeOptions::parse("").settings, "");
+}
+
+} // namespace

@@ -1,0 +1,155 @@
+#include <TemporaryFolder.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <osg/Image>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+#include <osgDB/WriteFile>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+class Oiio : public TemporaryFolderTest
+{
+protected:
+    /** An image of 5 x 3 pixels, each another. */
+    static osg::ref_ptr<osg::Image> createImage(GLenum format, GLenum type)
+    {
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(5, 3, 1, format, type);
+        const unsigned int channels = osg::Image::computeNumComponents(format);
+        for (unsigned int index = 0; index < 15 * channels; ++index)
+        {
+            unsigned char* pixel = image->data(index / channels % 5, index / channels / 5);
+            const unsigned int channel = index % channels;
+            if (type == GL_FLOAT)
+            {
+                const float value = 0.25f * static_cast<float>(index) + 3.5f;
+                std::memcpy(pixel + 4 * channel, &value, 4);
+            }
+            else if (type == GL_UNSIGNED_SHORT)
+            {
+                const auto value = static_cast<unsigned short>(1000 * index + 7);
+                std::memcpy(pixel + 2 * channel, &value, 2);
+            }
+            else pixel[channel] = static_cast<unsigned char>(4 * index + 1);
+        }
+        return image;
+    }
+
+    osg::ref_ptr<osg::Image> throughFile(const osg::Image& image, const std::string& name)
+    {
+        EXPECT_TRUE(osgDB::writeImageFile(image, pathOf(name))) << name;
+        return osgDB::readRefImageFile(pathOf(name));
+    }
+
+    static std::string errorOf(const std::string& name)
+    {
+        osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readImage(name, nullptr);
+        EXPECT_FALSE(result.validImage()) << name;
+        return result.statusMessage();
+    }
+
+    static void expectSamePixels(const osg::Image& a, const osg::Image& b)
+    {
+        ASSERT_EQ(a.s(), b.s());
+        ASSERT_EQ(a.t(), b.t());
+        ASSERT_EQ(a.getPixelFormat(), b.getPixelFormat());
+        ASSERT_EQ(a.getDataType(), b.getDataType());
+        for (unsigned int row = 0; row < static_cast<unsigned int>(a.t()); ++row)
+            EXPECT_EQ(std::memcmp(a.data(0, row), b.data(0, row), a.getRowSizeInBytes()), 0) << "row " << row;
+    }
+};
+
+TEST_F(Oiio, FloatsAreKeptThroughExr)
+{
+    for (const GLenum format : {GL_RGB, GL_RGBA})
+    {
+        const osg::ref_ptr<osg::Image> image = createImage(format, GL_FLOAT);
+        const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.exr");
+        ASSERT_TRUE(back);
+        expectSamePixels(*image, *back);
+    }
+}
+
+TEST_F(Oiio, EveryTypeAndNumberOfChannelsGoesThroughTiff)
+{
+    for (const GLenum type : {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT})
+        for (const GLenum format : {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA})
+        {
+            const osg::ref_ptr<osg::Image> image = createImage(format, type);
+            const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.tif.oiio");
+            ASSERT_TRUE(back) << type << " " << format;
+            if (format == GL_LUMINANCE_ALPHA || format == GL_RGBA) continue; // TIFF may premultiply
+            expectSamePixels(*image, *back);
+        }
+}
+
+TEST_F(Oiio, HdrKeepsWhatItsFormatCan)
+{
+    const osg::ref_ptr<osg::Image> image = createImage(GL_RGB, GL_FLOAT);
+    const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.hdr.oiio");
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->getDataType(), GLenum(GL_FLOAT));
+    for (unsigned int row = 0; row < 3; ++row)
+        for (unsigned int column = 0; column < 5; ++column)
+            EXPECT_NEAR(back->getColor(column, row).g(), image->getColor(column, row).g(), 0.1f);
+}
+
+TEST_F(Oiio, BlueFirstIsWrittenInTheRightOrder)
+{
+    const osg::ref_ptr<osg::Image> image = createImage(GL_BGR, GL_UNSIGNED_BYTE);
+    const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.png.oiio");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->data(2, 1)[0], image->data(2, 1)[2]);
+    EXPECT_EQ(back->data(2, 1)[2], image->data(2, 1)[0]);
+}
+
+TEST_F(Oiio, AgreesWithOsgsOwnPluginWhichRowIsFirst)
+{
+    const osg::ref_ptr<osg::Image> image = createImage(GL_RGB, GL_UNSIGNED_BYTE);
+    ASSERT_TRUE(osgDB::writeImageFile(*image, pathOf("image.png")));
+    const osg::ref_ptr<osg::Image> back = osgDB::readRefImageFile(pathOf("image.png.oiio"));
+    ASSERT_TRUE(back);
+    expectSamePixels(*image, *back);
+}
+
+TEST_F(Oiio, AHeaderThatLiesDoesNoHarm)
+{
+    std::ofstream(pathOf("huge.hdr"), std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40000 +X 40000\n";
+    EXPECT_NE(errorOf(pathOf("huge.hdr.oiio")).find("40000 x 40000"), std::string::npos);
+}
+
+TEST_F(Oiio, ATruncatedFileIsAnError)
+{
+    ASSERT_TRUE(osgDB::writeImageFile(*createImage(GL_RGB, GL_FLOAT), pathOf("whole.exr")));
+    std::stringstream text;
+    text << std::ifstream(pathOf("whole.exr"), std::ios::binary).rdbuf();
+    const std::string whole = text.str();
+    for (const std::size_t size : {std::size_t(0), std::size_t(10), whole.size() / 2, whole.size() - 10})
+    {
+        std::ofstream(pathOf("part.exr"), std::ios::binary) << whole.substr(0, size);
+        EXPECT_FALSE(errorOf(pathOf("part.exr")).empty()) << size;
+    }
+}
+
+TEST_F(Oiio, SaysWhatIsWrong)
+{
+    EXPECT_NE(errorOf(pathOf("none.exr")).find("not found"), std::string::npos);
+    EXPECT_FALSE(osgDB::writeImageFile(*createImage(GL_RGB, GL_FLOAT), pathOf("no/such/folder.exr")));
+    osg::ref_ptr<osg::Image> volume = new osg::Image;
+    volume->allocateImage(2, 2, 2, GL_RGB, GL_UNSIGNED_BYTE);
+    EXPECT_FALSE(osgDB::writeImageFile(*volume, pathOf("volume.exr")));
+    EXPECT_EQ(countFiles(), 0u);
+}
+
+} // namespace
+
+} // namespace osgLego::test

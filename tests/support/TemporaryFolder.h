@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace osgLego::test
+{
+
+/** A test with an empty folder of its own, removed afterwards. */
+class TemporaryFolderTest : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        _folder = std::filesystem::temp_directory_path() /
+                  ("osglego-" + std::to_string(getpid()) + "-" + info->name());
+        std::filesystem::create_directories(_folder);
+    }
+
+    void TearDown() override { std::filesystem::remove_all(_folder); }
+
+    std::string pathOf(const std::string& name) const { return (_folder / name).string(); }
+
+    std::size_t countFiles() const
+    {
+        using std::filesystem::directory_iterator;
+        return static_cast<std::size_t>(std::distance(directory_iterator(_folder), directory_iterator()));
+    }
+
+    std::filesystem::path _folder;
+};
+
+} // namespace osgLego::test
