@@ -68,7 +68,7 @@ public:
     /** Take over a legolization that is complete. */
     void finish();
     /** Give up the legolization under way, and say why, once. */
-    void fail(const LegoSource& source, const std::string& why);
+    void fail(const LegoSource& failed, const std::string& why);
     /** Give up on the context, and say why, once a context. The mutex is taken here. */
     void despair(unsigned int contextID, const std::string& why);
     /** Forget everything; the GL objects go through OSG's deferred deletion. */

@@ -75,28 +75,28 @@ bool LegoPipeline::getReadBack() const
     return _readBack;
 }
 
-bool LegoPipeline::refresh(const osg::Node& node)
+bool LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
     const bool wasDirty = _isDirty.exchange(false);
-    const std::uint64_t signature = computeSourceSignature(node);
+    const std::uint64_t signature = computeSourceSignature(source);
     if (!wasDirty && signature == _signature) return false;
     _signature = signature;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
-    osg::ref_ptr<LegoSource> source;
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(source);
+    osg::ref_ptr<LegoSource> lego;
     if (scene->getNumTriangles() > 0)
     {
-        source = new LegoSource;
-        source->revision = makeRevision();
-        source->settings = _settings;
-        source->triangles = GridTriangles::create(*scene, _settings);
-        source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-        source->timing = _timing;
-        source->readBack = _readBack;
+        lego = new LegoSource;
+        lego->revision = makeRevision();
+        lego->settings = _settings;
+        lego->triangles = GridTriangles::create(*scene, _settings);
+        lego->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+        lego->timing = _timing;
+        lego->readBack = _readBack;
     }
-    _store->setSource(source.get());
+    _store->setSource(lego.get());
     _brickNode->getDrawable(0)->dirtyBound();
     return true;
 }

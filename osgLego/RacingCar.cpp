@@ -113,6 +113,7 @@ osg::ref_ptr<osg::Geometry> createLathe(const std::vector<osg::Vec2d>& profile, 
     for (const osg::Vec2d& place : profile)
     {
         Ring ring;
+        ring.reserve(corners);
         for (std::size_t corner = 0; corner < corners; ++corner)
         {
             const double angle = 2.0 * PI * static_cast<double>(corner) / static_cast<double>(corners);

@@ -39,7 +39,7 @@ std::vector<EGLDisplay> findDisplays()
         if (queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count))
             for (EGLint index = 0; index < count; ++index)
             {
-                const EGLDeviceEXT device = devices[static_cast<std::size_t>(index)];
+                EGLDeviceEXT device = devices[static_cast<std::size_t>(index)];
                 (isSoftware(device) ? softwareDisplays : displays)
                     .push_back(getDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
             }
@@ -59,7 +59,7 @@ EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext shared
                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                     EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                     EGL_NONE};
-    const EGLContext context = eglCreateContext(display, config, shared, COMPATIBLE.data());
+    EGLContext context = eglCreateContext(display, config, shared, COMPATIBLE.data());
     // What is older still has a context to give, of whose version the library can complain better than EGL does.
     return context != EGL_NO_CONTEXT ? context : eglCreateContext(display, config, shared, nullptr);
 }

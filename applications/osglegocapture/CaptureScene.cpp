@@ -24,6 +24,27 @@ constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 
+/** Finds the first LegoNode in a scene. */
+class LegoNodeFinder : public osg::NodeVisitor
+{
+public:
+    LegoNodeFinder() :
+        osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
+    {
+    }
+
+    void apply(osg::Group& group) override
+    {
+        if (!_found) _found = dynamic_cast<LegoNode*>(&group);
+        if (!_found) traverse(group);
+    }
+
+    LegoNode* getFound() const { return _found; }
+
+private:
+    LegoNode* _found = nullptr;
+};
+
 osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
 {
     if (fileName.empty()) return createRacingCar();
@@ -48,11 +69,14 @@ CaptureScene::CaptureScene(const CaptureOptions& options) :
     const osg::Timer_t start = osg::Timer::instance()->tick();
     _source = readMesh(options.mesh);
     _readingTime = elapsed(start);
-    // A pseudo-loader may have put a node around the mesh already.
-    if (auto* lego = dynamic_cast<LegoNode*>(_source.get())) _lego = lego;
-    if (_lego && (options.original || options.settings)) unwrapSource();
+    // A pseudo-loader may have put a node around the mesh, or around a part of it, already.
+    if (options.original || options.settings) unwrapSource();
     _shown = _source;
     if (options.original) return;
+
+    LegoNodeFinder finder;
+    if (!options.settings) _source->accept(finder);
+    _lego = finder.getFound();
     if (!_lego)
     {
         _lego = new LegoNode(options.settings.value_or(LegoSettings()));
@@ -67,10 +91,12 @@ CaptureScene::CaptureScene(const CaptureOptions& options) :
 
 void CaptureScene::unwrapSource()
 {
+    const auto* lego = dynamic_cast<LegoNode*>(_source.get());
+    if (!lego) return;
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    for (unsigned int child = 0; child < _lego->getNumChildren(); ++child) group->addChild(_lego->getChild(child));
+    for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
+        group->addChild(const_cast<osg::Node*>(lego->getChild(child)));
     _source = group;
-    _lego = nullptr;
 }
 
 osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)

@@ -32,12 +32,12 @@ protected:
             if (type == GL_FLOAT)
             {
                 const float value = 0.25f * static_cast<float>(index) + 3.5f;
-                std::memcpy(pixel + 4 * channel, &value, 4);
+                std::memcpy(pixel + std::size_t(4) * channel, &value, 4);
             }
             else if (type == GL_UNSIGNED_SHORT)
             {
                 const auto value = static_cast<unsigned short>(1000 * index + 7);
-                std::memcpy(pixel + 2 * channel, &value, 2);
+                std::memcpy(pixel + std::size_t(2) * channel, &value, 2);
             }
             else pixel[channel] = static_cast<unsigned char>(4 * index + 1);
         }
