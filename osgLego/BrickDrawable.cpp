@@ -32,8 +32,7 @@ void setLights(const ProgramUniforms& uniforms, const osg::State& state)
 
 } // namespace
 
-BrickDrawable::BrickDrawable(BrickStore& store) :
-    _store(&store)
+BrickDrawable::BrickDrawable(BrickStore& store) : _store(&store)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);

@@ -19,8 +19,9 @@ constexpr std::size_t BRICK_BYTES = 3 * sizeof(std::uint32_t);
 
 osg::ref_ptr<osg::Program> createProgram()
 {
-    osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(
-        "extraction", {"extraction.vert", "extraction.geom"}, "#define RUN_LENGTH " + std::to_string(RUN_LENGTH) + "\n");
+    osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::createProgram("extraction", {"extraction.vert", "extraction.geom"},
+                                     "#define RUN_LENGTH " + std::to_string(RUN_LENGTH) + "\n");
     program->addTransformFeedBackVarying("brick");
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
     return program;
@@ -49,7 +50,8 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
 
 BrickExtractionPass::BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
                                          osg::Texture2D& voxelImage) :
-    LegolizationPass(store, step), _plan(plan), _slab(slab)
+    LegolizationPass(store, step),
+    _plan(plan), _slab(slab)
 {
     constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram());
@@ -86,7 +88,8 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
         }
         const std::size_t needed = work.numBricks + result.generated;
         reserve(state, work, std::max(needed + needed / 8, 2 * work.brickCapacity));
-        if (takeOutOfMemoryError()) return "there is no room for " + std::to_string(needed) + " bricks; allowed: a lower resolution";
+        if (takeOutOfMemoryError())
+            return "there is no room for " + std::to_string(needed) + " bricks; allowed: a lower resolution";
     }
 
     if (_slab + 1 == _plan.numSlabs) bricks.finish();

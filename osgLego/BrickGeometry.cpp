@@ -48,10 +48,7 @@ void forEachOpenSide(const Brick& brick, const Visit& visit)
 class BrickMesh
 {
 public:
-    explicit BrickMesh(const BrickGrid& grid) :
-        _grid(grid)
-    {
-    }
+    explicit BrickMesh(const BrickGrid& grid) : _grid(grid) {}
 
     void add(const Brick& brick)
     {
@@ -84,7 +81,8 @@ private:
 
     void addTriangle(unsigned int a, unsigned int b, unsigned int c)
     {
-        for (const unsigned int index : {a, b, c}) _triangles->push_back(index);
+        for (const unsigned int index : {a, b, c})
+            _triangles->push_back(index);
     }
 
     void addFace(const Brick& brick, int axis, bool upper)
@@ -92,7 +90,8 @@ private:
         const glm::dvec3 normal = (upper ? 1.0 : -1.0) * unitOf(axis);
         std::array<unsigned int, 4> indices{};
         const auto corners = faceCorners(brick, axis, upper);
-        for (std::size_t corner = 0; corner < 4; ++corner) indices[corner] = addVertex(corners[corner], normal);
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            indices[corner] = addVertex(corners[corner], normal);
         addTriangle(indices[0], indices[1], indices[2]);
         addTriangle(indices[0], indices[2], indices[3]);
     }
@@ -144,7 +143,8 @@ private:
 osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model)
 {
     BrickMesh mesh(model.getGrid());
-    for (const Brick& brick : model.getBricks()) mesh.add(brick);
+    for (const Brick& brick : model.getBricks())
+        mesh.add(brick);
     return mesh.createGeometry();
 }
 

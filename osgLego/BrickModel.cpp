@@ -19,7 +19,10 @@ std::size_t numberOf(const BrickGrid& grid, const glm::ivec3& cell)
                (static_cast<std::size_t>(cell.y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(cell.z));
 }
 
-glm::ivec3 cellOf(const Brick& brick) { return {brick.cell[0], brick.cell[1], brick.cell[2]}; }
+glm::ivec3 cellOf(const Brick& brick)
+{
+    return {brick.cell[0], brick.cell[1], brick.cell[2]};
+}
 
 } // namespace
 
@@ -52,7 +55,8 @@ void BrickModel::findOpenSides()
             const glm::ivec3 wanted = cellOf(brick) + step;
             if (wanted[axis] >= _grid.dimensions[axis]) continue;
             const std::size_t number = numberOf(_grid, wanted);
-            while (neighbour != _bricks.end() && numberOf(_grid, cellOf(*neighbour)) < number) ++neighbour;
+            while (neighbour != _bricks.end() && numberOf(_grid, cellOf(*neighbour)) < number)
+                ++neighbour;
             if (neighbour == _bricks.end()) break;
             if (numberOf(_grid, cellOf(*neighbour)) != number) continue;
             brick.openSides &= static_cast<std::uint8_t>(~(SIDE_RIGHT << (2 * axis)));
@@ -72,8 +76,9 @@ const Brick* BrickModel::find(const glm::ivec3& cell) const
     if (glm::any(glm::lessThan(cell, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(cell, _grid.dimensions)))
         return nullptr;
     const std::size_t number = numberOf(_grid, cell);
-    const auto place = std::lower_bound(_bricks.begin(), _bricks.end(), number, [this](const Brick& brick, std::size_t n)
-                                        { return numberOf(_grid, cellOf(brick)) < n; });
+    const auto place =
+        std::lower_bound(_bricks.begin(), _bricks.end(), number,
+                         [this](const Brick& brick, std::size_t n) { return numberOf(_grid, cellOf(brick)) < n; });
     return place != _bricks.end() && cellOf(*place) == cell ? &*place : nullptr;
 }
 

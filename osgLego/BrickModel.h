@@ -18,12 +18,12 @@ namespace osgLego
 /** The six neighbours of a cell, as the bits that say which of them are empty. */
 enum BrickSide : std::uint8_t
 {
-    SIDE_LEFT = 1,   //!< towards -x
-    SIDE_RIGHT = 2,  //!< towards +x
-    SIDE_FRONT = 4,  //!< towards -y
-    SIDE_BACK = 8,   //!< towards +y
+    SIDE_LEFT = 1,    //!< towards -x
+    SIDE_RIGHT = 2,   //!< towards +x
+    SIDE_FRONT = 4,   //!< towards -y
+    SIDE_BACK = 8,    //!< towards +y
     SIDE_BOTTOM = 16, //!< towards -z
-    SIDE_TOP = 32    //!< towards +z
+    SIDE_TOP = 32     //!< towards +z
 };
 
 /** A covered cell: its place in the grid, its colour, and which of its neighbours are empty (BrickSide bits). */

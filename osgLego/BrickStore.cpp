@@ -134,7 +134,8 @@ void BrickStore::releaseTextures() const
 void BrickStore::releaseGLObjects(osg::State* state) const
 {
     const std::lock_guard lock(_mutex);
-    for (const auto& [surface, texture] : _textures) texture->releaseGLObjects(state);
+    for (const auto& [surface, texture] : _textures)
+        texture->releaseGLObjects(state);
     for (const auto& [contextID, bricks] : _contexts)
     {
         if (state && state->getContextID() != contextID) continue;

@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** Write a file so that it is there complete or not at all: under another name beside its own, which it gets in the end.
+/** Write a file so that it is there complete or not at all: under another name beside its own, got in the end.
  *
  * May be called from any thread.
  * @param write makes the file of the name that it is given, which has the same extension, and answers why it can't; an

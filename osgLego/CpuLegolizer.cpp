@@ -70,9 +70,10 @@ void addContributions(const GridBatch& batch, const glm::ivec3& dimensions, std:
             const glm::dvec3 nearest = overlap.findNearest(glm::dvec3(cell) + 0.5);
             const auto row = static_cast<std::uint32_t>(cell.y) +
                              static_cast<std::uint32_t>(dimensions.y) * static_cast<std::uint32_t>(cell.z);
-            contributions.push_back({static_cast<std::uint32_t>(cell.x) + static_cast<std::uint32_t>(dimensions.x) * row,
-                                     static_cast<float>(overlap.getAreaInside(cell) + LEAST_WEIGHT),
-                                     glm::vec3(colorAt(batch, corners, nearest))});
+            contributions.push_back(
+                {static_cast<std::uint32_t>(cell.x) + static_cast<std::uint32_t>(dimensions.x) * row,
+                 static_cast<float>(overlap.getAreaInside(cell) + LEAST_WEIGHT),
+                 glm::vec3(colorAt(batch, corners, nearest))});
         }
     }
 }
@@ -137,7 +138,8 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const GridTriangles& triangles)
 {
     const BrickGrid& grid = triangles.getGrid();
     std::vector<Contribution> contributions;
-    for (const GridBatch& batch : triangles.getBatches()) addContributions(batch, grid.dimensions, contributions);
+    for (const GridBatch& batch : triangles.getBatches())
+        addContributions(batch, grid.dimensions, contributions);
     // Stable, so that the sums are taken in the order of the triangles, and come out the same on every run.
     std::stable_sort(contributions.begin(), contributions.end(),
                      [](const Contribution& a, const Contribution& b) { return a.cell < b.cell; });

@@ -16,10 +16,7 @@ template <void (*DELETE)(const osg::GLExtensions&, GLuint)>
 class GlObjectManager : public osg::GLObjectManager
 {
 public:
-    explicit GlObjectManager(unsigned int contextID) :
-        osg::GLObjectManager("osgLego::GlObjectManager", contextID)
-    {
-    }
+    explicit GlObjectManager(unsigned int contextID) : osg::GLObjectManager("osgLego::GlObjectManager", contextID) {}
 
     void deleteGLObject(GLuint name) override
     {
@@ -37,15 +34,11 @@ class GlObject
 {
 public:
     GlObject() = default;
-    explicit GlObject(const osg::State& state) :
-        _manager(osg::get<Manager>(state.getContextID()))
+    explicit GlObject(const osg::State& state) : _manager(osg::get<Manager>(state.getContextID()))
     {
         CREATE(*state.get<osg::GLExtensions>(), _name);
     }
-    GlObject(GlObject&& other) noexcept :
-        _manager(other._manager), _name(std::exchange(other._name, 0))
-    {
-    }
+    GlObject(GlObject&& other) noexcept : _manager(other._manager), _name(std::exchange(other._name, 0)) {}
     GlObject& operator=(GlObject&& other) noexcept
     {
         std::swap(_manager, other._manager);
@@ -70,10 +63,22 @@ private:
     GLuint _name = 0;
 };
 
-inline void createGlBuffer(const osg::GLExtensions& extensions, GLuint& name) { extensions.glGenBuffers(1, &name); }
-inline void deleteGlBuffer(const osg::GLExtensions& extensions, GLuint name) { extensions.glDeleteBuffers(1, &name); }
-inline void createGlTexture(const osg::GLExtensions&, GLuint& name) { glGenTextures(1, &name); }
-inline void deleteGlTexture(const osg::GLExtensions&, GLuint name) { glDeleteTextures(1, &name); }
+inline void createGlBuffer(const osg::GLExtensions& extensions, GLuint& name)
+{
+    extensions.glGenBuffers(1, &name);
+}
+inline void deleteGlBuffer(const osg::GLExtensions& extensions, GLuint name)
+{
+    extensions.glDeleteBuffers(1, &name);
+}
+inline void createGlTexture(const osg::GLExtensions&, GLuint& name)
+{
+    glGenTextures(1, &name);
+}
+inline void deleteGlTexture(const osg::GLExtensions&, GLuint name)
+{
+    glDeleteTextures(1, &name);
+}
 
 using GlBuffer = GlObject<createGlBuffer, deleteGlBuffer>;
 using GlTexture = GlObject<createGlTexture, deleteGlTexture>;

@@ -28,7 +28,8 @@ struct Limit
 std::string joined(const std::vector<std::string>& items)
 {
     std::string result;
-    for (const std::string& item : items) result += (result.empty() ? "" : ", ") + item;
+    for (const std::string& item : items)
+        result += (result.empty() ? "" : ", ") + item;
     return result;
 }
 
@@ -45,11 +46,11 @@ std::string findMissing(const osg::GLExtensions& extensions)
         return "a context of the compatibility profile is needed, not of the core profile" + here;
 
     constexpr auto LOOKUP_TEXELS = static_cast<GLint>(6 * GridBatch::MAXIMUM_TRIANGLES);
-    for (const Limit& limit : {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", SlabPlan::MAXIMUM_WIDTH},
-                               Limit{GL_MAX_TEXTURE_BUFFER_SIZE, "GL_MAX_TEXTURE_BUFFER_SIZE", LOOKUP_TEXELS},
-                               Limit{GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
-                                     "GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS", 1024},
-                               Limit{GL_MAX_GEOMETRY_SHADER_INVOCATIONS, "GL_MAX_GEOMETRY_SHADER_INVOCATIONS", 2}})
+    for (const Limit& limit :
+         {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", SlabPlan::MAXIMUM_WIDTH},
+          Limit{GL_MAX_TEXTURE_BUFFER_SIZE, "GL_MAX_TEXTURE_BUFFER_SIZE", LOOKUP_TEXELS},
+          Limit{GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, "GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS", 1024},
+          Limit{GL_MAX_GEOMETRY_SHADER_INVOCATIONS, "GL_MAX_GEOMETRY_SHADER_INVOCATIONS", 2}})
     {
         GLint value = 0;
         glGetIntegerv(limit.name, &value);

@@ -82,8 +82,7 @@ Corners toGrid(const BrickGrid& grid, const SceneVertex* vertices, const Surface
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
         const glm::vec3& color = vertices[corner].color;
-        corners[corner].colorAndLevel = {glm::packUnorm2x16({color.r, color.g}),
-                                         glm::packUnorm2x16({color.b, level})};
+        corners[corner].colorAndLevel = {glm::packUnorm2x16({color.r, color.g}), glm::packUnorm2x16({color.b, level})};
     }
     return corners;
 }
@@ -134,7 +133,10 @@ glm::dvec3 GridVertex::getColor() const
     return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
 }
 
-double GridVertex::getLevel() const { return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
+double GridVertex::getLevel() const
+{
+    return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y;
+}
 
 std::size_t GridBatch::estimateFineTriangles(double edgeLimit) const
 {
@@ -154,21 +156,24 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
     osg::ref_ptr<GridTriangles> result = new GridTriangles;
     result->_grid = BrickGrid::fit(triangles.getBounds(), settings);
     if (result->_grid.getNumCells() == 0) return result;
-    for (const SceneBatch& batch : triangles.getBatches()) appendBatches(result->_grid, batch, result->_batches);
+    for (const SceneBatch& batch : triangles.getBatches())
+        appendBatches(result->_grid, batch, result->_batches);
     return result;
 }
 
 std::size_t GridTriangles::getNumTriangles() const
 {
     std::size_t sum = 0;
-    for (const GridBatch& batch : _batches) sum += batch.getNumTriangles();
+    for (const GridBatch& batch : _batches)
+        sum += batch.getNumTriangles();
     return sum;
 }
 
 float GridTriangles::getLongestEdge() const
 {
     float longest = 0.0f;
-    for (const GridBatch& batch : _batches) longest = std::max(longest, batch.longestEdge);
+    for (const GridBatch& batch : _batches)
+        longest = std::max(longest, batch.longestEdge);
     return longest;
 }
 

@@ -25,7 +25,7 @@ struct OSGLEGO_EXPORT GridVertex
 {
     static constexpr double MAXIMUM_LEVEL = 16.0;
 
-    glm::vec3 position{0.0f}; //!< in cell units, at least 0 and below the grid's dimensions on every axis
+    glm::vec3 position{0.0f};   //!< in cell units, at least 0 and below the grid's dimensions on every axis
     std::uint32_t triangle = 0; //!< the number of the source triangle in its batch
     glm::vec2 coordinate{0.0f};
     std::array<std::uint32_t, 2> colorAndLevel{};

@@ -13,12 +13,14 @@ namespace
 constexpr GLuint NUM_ATTRIBUTES = 4;
 constexpr GLsizei STRIDE = sizeof(GridVertex);
 
-const void* offsetOf(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+const void* offsetOf(std::size_t offset)
+{
+    return reinterpret_cast<const void*>(offset);
+}
 
 } // namespace
 
-GridVertexArrays::GridVertexArrays(const osg::GLExtensions& extensions) :
-    _extensions(extensions)
+GridVertexArrays::GridVertexArrays(const osg::GLExtensions& extensions) : _extensions(extensions)
 {
     for (GLuint attribute = 0; attribute < NUM_ATTRIBUTES; ++attribute)
         _extensions.glEnableVertexAttribArray(attribute);

@@ -27,13 +27,9 @@ bool isGeometryWriter(const osg::NodeVisitor& visitor)
 
 } // namespace
 
-LegoNode::LegoNode() :
-    LegoNode(LegoSettings())
-{
-}
+LegoNode::LegoNode() : LegoNode(LegoSettings()) {}
 
-LegoNode::LegoNode(const LegoSettings& settings) :
-    _pipeline(new LegoPipeline(LegoSettings()))
+LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(LegoSettings()))
 {
     setSettings(settings);
     // Once a frame the source is looked at, whether or not a child has an update callback.
@@ -62,7 +58,10 @@ bool LegoNode::setSettings(const LegoSettings& settings)
     return true;
 }
 
-LegoSettings LegoNode::getSettings() const { return _pipeline->getSettings(); }
+LegoSettings LegoNode::getSettings() const
+{
+    return _pipeline->getSettings();
+}
 
 void LegoNode::dirty()
 {
@@ -76,13 +75,25 @@ bool LegoNode::hasTriangles() const
     return _pipeline->getStore().getSource().valid();
 }
 
-void LegoNode::setTiming(bool timing) { _pipeline->setTiming(timing); }
+void LegoNode::setTiming(bool timing)
+{
+    _pipeline->setTiming(timing);
+}
 
-bool LegoNode::getTiming() const { return _pipeline->getTiming(); }
+bool LegoNode::getTiming() const
+{
+    return _pipeline->getTiming();
+}
 
-void LegoNode::setReadBack(bool readBack) { _pipeline->setReadBack(readBack); }
+void LegoNode::setReadBack(bool readBack)
+{
+    _pipeline->setReadBack(readBack);
+}
 
-bool LegoNode::getReadBack() const { return _pipeline->getReadBack(); }
+bool LegoNode::getReadBack() const
+{
+    return _pipeline->getReadBack();
+}
 
 osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
 {
@@ -154,8 +165,10 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     {
         // What will be drawn is compiled, and nothing else.
         const osg::State* state = compiler->getRenderInfo().getState();
-        if (!state || _pipeline->isFit(*state)) _pipeline->getBrickNode().accept(visitor);
-        else osg::Group::traverse(visitor);
+        if (!state || _pipeline->isFit(*state))
+            _pipeline->getBrickNode().accept(visitor);
+        else
+            osg::Group::traverse(visitor);
         return;
     }
     else if (!isGeometryWriter(visitor))
@@ -166,8 +179,10 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     }
 
     _pipeline->refreshIfDirty(*this);
-    if (const osg::ref_ptr<osg::Node> geometry = _pipeline->getGeometryNode()) geometry->accept(visitor);
-    else osg::Group::traverse(visitor);
+    if (const osg::ref_ptr<osg::Node> geometry = _pipeline->getGeometryNode())
+        geometry->accept(visitor);
+    else
+        osg::Group::traverse(visitor);
 }
 
 osg::BoundingSphere LegoNode::computeBound() const

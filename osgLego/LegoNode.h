@@ -28,9 +28,8 @@ class LegoPipeline;
  *    switches, materials and textures need nothing. For what escapes even so there is dirty().
  * 3. The scene is updated once a frame, as every osgViewer does. Without an update traversal only the first source,
  *    setSettings() and dirty() are noticed.
- *
  * 4. As with every node, GL objects are released while the node is in the scene of a context that closes, or by
- *    releaseGLObjects() before.
+ *    releaseGLObjects() before, while no thread draws (osgViewer::ViewerBase::stopThreading()).
  *
  * Usage:
  *

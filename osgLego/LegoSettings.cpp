@@ -66,10 +66,7 @@ bool toNumber(std::string_view text, Number& number)
 class SettingsReader
 {
 public:
-    explicit SettingsReader(const LegoSettings& settings) :
-        _settings(settings)
-    {
-    }
+    explicit SettingsReader(const LegoSettings& settings) : _settings(settings) {}
 
     bool read(std::string_view text)
     {

@@ -8,8 +8,7 @@
 namespace osgLego
 {
 
-LegolizationPass::LegolizationPass(BrickStore& store, unsigned int step) :
-    _store(&store), _step(step)
+LegolizationPass::LegolizationPass(BrickStore& store, unsigned int step) : _store(&store), _step(step)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -32,7 +31,8 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     osg::ref_ptr<const LegoSource> source = bricks->work->source;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     std::string failure;
-    if (!state.getLastAppliedProgramObject()) failure = std::string("the shaders of ") + className() + " do not compile";
+    if (!state.getLastAppliedProgramObject())
+        failure = std::string("the shaders of ") + className() + " do not compile";
     else
     {
         state.disableAllVertexArrays();

@@ -8,8 +8,7 @@
 namespace osgLego
 {
 
-LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) :
-    _plan(plan)
+LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) : _plan(plan)
 {
     unsigned int step = 0;
     _passes.emplace_back(new SubdivisionPass(store, plan));
@@ -29,17 +28,20 @@ LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) 
 
 void LegolizationPasses::cull(osgUtil::CullVisitor& visitor) const
 {
-    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->getCamera().accept(visitor);
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes)
+        pass->getCamera().accept(visitor);
 }
 
 void LegolizationPasses::releaseGLObjects(osg::State* state) const
 {
-    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->releaseGLObjects(state);
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes)
+        pass->releaseGLObjects(state);
 }
 
 void LegolizationPasses::resizeGLObjectBuffers(unsigned int maxSize) const
 {
-    for (const osg::ref_ptr<LegolizationPass>& pass : _passes) pass->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<LegolizationPass>& pass : _passes)
+        pass->resizeGLObjectBuffers(maxSize);
 }
 
 } // namespace osgLego

@@ -17,8 +17,7 @@ PassCamera::PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, co
     setClearMask(GL_COLOR_BUFFER_BIT);
 }
 
-PassCamera::PassCamera(const osg::Drawable& drawable) :
-    _drawable(drawable)
+PassCamera::PassCamera(const osg::Drawable& drawable) : _drawable(drawable)
 {
     attach(COLOR_BUFFER, GL_RGBA8);
     setUp({1, 1});
@@ -68,11 +67,11 @@ osg::ref_ptr<osg::StateSet> PassCamera::createStateSet(osg::Program& program)
     stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OURS);
     stateSet->setAttribute(new osg::Point(1.0f), OURS);
     stateSet->setAttribute(new osg::ColorMask, OURS);
-    for (const osg::StateAttribute::GLMode mode :
+    for (const auto mode :
          {GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP, GL_POINT_SMOOTH,
           GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_DITHER, GL_FOG,
           GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
-        stateSet->setMode(mode, osg::StateAttribute::OFF | OURS);
+        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OURS);
     return stateSet;
 }
 

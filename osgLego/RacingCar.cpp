@@ -80,9 +80,9 @@ osg::ref_ptr<osg::Geometry> createLoft(const std::vector<Ring>& rings, const Col
     { return static_cast<unsigned int>(ring * corners + corner % corners); };
     for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring)
         for (std::size_t corner = 0; corner < corners; ++corner)
-            for (const unsigned int index : {indexOf(ring, corner), indexOf(ring, corner + 1), indexOf(ring + 1, corner),
-                                             indexOf(ring + 1, corner), indexOf(ring, corner + 1),
-                                             indexOf(ring + 1, corner + 1)})
+            for (const unsigned int index :
+                 {indexOf(ring, corner), indexOf(ring, corner + 1), indexOf(ring + 1, corner),
+                  indexOf(ring + 1, corner), indexOf(ring, corner + 1), indexOf(ring + 1, corner + 1)})
                 triangles->push_back(index);
     for (std::size_t corner = 1; ends == Ends::CLOSED && corner + 1 < corners; ++corner)
     {
@@ -128,11 +128,15 @@ osg::ref_ptr<osg::Geometry> createBox(const osg::Vec3d& low, const osg::Vec3d& h
 {
     std::vector<Ring> rings;
     for (const double x : {low.x(), high.x()})
-        rings.push_back({{x, low.y(), high.z()}, {x, low.y(), low.z()}, {x, high.y(), low.z()}, {x, high.y(), high.z()}});
+        rings.push_back(
+            {{x, low.y(), high.z()}, {x, low.y(), low.z()}, {x, high.y(), low.z()}, {x, high.y(), high.z()}});
     return createLoft(rings, plain(color));
 }
 
-void smooth(osg::Geometry& geometry) { osgUtil::SmoothingVisitor::smooth(geometry, CREASE_ANGLE); }
+void smooth(osg::Geometry& geometry)
+{
+    osgUtil::SmoothingVisitor::smooth(geometry, CREASE_ANGLE);
+}
 
 void setMaterial(osg::Node& node, const osg::Vec4& color)
 {
@@ -148,8 +152,8 @@ void setTexture(osg::Geometry& geometry, osg::Image* image, const osg::Vec3d& lo
 {
     osg::ref_ptr<osg::Vec2Array> coordinates = new osg::Vec2Array;
     for (const osg::Vec3& vertex : static_cast<osg::Vec3Array&>(*geometry.getVertexArray()))
-        coordinates->push_back(osg::Vec2d((vertex.x() - low.x()) / (high.x() - low.x()),
-                                          (vertex.y() - low.y()) / (high.y() - low.y())));
+        coordinates->push_back(
+            osg::Vec2d((vertex.x() - low.x()) / (high.x() - low.x()), (vertex.y() - low.y()) / (high.y() - low.y())));
     geometry.setTexCoordArray(0, coordinates);
 
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
@@ -167,7 +171,9 @@ osg::ref_ptr<osg::Node> createBody()
         {0.10, 0.49, 0.13, 0.66, 3.0},  {0.50, 0.50, 0.13, 0.66, 3.0},  {0.90, 0.48, 0.13, 0.70, 2.8},
         {1.35, 0.42, 0.15, 0.66, 2.6},  {1.75, 0.32, 0.19, 0.58, 2.4},  {TAIL, 0.20, 0.26, 0.50, 2.2}};
     std::vector<Ring> rings;
-    for (const Section& section : sections) rings.push_back(ringOf(section, CORNERS));
+    rings.reserve(sections.size());
+    for (const Section& section : sections)
+        rings.push_back(ringOf(section, CORNERS));
     osg::ref_ptr<osg::Geometry> body = createLoft(rings, plain(osg::Vec4(1, 1, 1, 1)));
     setTexture(*body, createRacingCarLivery(), osg::Vec3d(NOSE, -0.5, 0), osg::Vec3d(TAIL, 0.5, 0));
     smooth(*body);
@@ -188,14 +194,16 @@ osg::ref_ptr<osg::Node> createCockpit()
     geode->setName("cockpit");
 
     // A dark opening, a screen in front of it, a fairing behind it, and a helmet that looks out.
-    const auto ring = [](double x, double halfWidth, double bottom, double top)
-    { return ringOf({x, halfWidth, bottom, top, 2.4}, CORNERS); };
-    geode->addDrawable(createLoft({ring(-0.18, 0.20, 0.55, 0.69), ring(0.10, 0.27, 0.55, 0.71), ring(0.48, 0.26, 0.55, 0.71)},
-                                  plain(black)));
-    geode->addDrawable(createLoft({ring(-0.42, 0.10, 0.58, 0.66), ring(-0.28, 0.22, 0.58, 0.78), ring(-0.18, 0.25, 0.58, 0.84)},
-                                  plain(glass)));
-    geode->addDrawable(createLoft({ring(0.46, 0.17, 0.58, 0.92), ring(0.65, 0.16, 0.58, 0.89), ring(0.95, 0.11, 0.58, 0.74)},
-                                  plain(osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f))));
+    const auto ring = [](double x, double halfWidth, double bottom, double top) {
+        return ringOf({x, halfWidth, bottom, top, 2.4}, CORNERS);
+    };
+    geode->addDrawable(createLoft(
+        {ring(-0.18, 0.20, 0.55, 0.69), ring(0.10, 0.27, 0.55, 0.71), ring(0.48, 0.26, 0.55, 0.71)}, plain(black)));
+    geode->addDrawable(createLoft(
+        {ring(-0.42, 0.10, 0.58, 0.66), ring(-0.28, 0.22, 0.58, 0.78), ring(-0.18, 0.25, 0.58, 0.84)}, plain(glass)));
+    geode->addDrawable(
+        createLoft({ring(0.46, 0.17, 0.58, 0.92), ring(0.65, 0.16, 0.58, 0.89), ring(0.95, 0.11, 0.58, 0.74)},
+                   plain(osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f))));
 
     std::vector<Ring> helmet;
     for (int step = 0; step <= 12; ++step)
@@ -223,8 +231,14 @@ osg::ref_ptr<osg::Node> createTyre(double radius, double width)
     const osg::Vec4 stripe(0.85f, 0.12f, 0.12f, 1.0f);
     const double half = 0.5 * width;
     osg::ref_ptr<osg::Geometry> tyre = createLathe(
-        {{-half, 0.62 * radius}, {-half, 0.80 * radius}, {-0.85 * half, 0.95 * radius}, {-0.55 * half, radius},
-         {0.55 * half, radius}, {0.85 * half, 0.95 * radius}, {half, 0.80 * radius}, {half, 0.62 * radius}},
+        {{-half, 0.62 * radius},
+         {-half, 0.80 * radius},
+         {-0.85 * half, 0.95 * radius},
+         {-0.55 * half, radius},
+         {0.55 * half, radius},
+         {0.85 * half, 0.95 * radius},
+         {half, 0.80 * radius},
+         {half, 0.62 * radius}},
         36, [=](std::size_t ring, std::size_t) { return ring >= 6 ? stripe : rubber; }, Ends::OPEN);
     smooth(*tyre);
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -236,10 +250,11 @@ osg::ref_ptr<osg::Node> createTyre(double radius, double width)
 osg::ref_ptr<osg::Node> createRim(double radius, double width)
 {
     const double half = 0.5 * width;
-    osg::ref_ptr<osg::Geometry> rim =
-        createLathe({{-half, 0.60 * radius}, {half + 0.01, 0.60 * radius}, {half + 0.02, 0.20 * radius},
-                     {half + 0.07, 0.14 * radius}},
-                    24, plain(osg::Vec4(1, 1, 1, 1)), Ends::CLOSED);
+    osg::ref_ptr<osg::Geometry> rim = createLathe({{-half, 0.60 * radius},
+                                                   {half + 0.01, 0.60 * radius},
+                                                   {half + 0.02, 0.20 * radius},
+                                                   {half + 0.07, 0.14 * radius}},
+                                                  24, plain(osg::Vec4(1, 1, 1, 1)), Ends::CLOSED);
     smooth(*rim);
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->setName("rim");
@@ -293,7 +308,8 @@ osg::ref_ptr<osg::Node> createMetalParts()
         {
             Ring ring = ringOf({x, 0.055, 0.0, 0.11, 2.0}, 12);
             const double out = x < 0.9 ? 0.36 : 0.50 - 0.10 * (x - 1.0);
-            for (osg::Vec3d& corner : ring) corner += osg::Vec3d(0.0, side * out, 0.56);
+            for (osg::Vec3d& corner : ring)
+                corner += osg::Vec3d(0.0, side * out, 0.56);
             pipe.push_back(ring);
         }
         geode->addDrawable(createLoft(pipe, plain(white)));

@@ -31,7 +31,8 @@ osg::ref_ptr<osg::Image> createImage(int width, int height, const ColorAt& color
         {
             const osg::Vec3ub color = colorAt((column + 0.5) / width, (row + 0.5) / height);
             unsigned char* pixel = image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
-            for (unsigned int channel = 0; channel < 3; ++channel) pixel[channel] = color[channel];
+            for (unsigned int channel = 0; channel < 3; ++channel)
+                pixel[channel] = color[channel];
         }
     return image;
 }
@@ -63,7 +64,10 @@ osg::Vec3ub liveryAt(double along, double across)
 
 } // namespace
 
-osg::ref_ptr<osg::Image> createRacingCarLivery() { return createImage(512, 256, liveryAt); }
+osg::ref_ptr<osg::Image> createRacingCarLivery()
+{
+    return createImage(512, 256, liveryAt);
+}
 
 osg::ref_ptr<osg::Image> createChequeredFlag()
 {

@@ -31,18 +31,18 @@ struct PositionTriangles
     }
 };
 
-glm::dvec3 toGlm(const osg::Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+glm::dvec3 toGlm(const osg::Vec3d& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
 
 /** Reads the vertices of a geometry, whatever arrays it keeps them in. */
 class VertexReader
 {
 public:
     VertexReader(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state) :
-        _positions(*geometry.getVertexArray()),
-        _colors(state.usesColorArray() ? geometry.getColorArray() : nullptr),
-        _coordinates(geometry.getTexCoordArray(0)),
-        _toRoot(toRoot),
-        _stateColor(state.getColor()),
+        _positions(*geometry.getVertexArray()), _colors(state.usesColorArray() ? geometry.getColorArray() : nullptr),
+        _coordinates(geometry.getTexCoordArray(0)), _toRoot(toRoot), _stateColor(state.getColor()),
         _textureMatrix(state.getTextureMatrix())
     {
     }

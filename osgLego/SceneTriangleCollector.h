@@ -18,10 +18,7 @@ class SceneTriangleCollector : public SourceVisitor
 public:
     META_NodeVisitor(osgLego, SceneTriangleCollector)
 
-    explicit SceneTriangleCollector(SceneTriangles& triangles) :
-        _triangles(triangles)
-    {
-    }
+    explicit SceneTriangleCollector(SceneTriangles& triangles) : _triangles(triangles) {}
 
 protected:
     void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,

@@ -64,8 +64,10 @@ std::string ShaderLibrary::getSource(const std::string& fileName)
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
     {
-        if (line.starts_with(INCLUDE)) result << getSource(line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size()));
-        else result << line << '\n';
+        if (line.starts_with(INCLUDE))
+            result << getSource(line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size()));
+        else
+            result << line << '\n';
     }
     return result.str();
 }

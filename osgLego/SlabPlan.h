@@ -13,8 +13,8 @@ namespace osgLego
 /** Layers (z) of a grid that are voxelized together. */
 struct Slab
 {
-    int begin = 0; //!< the first layer whose bricks it yields
-    int end = 0;   //!< the one after the last
+    int begin = 0;      //!< the first layer whose bricks it yields
+    int end = 0;        //!< the one after the last
     int imageBegin = 0; //!< the first layer in the voxel image: the layer below, where there is one, and
     int imageEnd = 0;   //!< the layer above are there too, since they decide which sides are open
 };

@@ -29,11 +29,13 @@ public:
     void add(const void* pointer) { add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(pointer))); }
     void add(const osg::Matrixd& matrix)
     {
-        for (int element = 0; element < 16; ++element) add(matrix.ptr()[element]);
+        for (int element = 0; element < 16; ++element)
+            add(matrix.ptr()[element]);
     }
     void add(const osg::Vec4d& vector)
     {
-        for (unsigned int component = 0; component < 4; ++component) add(vector[component]);
+        for (unsigned int component = 0; component < 4; ++component)
+            add(vector[component]);
     }
     void addBytes(const void* data, std::size_t size)
     {

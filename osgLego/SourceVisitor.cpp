@@ -10,7 +10,10 @@ SourceVisitor::SourceVisitor() :
 {
 }
 
-void SourceVisitor::apply(osg::Node& node) { traverseWithState(node); }
+void SourceVisitor::apply(osg::Node& node)
+{
+    traverseWithState(node);
+}
 
 void SourceVisitor::apply(osg::Transform& transform)
 {

@@ -123,8 +123,10 @@ private:
         arrays.bind(isFirst ? _batch.source.get() : _buffers[_last].get());
         _last = isFirst ? 0 : 1 - _last;
         passes.back()->begin(GL_TRIANGLES, _buffers[_last].get(), 0, _bytes);
-        if (isFirst) glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_batch.batch->vertices.size()));
-        else passes[passes.size() - 2]->draw(GL_TRIANGLES);
+        if (isFirst)
+            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_batch.batch->vertices.size()));
+        else
+            passes[passes.size() - 2]->draw(GL_TRIANGLES);
         passes.back()->end();
     }
 
@@ -171,8 +173,7 @@ osg::ref_ptr<osg::Program> createProgram()
 
 } // namespace
 
-SubdivisionPass::SubdivisionPass(BrickStore& store, const PassPlan& plan) :
-    LegolizationPass(store, 0), _plan(plan)
+SubdivisionPass::SubdivisionPass(BrickStore& store, const PassPlan& plan) : LegolizationPass(store, 0), _plan(plan)
 {
     setStateSet(PassCamera::createStateSet(*createProgram()));
     setCamera(new PassCamera(*this));

@@ -124,7 +124,8 @@ osg::Vec4d SurfaceState::getColor() const
     osg::Vec4d color = _material->getDiffuse(osg::Material::FRONT);
     // What glows by itself is seen in its own light, even where no lamp reaches it.
     if (_lit) color += _material->getEmission(osg::Material::FRONT);
-    for (unsigned int channel = 0; channel < 4; ++channel) color[channel] = std::clamp(color[channel], 0.0, 1.0);
+    for (unsigned int channel = 0; channel < 4; ++channel)
+        color[channel] = std::clamp(color[channel], 0.0, 1.0);
     return color;
 }
 

@@ -120,13 +120,16 @@ int wrapped(int index, int size, osg::Texture::WrapMode mode)
     }
 }
 
-/** A coordinate in texels, brought to where an int can count: far outside, only the position within a period matters. */
+/** A coordinate in texels, brought to where an int can count: far out, only the place within a period matters. */
 double inTexels(double coordinate, int size, osg::Texture::WrapMode mode)
 {
     if (!std::isfinite(coordinate)) return 0.0;
-    if (mode == osg::Texture::REPEAT) coordinate -= std::floor(coordinate);
-    else if (mode == osg::Texture::MIRROR) coordinate -= 2.0 * std::floor(0.5 * coordinate);
-    else coordinate = std::clamp(coordinate, -1.0, 2.0);
+    if (mode == osg::Texture::REPEAT)
+        coordinate -= std::floor(coordinate);
+    else if (mode == osg::Texture::MIRROR)
+        coordinate -= 2.0 * std::floor(0.5 * coordinate);
+    else
+        coordinate = std::clamp(coordinate, -1.0, 2.0);
     return coordinate * size;
 }
 
@@ -149,7 +152,8 @@ osg::ref_ptr<SurfaceTexture> SurfaceTexture::create(const osg::Texture2D& textur
     }
 
     FloatImage image = readImage(*source);
-    while (std::max(image.size.x, image.size.y) > MAXIMUM_SIZE) image = halved(image);
+    while (std::max(image.size.x, image.size.y) > MAXIMUM_SIZE)
+        image = halved(image);
     const glm::ivec2 baseSize = image.size;
 
     std::vector<unsigned char> bytes;
@@ -199,8 +203,7 @@ glm::dvec4 SurfaceTexture::sampleLevel(const Level& level, const glm::dvec2& coo
     const int column = static_cast<int>(corner.x);
     const int row = static_cast<int>(corner.y);
     return glm::mix(glm::mix(fetch(level, column, row), fetch(level, column + 1, row), fraction.x),
-                    glm::mix(fetch(level, column, row + 1), fetch(level, column + 1, row + 1), fraction.x),
-                    fraction.y);
+                    glm::mix(fetch(level, column, row + 1), fetch(level, column + 1, row + 1), fraction.x), fraction.y);
 }
 
 glm::dvec4 SurfaceTexture::fetch(const Level& level, int column, int row) const

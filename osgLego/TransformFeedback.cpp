@@ -3,8 +3,7 @@
 namespace osgLego
 {
 
-TransformFeedback::TransformFeedback(const osg::GLExtensions& extensions) :
-    _extensions(extensions)
+TransformFeedback::TransformFeedback(const osg::GLExtensions& extensions) : _extensions(extensions)
 {
     _extensions.glGenTransformFeedbacks(1, &_name);
     _extensions.glGenQueries(2, _queries);
@@ -36,7 +35,10 @@ void TransformFeedback::end()
     _extensions.glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
 }
 
-void TransformFeedback::draw(GLenum primitives) const { _extensions.glDrawTransformFeedback(primitives, _name); }
+void TransformFeedback::draw(GLenum primitives) const
+{
+    _extensions.glDrawTransformFeedback(primitives, _name);
+}
 
 CapturedPrimitives TransformFeedback::getResult() const
 {

@@ -40,7 +40,7 @@ public:
     TransformFeedback(const TransformFeedback&) = delete;
     TransformFeedback& operator=(const TransformFeedback&) = delete;
 
-    /** Capture `primitives` (GL_POINTS, GL_LINES or GL_TRIANGLES) into bytes `offset` to `offset + size` of `buffer`. */
+    /** Capture `primitives` (GL_POINTS, GL_LINES, GL_TRIANGLES) into bytes `offset` to `offset + size` of `buffer`. */
     void begin(GLenum primitives, GLuint buffer, GLintptr offset, GLsizeiptr size);
     void end();
 

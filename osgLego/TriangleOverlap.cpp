@@ -141,8 +141,8 @@ double TriangleOverlap::getAreaInside(const glm::ivec3& cell) const
     // with the planes of the cell's faces.
     const glm::dvec3 origin(cell);
     const Corners corners{_corners[0] - origin, _corners[1] - origin, _corners[2] - origin};
-    glm::dvec3 sum = sweptInCell(corners[0], corners[1]) + sweptInCell(corners[1], corners[2]) +
-                     sweptInCell(corners[2], corners[0]);
+    glm::dvec3 sum =
+        sweptInCell(corners[0], corners[1]) + sweptInCell(corners[1], corners[2]) + sweptInCell(corners[2], corners[0]);
     for (int axis = 0; axis < 3; ++axis)
     {
         if (_minimum[axis] < origin[axis]) sum += sweptOnFace(corners, axis, 0.0);

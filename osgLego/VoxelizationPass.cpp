@@ -51,7 +51,8 @@ std::uint8_t toByte(float value)
 
 VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
                                    osg::Texture2D& voxelImage, osg::Texture2D* picture) :
-    LegolizationPass(store, step), _plan(plan), _slab(slab)
+    LegolizationPass(store, step),
+    _plan(plan), _slab(slab)
 {
     constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram(plan));
@@ -74,9 +75,12 @@ std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) cons
     const ProgramUniforms uniforms(state);
     setAddressing(uniforms, grid, slab, _plan.imageSize);
 
-    if (_plan.method == VoxelizationMethod::EXACT) drawExact(state, work);
-    else if (_plan.target == VoxelizationTarget::PROJECTED) drawPicture(state, work);
-    else drawPoints(state, work);
+    if (_plan.method == VoxelizationMethod::EXACT)
+        drawExact(state, work);
+    else if (_plan.target == VoxelizationTarget::PROJECTED)
+        drawPicture(state, work);
+    else
+        drawPoints(state, work);
     if (work.source->readBack) readBack(work, slab);
     return {};
 }

@@ -52,13 +52,12 @@ std::vector<EGLDisplay> findDisplays()
 
 EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext shared)
 {
-    constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,
-                                    4,
-                                    EGL_CONTEXT_MINOR_VERSION,
-                                    0,
-                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                    EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+    // clang-format off
+    constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                    EGL_CONTEXT_MINOR_VERSION,       0,
+                                    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                     EGL_NONE};
+    // clang-format on
     EGLContext context = eglCreateContext(display, config, shared, COMPATIBLE.data());
     // What is older still has a context to give, of whose version the library can complain better than EGL does.
     return context != EGL_NO_CONTEXT ? context : eglCreateContext(display, config, shared, nullptr);
@@ -82,7 +81,10 @@ EglContext::EglContext(Traits* traits)
     }
 }
 
-EglContext::~EglContext() { close(true); }
+EglContext::~EglContext()
+{
+    close(true);
+}
 
 bool EglContext::realizeImplementation()
 {
@@ -98,12 +100,17 @@ bool EglContext::realizeOn(EGLDisplay display)
 {
     if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) return false;
 
-    const std::array wanted{EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                            EGL_RED_SIZE,        8,               EGL_GREEN_SIZE,      8,
-                            EGL_BLUE_SIZE,       8,               EGL_ALPHA_SIZE,      static_cast<EGLint>(_traits->alpha),
+    // clang-format off
+    const std::array wanted{EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT,
+                            EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                            EGL_RED_SIZE,        8,
+                            EGL_GREEN_SIZE,      8,
+                            EGL_BLUE_SIZE,       8,
+                            EGL_ALPHA_SIZE,      static_cast<EGLint>(_traits->alpha),
                             EGL_DEPTH_SIZE,      static_cast<EGLint>(_traits->depth),
                             EGL_STENCIL_SIZE,    static_cast<EGLint>(_traits->stencil),
                             EGL_NONE};
+    // clang-format on
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0) return false;
@@ -136,7 +143,10 @@ bool EglContext::makeCurrentImplementation()
            eglMakeCurrent(_display, _surface, _surface, _context);
 }
 
-bool EglContext::makeContextCurrentImplementation(osg::GraphicsContext*) { return makeCurrentImplementation(); }
+bool EglContext::makeContextCurrentImplementation(osg::GraphicsContext*)
+{
+    return makeCurrentImplementation();
+}
 
 bool EglContext::releaseContextImplementation()
 {

@@ -13,26 +13,25 @@ OsMesaContext::OsMesaContext(Traits* traits)
     getState()->setContextID(createNewContextID());
 }
 
-OsMesaContext::~OsMesaContext() { close(true); }
+OsMesaContext::~OsMesaContext()
+{
+    close(true);
+}
 
 bool OsMesaContext::realizeImplementation()
 {
     // A viewer realizes its contexts again.
     if (isRealizedImplementation()) return true;
     // Without a version the context is one of OpenGL 1.
-    const std::array attributes{OSMESA_FORMAT,
-                                OSMESA_RGBA,
-                                OSMESA_DEPTH_BITS,
-                                static_cast<int>(_traits->depth),
-                                OSMESA_STENCIL_BITS,
-                                static_cast<int>(_traits->stencil),
-                                OSMESA_PROFILE,
-                                OSMESA_COMPAT_PROFILE,
-                                OSMESA_CONTEXT_MAJOR_VERSION,
-                                3,
-                                OSMESA_CONTEXT_MINOR_VERSION,
-                                0,
+    // clang-format off
+    const std::array attributes{OSMESA_FORMAT,                OSMESA_RGBA,
+                                OSMESA_DEPTH_BITS,            static_cast<int>(_traits->depth),
+                                OSMESA_STENCIL_BITS,          static_cast<int>(_traits->stencil),
+                                OSMESA_PROFILE,               OSMESA_COMPAT_PROFILE,
+                                OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                                OSMESA_CONTEXT_MINOR_VERSION, 0,
                                 0};
+    // clang-format on
     _context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
     if (!_context)
     {
@@ -51,12 +50,17 @@ void OsMesaContext::closeImplementation()
 
 bool OsMesaContext::makeCurrentImplementation()
 {
-    return _context &&
-           OSMesaMakeCurrent(_context, _pixels.data(), GL_UNSIGNED_BYTE, _traits->width, _traits->height);
+    return _context && OSMesaMakeCurrent(_context, _pixels.data(), GL_UNSIGNED_BYTE, _traits->width, _traits->height);
 }
 
-bool OsMesaContext::makeContextCurrentImplementation(osg::GraphicsContext*) { return makeCurrentImplementation(); }
+bool OsMesaContext::makeContextCurrentImplementation(osg::GraphicsContext*)
+{
+    return makeCurrentImplementation();
+}
 
-bool OsMesaContext::releaseContextImplementation() { return OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+bool OsMesaContext::releaseContextImplementation()
+{
+    return OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+}
 
 } // namespace osgLego

@@ -39,11 +39,9 @@ void writeText(const std::string& fileName, const std::function<void(std::ostrea
 
 void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture)
 {
-    const std::string why = writeCompleteFile(fileName,
-                                              [&](const std::string& temporaryName) {
-                                                  return picture.write(temporaryName) ? std::string()
-                                                                                      : picture.geterror();
-                                              });
+    const std::string why =
+        writeCompleteFile(fileName, [&](const std::string& temporaryName)
+                          { return picture.write(temporaryName) ? std::string() : picture.geterror(); });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
 

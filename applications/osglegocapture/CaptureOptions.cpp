@@ -96,8 +96,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
     app.add_flag("--original", options.original, "Draw the mesh as it is");
     app.add_option("--context", options.context, "How to get at GL: auto, egl or osmesa (auto)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ContextKind>{
-            {"auto", ContextKind::AUTO}, {"egl", ContextKind::EGL}, {"osmesa", ContextKind::OSMESA}}))
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ContextKind>{{"auto", ContextKind::AUTO},
+                                                                               {"egl", ContextKind::EGL},
+                                                                               {"osmesa", ContextKind::OSMESA}})
+                        .description(""))
         ->type_name("KIND");
     app.add_option("--stats", options.statistics, "Write counts, the grid and times as JSON")->type_name("FILE.json");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");

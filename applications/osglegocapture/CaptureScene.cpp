@@ -28,10 +28,7 @@ const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 class LegoNodeFinder : public osg::NodeVisitor
 {
 public:
-    LegoNodeFinder() :
-        osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
-    {
-    }
+    LegoNodeFinder() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
 
     void apply(osg::Group& group) override
     {
@@ -52,19 +49,22 @@ osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
         osgDB::Registry::instance()->readNode(fileName, osgDB::Registry::instance()->getOptions());
     if (result.validNode()) return result.getNode();
     // Pseudo-loaders lengthen the name of a file, so that only they can tell whether it is there.
-    const bool isPlain = osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
+    const bool isPlain =
+        osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
     const std::string why = !result.message().empty() ? result.message()
                             : isPlain                 ? "there is no such file"
                                                       : "OpenSceneGraph can't read it";
     throw CaptureError(EXIT_BAD_INPUT, "'" + fileName + "': " + why);
 }
 
-double elapsed(osg::Timer_t start) { return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick()); }
+double elapsed(osg::Timer_t start)
+{
+    return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+}
 
 } // namespace
 
-CaptureScene::CaptureScene(const CaptureOptions& options) :
-    _options(options)
+CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
     _source = readMesh(options.mesh);

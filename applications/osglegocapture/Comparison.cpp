@@ -42,8 +42,8 @@ bool compareWithReference(const OIIO::ImageBuf& picture, const std::string& refe
                result.nfail, 100.0 * share, 100.0 * SHARE_TOLERANCE, isAlike ? "alike" : "different");
     if (result.maxerror > 0.0)
     {
-        const OIIO::ImageBuf difference = OIIO::ImageBufAlgo::mul(
-            OIIO::ImageBufAlgo::absdiff(picture, reference), OIIO::cspan<float>{STRENGTH, STRENGTH, STRENGTH});
+        const OIIO::ImageBuf difference = OIIO::ImageBufAlgo::mul(OIIO::ImageBufAlgo::absdiff(picture, reference),
+                                                                  OIIO::cspan<float>{STRENGTH, STRENGTH, STRENGTH});
         OIIO::ImageBuf bytes = difference;
         bytes.set_write_format(OIIO::TypeDesc::UINT8);
         writePicture(differenceName, bytes);

@@ -21,10 +21,7 @@ enum ExitCode : int
 class CaptureError : public std::runtime_error
 {
 public:
-    CaptureError(ExitCode code, const std::string& message) :
-        std::runtime_error(message), _code(code)
-    {
-    }
+    CaptureError(ExitCode code, const std::string& message) : std::runtime_error(message), _code(code) {}
 
     ExitCode getCode() const { return _code; }
 

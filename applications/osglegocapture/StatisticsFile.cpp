@@ -20,7 +20,10 @@ nlohmann::ordered_json toJson(const Vector& vector)
 }
 
 /** To the microsecond: what is behind that is noise. */
-double rounded(double milliseconds) { return std::round(1000.0 * milliseconds) / 1000.0; }
+double rounded(double milliseconds)
+{
+    return std::round(1000.0 * milliseconds) / 1000.0;
+}
 
 std::string glText(GLenum name)
 {

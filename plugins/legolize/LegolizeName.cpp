@@ -19,7 +19,8 @@ bool isNumber(std::string_view text)
 
 bool isBracketed(std::string_view text)
 {
-    return text.size() >= 2 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
+    return text.size() >= 2 &&
+           ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
 }
 
 /** The last dot that is not inside brackets; npos when there is none. */
@@ -29,10 +30,14 @@ std::string::size_type findLastDot(std::string_view name)
     for (auto place = name.size(); place-- > 0;)
     {
         const char letter = name[place];
-        if (letter == ')' || letter == ']') ++depth;
-        else if (letter == '(' || letter == '[') --depth;
-        else if (letter == '/' && depth == 0) break;
-        else if (letter == '.' && depth == 0) return place;
+        if (letter == ')' || letter == ']')
+            ++depth;
+        else if (letter == '(' || letter == '[')
+            --depth;
+        else if (letter == '/' && depth == 0)
+            break;
+        else if (letter == '.' && depth == 0)
+            return place;
     }
     return std::string::npos;
 }
@@ -80,8 +85,10 @@ LegolizeOptions LegolizeOptions::parse(const std::string& options)
     std::istringstream stream(options);
     for (std::string option; stream >> option;)
     {
-        if (isSettingsOption(option)) append(result.settings, option, ',');
-        else append(result.rest, option, ' ');
+        if (isSettingsOption(option))
+            append(result.settings, option, ',');
+        else
+            append(result.rest, option, ' ');
     }
     return result;
 }

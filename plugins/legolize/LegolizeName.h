@@ -20,8 +20,8 @@ struct LegolizeName
     static bool parse(const std::string& name, LegolizeName& result);
 };
 
-/** The settings among the options of a reader (`-O "64,proportions=plate noRotation"`), and the rest, which is meant for
- * the reader of the file below.
+/** The settings among the options of a reader (`-O "64,proportions=plate noRotation"`), and the rest, which is meant
+ * for the reader of the file below.
  *
  * Options are separated by spaces; one is settings when it begins with a number or with a key of LegoSettings. */
 struct LegolizeOptions

@@ -30,9 +30,8 @@ const ChannelType BYTES{
     OIIO::TypeDesc::UINT8, GL_UNSIGNED_BYTE, {GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_RGB8, GL_RGBA8}};
 const ChannelType SHORTS{
     OIIO::TypeDesc::UINT16, GL_UNSIGNED_SHORT, {GL_LUMINANCE16, GL_LUMINANCE16_ALPHA16, GL_RGB16, GL_RGBA16}};
-const ChannelType FLOATS{OIIO::TypeDesc::FLOAT,
-                         GL_FLOAT,
-                         {GL_LUMINANCE32F_ARB, GL_LUMINANCE_ALPHA32F_ARB, GL_RGB32F_ARB, GL_RGBA32F_ARB}};
+const ChannelType FLOATS{
+    OIIO::TypeDesc::FLOAT, GL_FLOAT, {GL_LUMINANCE32F_ARB, GL_LUMINANCE_ALPHA32F_ARB, GL_RGB32F_ARB, GL_RGBA32F_ARB}};
 constexpr GLenum PIXEL_FORMATS[MAXIMUM_CHANNELS]{GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA};
 
 const ChannelType& typeFor(const OIIO::TypeDesc& format)
@@ -53,7 +52,8 @@ std::string findFault(const OIIO::ImageSpec& spec, int channels, const ChannelTy
     const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
     if (spec.deep) return "deep images can't be shown; allowed: flat ones";
     if (spec.width < 1 || spec.height < 1 || channels < 1) return "it has no pixels (" + size + ")";
-    const double bytes = static_cast<double>(spec.width) * spec.height * channels * static_cast<double>(type.oiio.size());
+    const double bytes =
+        static_cast<double>(spec.width) * spec.height * channels * static_cast<double>(type.oiio.size());
     if (bytes > MAXIMUM_BYTES) return "it claims " + size + " pixels; allowed: up to 4 GiB of them";
     return {};
 }
@@ -77,7 +77,7 @@ osg::ref_ptr<osg::Image> readPixels(OIIO::ImageInput& input, std::string& error)
     return nullptr;
 }
 
-/** The channels of an OSG pixel format, in the order that files have them; empty for formats that are none of colours. */
+/** The channels of an OSG pixel format, in the order that files have them; empty for formats without colours. */
 std::vector<int> channelOrder(GLenum pixelFormat)
 {
     switch (pixelFormat)
@@ -105,15 +105,16 @@ std::vector<int> channelOrder(GLenum pixelFormat)
 }
 
 /** The image's rows from the top down, its channels in the order of files. */
-std::vector<unsigned char> collectPixels(const osg::Image& image, const std::vector<int>& order, std::size_t channelBytes)
+std::vector<unsigned char> collectPixels(const osg::Image& image, const std::vector<int>& order,
+                                         std::size_t channelBytes)
 {
     std::vector<unsigned char> pixels;
-    pixels.reserve(order.size() * channelBytes * static_cast<std::size_t>(image.s()) * static_cast<std::size_t>(image.t()));
+    pixels.reserve(order.size() * channelBytes * static_cast<std::size_t>(image.s()) *
+                   static_cast<std::size_t>(image.t()));
     for (int row = image.t(); row-- > 0;)
         for (int column = 0; column < image.s(); ++column)
         {
-            const unsigned char* pixel =
-                image.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
+            const unsigned char* pixel = image.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
             for (const int channel : order)
             {
                 const unsigned char* value = pixel + static_cast<std::size_t>(channel) * channelBytes;

@@ -5,8 +5,9 @@
 #include <osg/Image>
 #include <osg/ref_ptr>
 
-/** Read an image by OpenImageIO: its first part, one to four channels, 8 or 16 bits unsigned or 32 bits float a channel,
- * whatever more the file has being brought to the nearest of these. The first row is at the bottom, as OSG has it.
+/** Read an image by OpenImageIO: its first part, one to four channels, 8 or 16 bits unsigned or 32 bits float a
+ * channel, whatever more the file has being brought to the nearest of these. The first row is the bottom one, as in
+ * OSG.
  *
  * What a header claims is checked before any memory is taken.
  * @return null, with the reason in `error`. */

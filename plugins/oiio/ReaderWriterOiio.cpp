@@ -10,8 +10,8 @@
 
 /** Images through OpenImageIO, floats kept as floats: .exr, .hdr, .tif and whatever else it knows.
  *
- * OSG finds this plugin by itself for .exr. For formats that it has a plugin of its own for, put `.oiio` behind the name
- * (`probe.hdr.oiio`), or load this one first (`osgviewer -e oiio ...`). */
+ * OSG finds this plugin by itself for .exr. For formats that OSG has a plugin of its own for, put `.oiio` behind the
+ * name (`probe.hdr.oiio`), or load this one first (`osgviewer -e oiio ...`). */
 class ReaderWriterOiio : public osgDB::ReaderWriter
 {
 public:

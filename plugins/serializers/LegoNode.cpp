@@ -6,7 +6,10 @@
 
 // In OSG's own formats a LegoNode is its settings, as text, and its source; bricks are made anew when it is read.
 
-static bool checkSettings(const osgLego::LegoNode&) { return true; }
+static bool checkSettings(const osgLego::LegoNode&)
+{
+    return true;
+}
 
 static bool readSettings(osgDB::InputStream& stream, osgLego::LegoNode& node)
 {

@@ -84,7 +84,8 @@ TEST(BrickGeometry, FacesForPickingAreThoseOfTheOpenSides)
     osg::TriangleFunctor<Measure> measure;
     acceptBrickFaces(*model, measure);
     double sides = 0.0;
-    for (const Brick& brick : model->getBricks()) sides += __builtin_popcount(brick.openSides);
+    for (const Brick& brick : model->getBricks())
+        sides += __builtin_popcount(brick.openSides);
     const double pitch = model->getGrid().getPitch();
     EXPECT_NEAR(measure.area, sides * pitch * pitch, 1e-3);
     EXPECT_NEAR(measure.volume, pitch * pitch * pitch * static_cast<double>(model->getBricks().size()), 1e-3);

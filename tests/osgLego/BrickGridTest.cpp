@@ -23,7 +23,8 @@ LegoSettings settingsOf(unsigned int resolution, Proportions proportions = Propo
 
 TEST(BrickGrid, TheLongestSideHasExactlyNCells)
 {
-    for (const osg::Vec3d& size : {osg::Vec3d(3, 1, 2), osg::Vec3d(1, 0.7, 0.1), osg::Vec3d(0.3, 0.2, 5), osg::Vec3d(1, 1, 1)})
+    for (const osg::Vec3d& size :
+         {osg::Vec3d(3, 1, 2), osg::Vec3d(1, 0.7, 0.1), osg::Vec3d(0.3, 0.2, 5), osg::Vec3d(1, 1, 1)})
         for (const unsigned int resolution : {1u, 7u, 64u, 1000u, 1024u})
             for (const Proportions proportions : {Proportions::CUBE, Proportions::BRICK, Proportions::PLATE})
             {
@@ -31,7 +32,7 @@ TEST(BrickGrid, TheLongestSideHasExactlyNCells)
                 const BrickGrid grid = BrickGrid::fit({corner, corner + size}, settingsOf(resolution, proportions));
                 const int longest = size.z() > size.x() && size.z() > size.y() ? 2 : size.y() > size.x() ? 1 : 0;
                 EXPECT_EQ(grid.dimensions[longest], static_cast<int>(resolution));
-                EXPECT_NEAR(grid.dimensions[longest] * grid.cellSize[longest], size[static_cast<unsigned>(longest)], 1e-12);
+                EXPECT_NEAR(grid.dimensions[longest] * grid.cellSize[longest], size[longest], 1e-12);
             }
 }
 

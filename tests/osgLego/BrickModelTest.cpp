@@ -26,7 +26,8 @@ TEST(BrickModel, OpenSidesAreThoseOfEmptyNeighbours)
                 {
                     covered.emplace(x, y, z);
                     Brick brick;
-                    brick.cell = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
+                    brick.cell = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                  static_cast<std::uint16_t>(z)};
                     bricks.push_back(brick);
                 }
 

@@ -54,8 +54,7 @@ TEST_F(CompleteFile, LeavesTheOldOneWhenItFails)
 TEST_F(CompleteFile, SaysWhatIsWrongWithItsPlace)
 {
     EXPECT_EQ(writeCompleteFile(_folder.string(), writeHalf), "it is a folder");
-    EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf),
-              "there is no folder '" + pathOf("none") + "'");
+    EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf), "there is no folder '" + pathOf("none") + "'");
 }
 
 } // namespace

@@ -37,7 +37,8 @@ osg::ref_ptr<osg::Geometry> colored(const osg::ref_ptr<osg::Geometry>& geometry,
 
 TEST(CpuLegolizer, CoversExactlyTheCellsThatATriangleOverlaps)
 {
-    for (const osg::ref_ptr<osg::Node>& node : {test::createSphere(12), test::createSliverSoup(40), test::createThinPlate()})
+    for (const osg::ref_ptr<osg::Node>& node :
+         {test::createSphere(12), test::createSliverSoup(40), test::createThinPlate()})
     {
         const osg::ref_ptr<const GridTriangles> triangles =
             GridTriangles::create(*SceneTriangles::create(*node), settingsOf(20));
@@ -93,7 +94,8 @@ TEST(CpuLegolizer, ATriangleSpeaksForItsPointNearestTheMiddleOfTheCell)
     wall->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
     const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*wall, settingsOf(4));
     ASSERT_EQ(model->getBricks().size(), 4u);
-    for (int x = 0; x < 4; ++x) EXPECT_NEAR(model->find({x, 0, 0})->color[0], 255.0 * (x + 0.5) / 4.0, 12.0);
+    for (int x = 0; x < 4; ++x)
+        EXPECT_NEAR(model->find({x, 0, 0})->color[0], 255.0 * (x + 0.5) / 4.0, 12.0);
 }
 
 TEST(CpuLegolizer, ATextureIsFilteredToTheSizeOfACell)
@@ -102,13 +104,15 @@ TEST(CpuLegolizer, ATextureIsFilteredToTheSizeOfACell)
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(256, 256, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE);
     for (unsigned int row = 0; row < 256; ++row)
-        for (unsigned int column = 0; column < 256; ++column) *image->data(column, row) = (row + column) % 2 ? 255 : 0;
+        for (unsigned int column = 0; column < 256; ++column)
+            *image->data(column, row) = (row + column) % 2 ? 255 : 0;
     osg::ref_ptr<osg::Geometry> square =
         osg::createTexturedQuadGeometry(osg::Vec3(), osg::Vec3(1, 0, 0), osg::Vec3(0, 1, 0));
     square->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
     const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*square, settingsOf(8));
     ASSERT_EQ(model->getBricks().size(), 64u);
-    for (const Brick& brick : model->getBricks()) EXPECT_NEAR(brick.color[1], 128, 1);
+    for (const Brick& brick : model->getBricks())
+        EXPECT_NEAR(brick.color[1], 128, 1);
 }
 
 TEST(CpuLegolizer, IsTheSameOnEveryRun)
@@ -131,7 +135,8 @@ TEST(CpuLegolizer, ASymmetricMeshGetsSymmetricBricks)
 TEST(CpuLegolizer, FarFromTheOriginTheCellsAreTheSame)
 {
     const osg::ref_ptr<osg::Node> sphere = test::createSphere();
-    osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(osg::Matrixd::translate(4194304.0, -2097152.0, 65536.0));
+    osg::ref_ptr<osg::MatrixTransform> moved =
+        new osg::MatrixTransform(osg::Matrixd::translate(4194304.0, -2097152.0, 65536.0));
     moved->addChild(sphere);
     const auto near = legolizeOnCpu(*sphere, settingsOf(64));
     const auto far = legolizeOnCpu(*moved, settingsOf(64));

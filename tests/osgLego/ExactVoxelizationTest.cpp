@@ -87,11 +87,13 @@ void expectSame(const char* name, osg::Node& node, const LegoSettings& settings,
     const osg::ref_ptr<const GridTriangles> triangles = GridTriangles::create(*SceneTriangles::create(node), settings);
     const osg::ref_ptr<const BrickModel> cpu = legolizeOnCpu(*triangles);
     const Differences differences = compare(*triangles, *cpu, gpu);
-    const double share = 100.0 * static_cast<double>(differences.offColor) / static_cast<double>(cpu->getBricks().size());
-    std::printf("%-10s %-28s %8zu triangles %8zu fine %8zu cells %8zu drawn %3zu differ within the margin, %.3f %% off by "
-                "more than 2/255 in colour\n",
-                name, settings.toString().c_str(), triangles->getNumTriangles(), statistics.numFineTriangles,
-                cpu->getBricks().size(), statistics.numDrawnBricks, differences.within, share);
+    const double share =
+        100.0 * static_cast<double>(differences.offColor) / static_cast<double>(cpu->getBricks().size());
+    std::printf(
+        "%-10s %-28s %8zu triangles %8zu fine %8zu cells %8zu drawn %3zu differ within the margin, %.3f %% off by "
+        "more than 2/255 in colour\n",
+        name, settings.toString().c_str(), triangles->getNumTriangles(), statistics.numFineTriangles,
+        cpu->getBricks().size(), statistics.numDrawnBricks, differences.within, share);
     EXPECT_EQ(differences.beyond, 0u);
     EXPECT_LT(share, 1.0);
     EXPECT_EQ(statistics.numDrawnBricks, gpu.getNumVisible());
@@ -101,8 +103,8 @@ TEST_P(ExactVoxelization, FindsTheCellsAndColoursOfTheCpu)
 {
     const osg::ref_ptr<osg::Node> node = GetParam().create();
     if (!node) GTEST_SKIP() << "the model could not be fetched";
-    for (const char* text : {"16", "32", "64", "128", "50,proportions=brick", "50,proportions=plate,up=y", "64,edge=0.5", "64,edge=1",
-                             "64,edge=4"})
+    for (const char* text : {"16", "32", "64", "128", "50,proportions=brick", "50,proportions=plate,up=y",
+                             "64,edge=0.5", "64,edge=1", "64,edge=4"})
     {
         const LegoSettings settings = parseSettings(text);
         LegoStatistics statistics;
@@ -113,9 +115,11 @@ TEST_P(ExactVoxelization, FindsTheCellsAndColoursOfTheCpu)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ExactVoxelization,
-                         ::testing::Values(Model{"car", createRacingCar}, Model{"sphere", [] { return createSphere(); }},
-                                           Model{"torus", createTorus}, Model{"plate", createThinPlate},
-                                           Model{"slivers", [] { return createSliverSoup(); }}, Model{"bunny", readBunny}),
+                         ::testing::Values(Model{"car", createRacingCar},
+                                           Model{"sphere", [] { return createSphere(); }}, Model{"torus", createTorus},
+                                           Model{"plate", createThinPlate},
+                                           Model{"slivers", [] { return createSliverSoup(); }},
+                                           Model{"bunny", readBunny}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 class ExactVoxelizationLimits : public GlTest
@@ -160,7 +164,7 @@ TEST_F(ExactVoxelizationLimits, FarFromTheOriginTheCellsAreTheSame)
     expectSame("far", *node, settings, *gpu, statistics);
 }
 
-/** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than it should expect. */
+/** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than expected. */
 osg::ref_ptr<osg::Node> createCornerTriangles()
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -200,7 +204,7 @@ TEST_F(ExactVoxelizationLimits, ABrickBufferThatIsTooSmallGrows)
     expectSame("corners", *node, settings, *gpu, statistics);
 }
 
-/** Triangles whose edges are each just over a power of two times the limit: far more pieces than their edges let expect. */
+/** Triangles whose edges are each just over a power of two times the limit: far more pieces than expected. */
 osg::ref_ptr<osg::Node> createAwkwardTriangles(std::size_t count)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;

@@ -59,7 +59,8 @@ protected:
 
     void drawFrames(int count)
     {
-        for (int frame = 0; frame < count; ++frame) _viewer.frame();
+        for (int frame = 0; frame < count; ++frame)
+            _viewer.frame();
     }
 
     void expectNoneLeft()

@@ -46,7 +46,8 @@ protected:
     {
         const unsigned int before = countLegolizations();
         change();
-        for (int frame = 0; frame < 4; ++frame) _viewer.frame();
+        for (int frame = 0; frame < 4; ++frame)
+            _viewer.frame();
         EXPECT_TRUE(_lego->isLegolized(_contextID));
         return countLegolizations() - before;
     }
@@ -64,7 +65,8 @@ TEST_F(LegoNodeTest, ThePassesRunOnceAndOnNoFrameThatChangesNothing)
 {
     EXPECT_EQ(countAfter([] {}), 1u);
     EXPECT_EQ(countAfter([] {}), 0u);
-    for (int frame = 0; frame < 30; ++frame) _viewer.frame();
+    for (int frame = 0; frame < 30; ++frame)
+        _viewer.frame();
     EXPECT_EQ(countLegolizations(), 1u);
 }
 
@@ -103,7 +105,8 @@ TEST_F(LegoNodeTest, AnAnimatedSourceIsFollowedFrameByFrame)
         double _angle = 0.0;
     };
     _transform->setUpdateCallback(new Spin);
-    for (int frame = 0; frame < 10; ++frame) _viewer.frame();
+    for (int frame = 0; frame < 10; ++frame)
+        _viewer.frame();
     EXPECT_EQ(countLegolizations(), 10u);
     _transform->setUpdateCallback(nullptr);
     EXPECT_EQ(countAfter([] {}), 0u);
@@ -159,10 +162,12 @@ TEST_F(LegoNodeTest, TwoViewsOfOneContextShareOneLegolization)
     }
     viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     viewer.setReleaseContextAtEndOfFrameHint(false);
-    for (int frame = 0; frame < 4; ++frame) viewer.frame();
+    for (int frame = 0; frame < 4; ++frame)
+        viewer.frame();
     EXPECT_EQ(countLegolizations(), 1u);
     _lego->dirty();
-    for (int frame = 0; frame < 4; ++frame) viewer.frame();
+    for (int frame = 0; frame < 4; ++frame)
+        viewer.frame();
     EXPECT_EQ(countLegolizations(), 2u);
 }
 

@@ -25,11 +25,15 @@ std::string errorOf(const std::string& text)
     return error;
 }
 
-TEST(LegoSettings, ANumberAloneIsTheResolution) { EXPECT_EQ(parsed("128").resolution, 128u); }
+TEST(LegoSettings, ANumberAloneIsTheResolution)
+{
+    EXPECT_EQ(parsed("128").resolution, 128u);
+}
 
 TEST(LegoSettings, EveryKeyIsRead)
 {
-    const LegoSettings settings = parsed("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
+    const LegoSettings settings =
+        parsed("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
     EXPECT_EQ(settings.resolution, 32u);
     EXPECT_EQ(settings.proportions, Proportions::PLATE);
     EXPECT_EQ(settings.upAxis, UpAxis::Y);
@@ -67,7 +71,8 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
 
 TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
 {
-    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge");
+    EXPECT_EQ(errorOf("64,colour=red"),
+              "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");

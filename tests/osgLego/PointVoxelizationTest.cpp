@@ -24,7 +24,7 @@ struct Model
 
 std::vector<Model> createModels()
 {
-    std::vector<Model> models{{"car", createRacingCar()}, {"sphere", createSphere()},   {"torus", createTorus()},
+    std::vector<Model> models{{"car", createRacingCar()},   {"sphere", createSphere()},      {"torus", createTorus()},
                               {"plate", createThinPlate()}, {"slivers", createSliverSoup()}, {"bunny", readBunny()}};
     if (!models.back().node) models.pop_back();
     return models;
@@ -173,7 +173,8 @@ TEST_F(PointVoxelization, ProjectedIsSoundAndFindsMoreInLargerPictures)
 TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
 {
     const osg::ref_ptr<osg::Node> node = createRacingCar();
-    const osg::ref_ptr<const BrickModel> addressed = legolizeOnGpu(*node, parseSettings("64,method=points,target=addressed"));
+    const osg::ref_ptr<const BrickModel> addressed =
+        legolizeOnGpu(*node, parseSettings("64,method=points,target=addressed"));
     const osg::ref_ptr<const BrickModel> projected = legolizeOnGpu(*node, parseSettings("64,method=points,fbo=2048"));
     ASSERT_TRUE(addressed && projected);
     EXPECT_LE(projected->getBricks().size(), addressed->getBricks().size());

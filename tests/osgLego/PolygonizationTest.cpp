@@ -35,7 +35,8 @@ protected:
         osgViewer::Viewer viewer;
         setUpViewer(viewer, *context, *root);
         viewer.frame();
-        if (auto* lego = dynamic_cast<LegoNode*>(&bricks)) _cells = lego->getBricks(context->getState()->getContextID());
+        if (auto* lego = dynamic_cast<LegoNode*>(&bricks))
+            _cells = lego->getBricks(context->getState()->getContextID());
         return readPixels(*context);
     }
 
@@ -61,7 +62,8 @@ constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
 
 TEST_F(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
 {
-    for (const char* settings : {"20", "20,proportions=brick", "24,proportions=plate", "20,up=y", "20,up=y,proportions=plate"})
+    for (const char* settings :
+         {"20", "20,proportions=brick", "24,proportions=plate", "20,up=y", "20,up=y,proportions=plate"})
     {
         const osg::ref_ptr<LegoNode> lego = createLego(settings);
         const osg::ref_ptr<osg::Image> bricks = draw(*lego);
@@ -107,7 +109,8 @@ TEST_F(Polygonization, IsLitByTheLightsThatAreOn)
     const auto brightness = [](const osg::Image& image)
     {
         double sum = 0.0;
-        for (unsigned int byte = 0; byte < image.getTotalSizeInBytes(); ++byte) sum += image.data()[byte];
+        for (unsigned int byte = 0; byte < image.getTotalSizeInBytes(); ++byte)
+            sum += image.data()[byte];
         return sum;
     };
     EXPECT_GT(brightness(*plain), brightness(*lit));

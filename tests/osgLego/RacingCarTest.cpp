@@ -16,7 +16,8 @@ TEST(RacingCar, StandsOnTheGroundAndIsPartlyTextured)
     EXPECT_NEAR(triangles->getBounds().zMin(), 0.0, 1e-3);
     EXPECT_NEAR(triangles->getBounds().yMin(), -triangles->getBounds().yMax(), 1e-6);
     std::size_t textured = 0;
-    for (const SceneBatch& batch : triangles->getBatches()) textured += batch.texture ? batch.vertices.size() / 3 : 0;
+    for (const SceneBatch& batch : triangles->getBatches())
+        textured += batch.texture ? batch.vertices.size() / 3 : 0;
     EXPECT_GT(textured, 500u);
     EXPECT_LT(textured, triangles->getNumTriangles());
 }
@@ -31,7 +32,8 @@ TEST(RacingCar, IsTheSameOnEveryCall)
         const auto& a = first->getBatches()[batch].vertices;
         const auto& b = second->getBatches()[batch].vertices;
         ASSERT_EQ(a.size(), b.size());
-        for (std::size_t vertex = 0; vertex < a.size(); ++vertex) ASSERT_EQ(a[vertex].position, b[vertex].position);
+        for (std::size_t vertex = 0; vertex < a.size(); ++vertex)
+            ASSERT_EQ(a[vertex].position, b[vertex].position);
     }
 }
 

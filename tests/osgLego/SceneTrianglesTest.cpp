@@ -51,7 +51,10 @@ glm::vec3 colorOfFirst(const osg::Node& node)
     return glm::vec3(-1.0f);
 }
 
-osg::ref_ptr<osg::Geometry> createUnitTriangle() { return createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}); }
+osg::ref_ptr<osg::Geometry> createUnitTriangle()
+{
+    return createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+}
 
 template <typename ArrayType>
 osg::ref_ptr<osg::Geometry> createColored(ArrayType* colors, osg::Array::Binding binding)
@@ -113,7 +116,8 @@ TEST(SceneTriangles, LinesAndPointsArePassedOver)
 TEST(SceneTriangles, AnIndexOutsideTheArrayIsPassedOver)
 {
     osg::ref_ptr<osg::DrawElementsUInt> elements = new osg::DrawElementsUInt(GL_TRIANGLES);
-    for (const unsigned int index : {0u, 1u, 2u, 0u, 1u, 4000000000u}) elements->push_back(index);
+    for (const unsigned int index : {0u, 1u, 2u, 0u, 1u, 4000000000u})
+        elements->push_back(index);
     EXPECT_EQ(countTriangles(elements), 1u);
 }
 
@@ -207,7 +211,10 @@ TEST(SceneTriangles, CoordinatesThatAreNotFiniteAreLeftOutAndCounted)
     }
 }
 
-TEST(SceneTriangles, WithoutColoursItIsWhite) { expectColor(colorOfFirst(*createUnitTriangle()), 1, 1, 1); }
+TEST(SceneTriangles, WithoutColoursItIsWhite)
+{
+    expectColor(colorOfFirst(*createUnitTriangle()), 1, 1, 1);
+}
 
 TEST(SceneTriangles, ColourArraysOfAnyTypeAreRead)
 {
@@ -232,11 +239,13 @@ TEST(SceneTriangles, ColourArraysOfAnyTypeAreRead)
 TEST(SceneTriangles, ColoursBindToVerticesAndPrimitiveSets)
 {
     osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
-    for (const float red : {0.1f, 0.5f, 0.9f}) colors->push_back(osg::Vec4(red, 0, 0, 1));
+    for (const float red : {0.1f, 0.5f, 0.9f})
+        colors->push_back(osg::Vec4(red, 0, 0, 1));
     const osg::ref_ptr<const SceneTriangles> perVertex =
         SceneTriangles::create(*createColored(colors.get(), osg::Array::BIND_PER_VERTEX));
     const std::vector<SceneVertex>& vertices = perVertex->getBatches().front().vertices;
-    for (std::size_t corner = 0; corner < 3; ++corner) EXPECT_EQ(vertices[corner].color.r, (*colors)[corner].r());
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        EXPECT_EQ(vertices[corner].color.r, (*colors)[corner].r());
 
     osg::ref_ptr<osg::Geometry> sets = createPolygon(8, new osg::DrawArrays(GL_TRIANGLES, 0, 3));
     sets->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 4, 3));
@@ -292,7 +301,8 @@ osg::ref_ptr<osg::Geometry> createTextured()
 {
     osg::ref_ptr<osg::Geometry> geometry = createUnitTriangle();
     osg::ref_ptr<osg::Vec2Array> coordinates = new osg::Vec2Array;
-    for (const float s : {0.0f, 0.5f, 1.0f}) coordinates->push_back(osg::Vec2(s, 0.25f));
+    for (const float s : {0.0f, 0.5f, 1.0f})
+        coordinates->push_back(osg::Vec2(s, 0.25f));
     geometry->setTexCoordArray(0, coordinates);
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(1, 1, 1, GL_RGB, GL_UNSIGNED_BYTE);

@@ -16,7 +16,8 @@ TEST(SlabPlan, SlabsCoverEveryLayerOnceAndHoldTheirNeighbours)
         BrickGrid grid;
         grid.dimensions = size;
         const SlabPlan plan = SlabPlan::create(grid);
-        const std::size_t texels = static_cast<std::size_t>(plan.imageSize.x) * static_cast<std::size_t>(plan.imageSize.y);
+        const std::size_t texels =
+            static_cast<std::size_t>(plan.imageSize.x) * static_cast<std::size_t>(plan.imageSize.y);
         EXPECT_LE(texels, static_cast<std::size_t>(SlabPlan::MAXIMUM_TEXELS));
         int next = 0;
         for (const Slab& slab : plan.slabs)
@@ -41,7 +42,10 @@ TEST(SlabPlan, ASmallGridIsOneSlab)
     EXPECT_EQ(SlabPlan::create(grid).slabs.size(), 1u);
 }
 
-TEST(SlabPlan, ThereAreNoSlabsOfNothing) { EXPECT_TRUE(SlabPlan::create(BrickGrid()).slabs.empty()); }
+TEST(SlabPlan, ThereAreNoSlabsOfNothing)
+{
+    EXPECT_TRUE(SlabPlan::create(BrickGrid()).slabs.empty());
+}
 
 } // namespace
 

@@ -69,7 +69,8 @@ TEST(SurfaceTexture, AnOddSizeKeepsItsMean)
         sum += texel[0];
     }
     const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    EXPECT_NEAR(SurfaceTexture::create(*texture)->sample({0.5, 0.5}, 99.0).r, static_cast<double>(sum) / 15.0, 0.51 / 255.0);
+    EXPECT_NEAR(SurfaceTexture::create(*texture)->sample({0.5, 0.5}, 99.0).r, static_cast<double>(sum) / 15.0,
+                0.51 / 255.0);
 }
 
 TEST(SurfaceTexture, WhatCannotBeReadIsNone)
@@ -77,8 +78,8 @@ TEST(SurfaceTexture, WhatCannotBeReadIsNone)
     EXPECT_FALSE(SurfaceTexture::create(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D)));
     osg::ref_ptr<osg::Image> compressed = new osg::Image;
     auto* data = new unsigned char[8]{};
-    compressed->setImage(4, 4, 1, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_UNSIGNED_BYTE, data,
-                         osg::Image::USE_NEW_DELETE);
+    compressed->setImage(4, 4, 1, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_UNSIGNED_BYTE,
+                         data, osg::Image::USE_NEW_DELETE);
     EXPECT_FALSE(SurfaceTexture::create(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D(compressed))));
 }
 
@@ -87,7 +88,8 @@ TEST(SurfaceTexture, AHugeImageIsHalvedUntilItFits)
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(2 * SurfaceTexture::MAXIMUM_SIZE, 2, 1, GL_RGB, GL_UNSIGNED_BYTE);
     std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(200));
-    const osg::ref_ptr<SurfaceTexture> surface = SurfaceTexture::create(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D(image)));
+    const osg::ref_ptr<SurfaceTexture> surface =
+        SurfaceTexture::create(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D(image)));
     EXPECT_EQ(surface->getSize(), glm::ivec2(SurfaceTexture::MAXIMUM_SIZE, 1));
     EXPECT_NEAR(surface->sample({0.3, 0.5}, 2.0).g, 200.0 / 255.0, 1e-9);
 }

@@ -28,7 +28,8 @@ protected:
         _root = new osg::Group;
         _root->addChild(_lego);
         _root->addChild(_beside);
-        for (int index = 0; index < 2; ++index) addView();
+        for (int index = 0; index < 2; ++index)
+            addView();
         _viewer.setThreadingModel(GetParam());
         _viewer.realize();
     }
@@ -48,7 +49,8 @@ protected:
 
     void drawFrames(int count)
     {
-        for (int frame = 0; frame < count; ++frame) _viewer.frame();
+        for (int frame = 0; frame < count; ++frame)
+            _viewer.frame();
     }
 
     void expectLegolized()
@@ -81,7 +83,8 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
 {
     for (int frame = 0; frame < 24; ++frame)
     {
-        const char* texts[] = {"8", "12,proportions=plate", "10,method=points,fbo=64", "14,method=points,target=addressed"};
+        const char* texts[] = {"8", "12,proportions=plate", "10,method=points,fbo=64",
+                               "14,method=points,target=addressed"};
         _lego->setSettings(parseSettings(texts[frame % 4]));
         _viewer.frame();
     }
@@ -116,19 +119,22 @@ TEST_P(Threading, AViewMayBeAddedAndThreadsRestarted)
     expectLegolized();
 }
 
-TEST_P(Threading, GlObjectsMayBeReleasedWhileItRuns)
+TEST_P(Threading, GlObjectsMayBeReleasedBetweenFramesWhileNoThreadDraws)
 {
     for (int repeat = 0; repeat < 8; ++repeat)
     {
         drawFrames(2);
+        _viewer.stopThreading();
         _lego->releaseGLObjects();
+        _viewer.startThreading();
     }
     drawFrames(3);
     expectLegolized();
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Threading,
-                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded, osgViewer::ViewerBase::CullDrawThreadPerContext,
+                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded,
+                                           osgViewer::ViewerBase::CullDrawThreadPerContext,
                                            osgViewer::ViewerBase::DrawThreadPerContext,
                                            osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext),
                          [](const auto& instance)

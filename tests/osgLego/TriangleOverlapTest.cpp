@@ -49,10 +49,7 @@ double areaOf(const Polygon& polygon)
 class RandomTriangles
 {
 public:
-    explicit RandomTriangles(double reach) :
-        _place(0.5, 9.5), _step(-reach, reach)
-    {
-    }
+    explicit RandomTriangles(double reach) : _place(0.5, 9.5), _step(-reach, reach) {}
 
     Polygon next()
     {
@@ -137,7 +134,8 @@ TEST(TriangleOverlap, ASurfaceOnABoundaryFillsOneSideOfIt)
         std::vector<glm::ivec3> cells;
         overlap.findCells(glm::ivec3(10), cells);
         EXPECT_FALSE(cells.empty());
-        for (const glm::ivec3& cell : cells) EXPECT_EQ(cell[axis], 3);
+        for (const glm::ivec3& cell : cells)
+            EXPECT_EQ(cell[axis], 3);
     }
 }
 
@@ -173,7 +171,8 @@ TEST(TriangleOverlap, NearestPointIsNoFartherThanAnyOther)
         const double distance = glm::distance(point, weights.x * a + weights.y * b + weights.z * c);
         for (int u = 0; u <= 10; ++u)
             for (int v = 0; u + v <= 10; ++v)
-                ASSERT_LE(distance, glm::distance(point, (a * double(u) + b * double(v) + c * double(10 - u - v)) / 10.0) + 1e-9);
+                ASSERT_LE(distance,
+                          glm::distance(point, (a * double(u) + b * double(v) + c * double(10 - u - v)) / 10.0) + 1e-9);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 
 #include <osg/Image>
@@ -39,7 +40,8 @@ protected:
                 const auto value = static_cast<unsigned short>(1000 * index + 7);
                 std::memcpy(pixel + std::size_t(2) * channel, &value, 2);
             }
-            else pixel[channel] = static_cast<unsigned char>(4 * index + 1);
+            else
+                pixel[channel] = static_cast<unsigned char>(4 * index + 1);
         }
         return image;
     }
@@ -70,7 +72,7 @@ protected:
 
 TEST_F(Oiio, FloatsAreKeptThroughExr)
 {
-    for (const GLenum format : {GL_RGB, GL_RGBA})
+    for (const GLenum format : std::initializer_list<GLenum>{GL_RGB, GL_RGBA})
     {
         const osg::ref_ptr<osg::Image> image = createImage(format, GL_FLOAT);
         const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.exr");
@@ -81,8 +83,8 @@ TEST_F(Oiio, FloatsAreKeptThroughExr)
 
 TEST_F(Oiio, EveryTypeAndNumberOfChannelsGoesThroughTiff)
 {
-    for (const GLenum type : {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT})
-        for (const GLenum format : {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA})
+    for (const GLenum type : std::initializer_list<GLenum>{GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT})
+        for (const GLenum format : std::initializer_list<GLenum>{GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA})
         {
             const osg::ref_ptr<osg::Image> image = createImage(format, type);
             const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.tif.oiio");

@@ -23,7 +23,8 @@ TEST_F(Serializer, SettingsAndSourceComeBackFromEveryFormOfOsgsFormat)
 {
     LegoSettings settings;
     std::string error;
-    ASSERT_TRUE(LegoSettings::parse("12,proportions=plate,up=y,method=points,target=addressed,edge=0.5", settings, error));
+    ASSERT_TRUE(
+        LegoSettings::parse("12,proportions=plate,up=y,method=points,target=addressed,edge=0.5", settings, error));
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(createSphere(6));
     for (const char* name : {"lego.osgt", "lego.osgb", "lego.osgx"})

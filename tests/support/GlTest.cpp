@@ -19,11 +19,15 @@ const osg::Vec4 BACKGROUND(0.0f, 0.0f, 0.2f, 1.0f);
 
 } // namespace
 
-void GlTest::SetUp() { takeGlMessages(); }
+void GlTest::SetUp()
+{
+    takeGlMessages();
+}
 
 void GlTest::TearDown()
 {
-    for (const std::string& message : takeGlMessages()) ADD_FAILURE() << "GL: " << message;
+    for (const std::string& message : takeGlMessages())
+        ADD_FAILURE() << "GL: " << message;
 }
 
 osg::ref_ptr<osg::GraphicsContext> GlTest::createContext()

@@ -32,7 +32,7 @@ protected:
     /** What a context's own frame buffer shows. */
     static osg::ref_ptr<osg::Image> readPixels(osg::GraphicsContext& context);
 
-    /** Legolize in a new context and bring the covered cells back. Fails the test, and answers null, when that fails. */
+    /** Legolize in a new context and bring the covered cells back. When that fails, fails the test and answers null. */
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,
                                                         LegoStatistics* statistics = nullptr);
 

@@ -49,7 +49,8 @@ osg::ref_ptr<osg::Geometry> createWrapped(int columns, int rows, const std::func
             if (row == rows || column == columns) continue;
             const auto corner = static_cast<unsigned int>(row * (columns + 1) + column);
             const auto above = corner + static_cast<unsigned int>(columns) + 1;
-            for (const unsigned int index : {corner, corner + 1, above + 1, above}) quads->push_back(index);
+            for (const unsigned int index : {corner, corner + 1, above + 1, above})
+                quads->push_back(index);
         }
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setVertexArray(vertices);
@@ -87,7 +88,8 @@ osg::ref_ptr<osg::Image> createSmoothImage()
 osg::ref_ptr<osg::Geometry> createTriangle(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    for (const osg::Vec3& corner : {a, b, c}) vertices->push_back(corner);
+    for (const osg::Vec3& corner : {a, b, c})
+        vertices->push_back(corner);
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setVertexArray(vertices);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
@@ -100,8 +102,8 @@ osg::ref_ptr<osg::Node> createSphere(int rings)
         createWrapped(2 * rings, rings,
                       [](double u, double v)
                       {
-                          return osg::Vec3d(std::cos(2 * PI * u) * std::sin(PI * v), std::sin(2 * PI * u) * std::sin(PI * v),
-                                            -std::cos(PI * v));
+                          return osg::Vec3d(std::cos(2 * PI * u) * std::sin(PI * v),
+                                            std::sin(2 * PI * u) * std::sin(PI * v), -std::cos(PI * v));
                       });
     colorByPlace(*geometry);
     return toNode(geometry);
@@ -109,14 +111,13 @@ osg::ref_ptr<osg::Node> createSphere(int rings)
 
 osg::ref_ptr<osg::Node> createTorus()
 {
-    osg::ref_ptr<osg::Geometry> geometry =
-        createWrapped(48, 24,
-                      [](double u, double v)
-                      {
-                          const double around = 1.0 + 0.4 * std::cos(2 * PI * v);
-                          return osg::Vec3d(around * std::cos(2 * PI * u), around * std::sin(2 * PI * u),
-                                            0.4 * std::sin(2 * PI * v));
-                      });
+    osg::ref_ptr<osg::Geometry> geometry = createWrapped(
+        48, 24,
+        [](double u, double v)
+        {
+            const double around = 1.0 + 0.4 * std::cos(2 * PI * v);
+            return osg::Vec3d(around * std::cos(2 * PI * u), around * std::sin(2 * PI * u), 0.4 * std::sin(2 * PI * v));
+        });
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(createSmoothImage());
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::MIRROR);
@@ -130,8 +131,8 @@ osg::ref_ptr<osg::Node> createThinPlate()
     osg::ref_ptr<osg::DrawElementsUInt> quads = new osg::DrawElementsUInt(GL_QUADS);
     for (unsigned int corner = 0; corner < 8; ++corner)
         vertices->push_back(osg::Vec3(corner & 1 ? 2.0f : 0.0f, corner & 2 ? 1.4f : 0.0f, corner & 4 ? 0.01f : 0.0f));
-    for (const unsigned int index : {0u, 2u, 3u, 1u, 4u, 5u, 7u, 6u, 0u, 1u, 5u, 4u, 2u, 6u, 7u, 3u, 0u, 4u, 6u, 2u, 1u,
-                                     3u, 7u, 5u})
+    for (const unsigned int index :
+         {0u, 2u, 3u, 1u, 4u, 5u, 7u, 6u, 0u, 1u, 5u, 4u, 2u, 6u, 7u, 3u, 0u, 4u, 6u, 2u, 1u, 3u, 7u, 5u})
         quads->push_back(index);
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setVertexArray(vertices);
@@ -157,7 +158,8 @@ osg::ref_ptr<osg::Node> createSliverSoup(int count, std::uint32_t seed)
     {
         const osg::Vec3d from = randomVector(1.0);
         const osg::Vec3d to = randomVector(1.0);
-        for (const osg::Vec3d& corner : {from, to, (from + to) * 0.5 + randomVector(0.02)}) vertices->push_back(corner);
+        for (const osg::Vec3d& corner : {from, to, (from + to) * 0.5 + randomVector(0.02)})
+            vertices->push_back(corner);
         const std::uint32_t bits = static_cast<std::uint32_t>(engine());
         for (int corner = 0; corner < 3; ++corner)
             colors->push_back(osg::Vec4ub(static_cast<unsigned char>(bits), static_cast<unsigned char>(bits >> 8),

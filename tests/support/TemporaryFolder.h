@@ -16,8 +16,7 @@ protected:
     void SetUp() override
     {
         const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        _folder = std::filesystem::temp_directory_path() /
-                  ("osglego-" + std::to_string(getpid()) + "-" + info->name());
+        _folder = std::filesystem::temp_directory_path() / ("osglego-" + std::to_string(getpid()) + "-" + info->name());
         std::filesystem::create_directories(_folder);
     }
 
