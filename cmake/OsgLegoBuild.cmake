@@ -28,6 +28,7 @@ endif()
 add_library(osgLegoOptions INTERFACE)
 target_compile_options(osgLegoOptions INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+    -Wzero-as-null-pointer-constant
     $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
 if(OSGLEGO_SANITIZE)
     target_compile_options(osgLegoOptions INTERFACE

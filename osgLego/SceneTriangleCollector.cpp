@@ -18,8 +18,32 @@ namespace
 
 struct IndexTriangles
 {
+    std::size_t numVertices = 0;
     std::vector<std::array<unsigned int, 3>> indices;
-    void operator()(unsigned int a, unsigned int b, unsigned int c) { indices.push_back({a, b, c}); }
+
+    void operator()(unsigned int a, unsigned int b, unsigned int c)
+    {
+        if (std::max({a, b, c}) < numVertices) indices.push_back({a, b, c});
+    }
+};
+
+/** Indices of whole triangles: OSG's functor reads past the end of GL_TRIANGLES whose last one lacks corners. */
+class WholeTriangles : public osg::TriangleIndexFunctor<IndexTriangles>
+{
+public:
+    explicit WholeTriangles(std::size_t vertices) { numVertices = vertices; }
+
+    void drawElements(GLenum mode, GLsizei count, const GLubyte* first) override { drawWhole(mode, count, first); }
+    void drawElements(GLenum mode, GLsizei count, const GLushort* first) override { drawWhole(mode, count, first); }
+    void drawElements(GLenum mode, GLsizei count, const GLuint* first) override { drawWhole(mode, count, first); }
+
+private:
+    template <typename Index>
+    void drawWhole(GLenum mode, GLsizei count, const Index* first)
+    {
+        osg::TriangleIndexFunctor<IndexTriangles>::drawElements(mode, mode == GL_TRIANGLES ? count - count % 3 : count,
+                                                                first);
+    }
 };
 
 struct PositionTriangles
@@ -135,13 +159,10 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
     const VertexReader reader(geometry, toRoot, state);
     for (unsigned int set = 0; set < geometry.getNumPrimitiveSets(); ++set)
     {
-        osg::TriangleIndexFunctor<IndexTriangles> functor;
+        WholeTriangles functor(reader.getNumVertices());
         geometry.getPrimitiveSet(set)->accept(functor);
         for (const auto& [a, b, c] : functor.indices)
-        {
-            if (std::max({a, b, c}) >= reader.getNumVertices()) continue;
             addTriangle(batch, reader.read(a, set), reader.read(b, set), reader.read(c, set));
-        }
     }
 }
 

@@ -109,7 +109,8 @@ TEST_F(PseudoLoader, OtherFormatsGetTheBricksAsTriangles)
     for (const char* name : {"bricks.obj", "bricks.stl"})
     {
         ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name)));
-        const osg::ref_ptr<osg::Node> back = osgDB::readRefNodeFile(pathOf(name), new osgDB::Options("noRotation"));
+        const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("noRotation");
+        const osg::ref_ptr<osg::Node> back = osgDB::readRefNodeFile(pathOf(name), options);
         ASSERT_TRUE(back) << name;
         EXPECT_NEAR(back->getBound().radius(), lego->getBound().radius(), 0.15 * lego->getBound().radius()) << name;
     }
