@@ -1,5 +1,6 @@
 #include <osgLego/CompleteFile.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -31,14 +32,23 @@ std::string renamed(std::string text, const std::string& from, const std::string
 
 } // namespace
 
-std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(const std::string&)>& write)
+std::string findObstacleToWriting(const std::string& fileName)
 {
     std::error_code ignored;
     const fs::path path(fileName);
     if (fs::is_directory(path, ignored)) return "it is a folder";
     const fs::path folder = path.parent_path();
     if (!folder.empty() && !fs::is_directory(folder, ignored)) return "there is no folder '" + folder.string() + "'";
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+        return "its folder can't be written to: " + std::error_code(errno, std::generic_category()).message();
+    return {};
+}
 
+std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(const std::string&)>& write)
+{
+    if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
+    std::error_code ignored;
+    const fs::path path(fileName);
     const fs::path temporary = temporaryPathOf(path);
     std::string why = renamed(write(temporary.string()), temporary.string(), fileName);
     if (why.empty())

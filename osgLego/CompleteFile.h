@@ -8,6 +8,11 @@
 namespace osgLego
 {
 
+/** Why a file can't be written where it should be, as far as that shows beforehand; empty when nothing is in the way.
+ *
+ * May be called from any thread. */
+OSGLEGO_EXPORT std::string findObstacleToWriting(const std::string& fileName);
+
 /** Write a file so that it is there complete or not at all: under another name beside its own, got in the end.
  *
  * May be called from any thread.

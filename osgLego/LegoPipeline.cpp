@@ -4,6 +4,8 @@
 #include <osgLego/GlRequirements.h>
 #include <osgLego/SourceSignature.h>
 
+#include <algorithm>
+
 #include <osg/Notify>
 #include <osg/Timer>
 
@@ -16,8 +18,6 @@ namespace
 // After so many frames without work the passes are let go, and with them their textures; a frame that is still being
 // drawn is never that far behind.
 constexpr unsigned int IDLE_FRAMES = 8;
-// More cull visitors than any program keeps: what is beyond them are visitors that are gone.
-constexpr std::size_t MAXIMUM_CULL_VISITORS = 256;
 
 std::uint64_t makeRevision()
 {
@@ -140,16 +140,24 @@ bool LegoPipeline::isFit(const osg::State& state) const
     return missing.empty();
 }
 
+/** Whether a visitor has not been here before in its frame, as it is with a node of several parents. */
+bool LegoPipeline::isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source)
+{
+    std::erase_if(_lastCulls, [](const LastCull& cull) { return !cull.visitor.valid(); });
+    auto last = std::find_if(_lastCulls.begin(), _lastCulls.end(),
+                             [&](const LastCull& cull) { return cull.visitor == &visitor; });
+    if (last == _lastCulls.end()) last = _lastCulls.insert(last, LastCull{&visitor});
+    const unsigned int frame = visitor.getTraversalNumber();
+    if (last->revision == source.revision && last->frame == frame) return false;
+    last->revision = source.revision;
+    last->frame = frame;
+    return true;
+}
+
 void LegoPipeline::cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source)
 {
     const std::lock_guard lock(_mutex);
-    // A node with several parents is culled several times in a frame, but its passes are queued once.
-    if (_lastCulls.size() >= MAXIMUM_CULL_VISITORS) _lastCulls.clear();
-    const CullKey key(source.revision, visitor.getTraversalNumber());
-    const auto [last, isNew] = _lastCulls.try_emplace(&visitor, key);
-    if (!isNew && last->second == key) return;
-    last->second = key;
-
+    if (!isFirstCullOfFrame(visitor, source)) return;
     const PassPlan plan = PassPlan::create(source);
     if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_store, plan);
     _passes->cull(visitor);
@@ -189,6 +197,7 @@ void LegoPipeline::releaseGLObjects(osg::State* state)
     _brickNode->releaseGLObjects(state);
     _store->releaseGLObjects(state);
     if (_passes) _passes->releaseGLObjects(state);
+    _lastCulls.clear();
 }
 
 } // namespace osgLego

@@ -6,14 +6,14 @@
 #include <osgLego/LegolizationPasses.h>
 
 #include <atomic>
-#include <map>
 #include <mutex>
-#include <tuple>
+#include <vector>
 
 #include <osg/Geode>
 #include <osg/Group>
 #include <osg/NodeVisitor>
 #include <osg/Referenced>
+#include <osg/observer_ptr>
 #include <osgUtil/CullVisitor>
 
 namespace osgLego
@@ -65,9 +65,17 @@ public:
     void releaseGLObjects(osg::State* state);
 
 private:
-    using CullKey = std::tuple<std::uint64_t, unsigned int>; // the revision of a source, and a frame
+    /** When a visitor queued the passes last. */
+    struct LastCull
+    {
+        osg::observer_ptr<osgUtil::CullVisitor> visitor; // to tell it from a later one at the same address
+        std::uint64_t revision = 0;
+        unsigned int frame = 0;
+    };
 
     ~LegoPipeline() override = default;
+
+    bool isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source);
 
     bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
     void cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source);
@@ -83,7 +91,7 @@ private:
     osg::ref_ptr<osg::Geode> _brickNode;
     osg::ref_ptr<LegolizationPasses> _passes;
     unsigned int _idleFrames = 0;
-    std::map<const osgUtil::CullVisitor*, CullKey> _lastCulls;
+    std::vector<LastCull> _lastCulls;
 
     osg::ref_ptr<osg::Geode> _geometryNode;
     osg::ref_ptr<const BrickModel> _geometryModel;

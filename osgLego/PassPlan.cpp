@@ -31,4 +31,12 @@ PassPlan PassPlan::create(const LegoSource& source)
     return plan;
 }
 
+std::string PassPlan::findObstacle(const LegoSource& source)
+{
+    const std::size_t numCells = source.triangles->getGrid().getNumCells();
+    if (source.settings.getTarget() != VoxelizationTarget::PROJECTED || numCells <= MAXIMUM_PROJECTED_CELLS) return {};
+    return "a projected target holds at most 16777216 cells (256 x 256 x 256), and this grid has " +
+           std::to_string(numCells) + "; allowed: a lower resolution, or target=addressed";
+}
+
 } // namespace osgLego

@@ -3,12 +3,18 @@
 #include <osgLego/LegoSource.h>
 #include <osgLego/SlabPlan.h>
 
+#include <cstddef>
+#include <string>
+
 namespace osgLego
 {
 
 /** What decides which passes there are and what they draw into; sources with equal plans share their passes. */
 struct PassPlan
 {
+    /** Cells of a grid that a projected target can number: whole numbers that a float holds. */
+    static constexpr std::size_t MAXIMUM_PROJECTED_CELLS = std::size_t(1) << 24;
+
     VoxelizationMethod method = VoxelizationMethod::EXACT;
     VoxelizationTarget target = VoxelizationTarget::ADDRESSED;
     int pictureSize = 0;      //!< the side of a projected target, in pixels; else 0
@@ -17,6 +23,9 @@ struct PassPlan
     std::size_t numSlabs = 0;
 
     static PassPlan create(const LegoSource& source);
+
+    /** Why no passes can legolize a source, and what is allowed, in one sentence; empty when they can. */
+    static std::string findObstacle(const LegoSource& source);
 
     bool operator==(const PassPlan&) const = default;
 };

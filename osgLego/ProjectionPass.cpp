@@ -57,10 +57,6 @@ float ProjectionPass::getNumberScale(const BrickGrid& grid)
 std::string ProjectionPass::run(osg::State& state, ContextBricks& bricks) const
 {
     const BrickGrid& grid = bricks.work->source->triangles->getGrid();
-    if (grid.getNumCells() > MAXIMUM_CELLS)
-        return "a projected target holds at most 16777216 cells (256 x 256 x 256), and this grid has " +
-               std::to_string(grid.getNumCells()) + "; allowed: a lower resolution, or target=addressed";
-
     const ProgramUniforms uniforms(state);
     uniforms.set("projection", projectionOf(grid));
     uniforms.set("gridSize", grid.dimensions);

@@ -17,9 +17,6 @@ namespace osgLego
 class ProjectionPass : public LegolizationPass
 {
 public:
-    /** A float holds the number of a cell exactly only up to this many cells (256 along each side). */
-    static constexpr std::size_t MAXIMUM_CELLS = std::size_t(1) << 24;
-
     ProjectionPass(BrickStore& store, unsigned int step, osg::Texture2D& picture);
 
     /** The power of two by which cell numbers are divided in the picture's alpha. */

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <osg/TriangleFunctor>
 #include <osg/TriangleIndexFunctor>
 
@@ -208,15 +210,15 @@ osg::ref_ptr<const SurfaceTexture> SceneTriangleCollector::findOrMakeTexture(con
 void SceneTriangleCollector::addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b,
                                          const SceneVertex& c)
 {
-    const glm::dvec3 cross = glm::cross(b.position - a.position, c.position - a.position);
-    const double sum = glm::dot(a.position, glm::dvec3(1.0)) + glm::dot(b.position, glm::dvec3(1.0)) +
-                       glm::dot(c.position, glm::dvec3(1.0));
-    if (!std::isfinite(sum))
+    for (const SceneVertex* vertex : {&a, &b, &c})
     {
-        ++_triangles._numNotFinite;
+        // Written so that NaN fails it.
+        if (glm::all(glm::lessThanEqual(glm::abs(vertex->position), glm::dvec3(SceneTriangles::MAXIMUM_COORDINATE))))
+            continue;
+        ++_triangles._numOutOfRange;
         return;
     }
-    if (cross == glm::dvec3(0.0)) return;
+    if (glm::cross(b.position - a.position, c.position - a.position) == glm::dvec3(0.0)) return;
 
     for (const SceneVertex* vertex : {&a, &b, &c})
     {

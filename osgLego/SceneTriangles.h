@@ -38,7 +38,8 @@ struct SceneBatch
  * triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials,
  * Texture2D of unit 0 with wrap mode, matrix and environment, and inherited state with OVERRIDE and PROTECTED. A
  * triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points are passed
- * over, as are triangles with no area and triangles with a coordinate that is not finite.
+ * over, as are triangles with no area and, with a warning, triangles with a coordinate that is not finite or beyond
+ * MAXIMUM_COORDINATE, and sources smaller than MINIMUM_SIZE.
  *
  * Usage:
  *
@@ -51,6 +52,10 @@ struct SceneBatch
 class OSGLEGO_EXPORT SceneTriangles : public osg::Referenced
 {
 public:
+    // OpenSceneGraph keeps bounding spheres in floats and squares their lengths, which must be possible.
+    static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, of either sign
+    static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
+
     /** Flatten `node` itself and everything below it that would be shown, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
 
@@ -58,8 +63,8 @@ public:
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */
     const osg::BoundingBoxd& getBounds() const { return _bounds; }
     std::size_t getNumTriangles() const { return _numTriangles; }
-    /** Triangles left out because a coordinate is NaN or infinite. */
-    std::size_t getNumNotFinite() const { return _numNotFinite; }
+    /** Triangles left out because a coordinate is NaN, infinite, or beyond MAXIMUM_COORDINATE. */
+    std::size_t getNumOutOfRange() const { return _numOutOfRange; }
 
 private:
     friend class SceneTriangleCollector;
@@ -70,7 +75,7 @@ private:
     std::vector<SceneBatch> _batches;
     osg::BoundingBoxd _bounds;
     std::size_t _numTriangles = 0;
-    std::size_t _numNotFinite = 0;
+    std::size_t _numOutOfRange = 0;
 };
 
 } // namespace osgLego

@@ -200,6 +200,8 @@ bool SubdivisionPass::begin(osg::State& state, ContextBricks& bricks) const
 std::string SubdivisionPass::run(osg::State& state, ContextBricks& bricks) const
 {
     Legolization& work = *bricks.work;
+    // Here, in the first pass, and not where it would show: work that leads nowhere is not begun.
+    if (std::string obstacle = PassPlan::findObstacle(*work.source); !obstacle.empty()) return obstacle;
     const double edgeLimit = work.source->settings.getEdgeLimit();
     ProgramUniforms(state).set("edgeLimit", static_cast<float>(edgeLimit));
     for (const GridBatch& batch : work.source->triangles->getBatches())

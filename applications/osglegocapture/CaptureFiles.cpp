@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 namespace osgLego
@@ -23,6 +24,22 @@ CaptureError cannotWrite(const std::string& fileName, const std::string& why)
 }
 
 } // namespace
+
+void checkPlace(const std::string& fileName)
+{
+    if (fileName.empty()) return;
+    if (const std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty())
+        throw cannotWrite(fileName, obstacle);
+}
+
+void checkPicturePlace(const std::string& fileName)
+{
+    checkPlace(fileName);
+    if (fileName.empty() || OIIO::ImageOutput::create(fileName)) return;
+    OIIO::geterror(); // or it stays for the next to ask
+    throw cannotWrite(fileName, "its extension is that of no picture; allowed: .png, .tif, .exr and what else "
+                                "OpenImageIO writes");
+}
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)
 {

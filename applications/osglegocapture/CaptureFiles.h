@@ -12,6 +12,12 @@
 namespace osgLego
 {
 
+/** Throws CaptureError when a file can't be written where it should be. An empty name is fine. */
+void checkPlace(const std::string& fileName);
+
+/** Likewise of a picture, whose extension must be that of a format too. */
+void checkPicturePlace(const std::string& fileName);
+
 /** Write text. Throws CaptureError. */
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write);
 

@@ -61,6 +61,11 @@ osg::ref_ptr<osg::GraphicsContext> createContext()
 
 int capture(const CaptureOptions& options)
 {
+    // Before the work, which may be long.
+    checkPicturePlace(options.output);
+    checkPlace(options.statistics);
+    checkPlace(options.cells);
+
     const Progress progress;
     progress.show("reading");
     CaptureScene scene(options);

@@ -197,6 +197,19 @@ TEST_F(LegoNodeTest, AContextThatIsClosedAndReopenedGetsItsBricksBack)
     EXPECT_EQ(countDifferent(*before, *readPixels(*_context), 0), 0u);
 }
 
+TEST_F(LegoNodeTest, EveryNewViewerGetsItsBricksInItsFirstFrame)
+{
+    // Many, since their visitors come to lie where those of earlier ones lay only now and then.
+    for (int repeat = 0; repeat < 40; ++repeat)
+    {
+        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+        osgViewer::Viewer viewer;
+        setUpViewer(viewer, *context, *_root);
+        viewer.frame();
+        ASSERT_TRUE(_lego->isLegolized(context->getState()->getContextID())) << repeat;
+    }
+}
+
 TEST_F(LegoNodeTest, WithoutTrianglesTheSourceIsDrawnAsItIs)
 {
     osg::ref_ptr<osg::Geometry> lines = createTriangle({-1, 0, -1}, {1, 0, 1}, {1, 0, -1});

@@ -197,18 +197,26 @@ TEST(SceneTriangles, TrianglesWithoutAreaAreLeftOut)
     EXPECT_EQ(SceneTriangles::create(*createTriangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1}))->getNumTriangles(), 0u);
 }
 
-TEST(SceneTriangles, CoordinatesThatAreNotFiniteAreLeftOutAndCounted)
+TEST(SceneTriangles, CoordinatesThatAreNotFiniteOrTooLargeAreLeftOutAndCounted)
 {
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -2e18f})
     {
         osg::ref_ptr<osg::Group> group = new osg::Group;
         group->addChild(createUnitTriangle());
         group->addChild(createTriangle({0, 0, 0}, {bad, 0, 0}, {0, 1, 0}));
         const osg::ref_ptr<const SceneTriangles> triangles = SceneTriangles::create(*group);
         EXPECT_EQ(triangles->getNumTriangles(), 1u);
-        EXPECT_EQ(triangles->getNumNotFinite(), 1u);
+        EXPECT_EQ(triangles->getNumOutOfRange(), 1u);
         EXPECT_EQ(triangles->getBounds()._max, osg::Vec3d(1, 1, 0));
     }
+}
+
+TEST(SceneTriangles, WhatIsTooSmallForOsgsBoundsIsLeftOut)
+{
+    EXPECT_EQ(SceneTriangles::create(*createTriangle({0, 0, 0}, {1e-20f, 0, 0}, {0, 1e-20f, 0}))->getNumTriangles(),
+              0u);
+    EXPECT_EQ(SceneTriangles::create(*createTriangle({0, 0, 0}, {1e-16f, 0, 0}, {0, 1e-16f, 0}))->getNumTriangles(),
+              1u);
 }
 
 TEST(SceneTriangles, WithoutColoursItIsWhite)
