@@ -37,9 +37,11 @@ BrickDrawable::BrickDrawable(BrickStore& store) : _store(&store)
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
     setDataVariance(osg::Object::STATIC);
-    osg::StateSet* stateSet = getOrCreateStateSet();
-    stateSet->setAttributeAndModes(ShaderLibrary::createProgram(
-        "polygonization", {"polygonization.vert", "polygonization.geom", "polygonization.frag"}));
+    // Protected, since no other program, as of a pass for shadows, can draw what the buffer holds.
+    getOrCreateStateSet()->setAttributeAndModes(
+        ShaderLibrary::createProgram("polygonization",
+                                     {"polygonization.vert", "polygonization.geom", "polygonization.frag"}),
+        osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
 }
 
 osg::BoundingBox BrickDrawable::computeBoundingBox() const

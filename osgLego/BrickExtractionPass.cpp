@@ -69,7 +69,10 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     setAddressing(uniforms, grid, slab, _plan.imageSize);
     uniforms.set("firstLayer", slab.begin);
 
-    if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + 1024);
+    // A capture needs a range that is not empty.
+    constexpr std::size_t SPARE_BRICKS = 1024;
+    if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + SPARE_BRICKS);
+    if (work.brickCapacity == work.numBricks) reserve(state, work, 2 * work.brickCapacity);
     const int runs = (grid.dimensions.x + RUN_LENGTH - 1) / RUN_LENGTH;
     const int numRuns = runs * grid.dimensions.y * (slab.end - slab.begin);
     TransformFeedback feedback(*state.get<osg::GLExtensions>());
@@ -87,7 +90,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
             break;
         }
         const std::size_t needed = work.numBricks + result.generated;
-        reserve(state, work, std::max(needed + needed / 8, 2 * work.brickCapacity));
+        reserve(state, work, needed + needed / 8 + SPARE_BRICKS);
         if (takeOutOfMemoryError())
             return "there is no room for " + std::to_string(needed) + " bricks; allowed: a lower resolution";
     }

@@ -13,7 +13,7 @@ namespace osgLego
 /** The bricks as plain triangles, faces and studs as the geometry shader makes them, in model units: for programs that
  * can't run it, such as writers of other file formats.
  *
- * Vertices, normals, a colour a vertex, triangles indexed. About 130 triangles a brick with a stud: for a grid of
+ * Vertices, normals, a colour a vertex, triangles indexed. Up to 58 triangles a brick with a stud: for a grid of
  * 128 x 128 x 128 some millions. May be called from any thread. */
 OSGLEGO_EXPORT osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model);
 

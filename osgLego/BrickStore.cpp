@@ -133,10 +133,15 @@ void BrickStore::releaseTextures() const
 
 void BrickStore::releaseGLObjects(osg::State* state) const
 {
-    const std::lock_guard lock(_mutex);
-    for (const auto& [surface, texture] : _textures)
-        texture->releaseGLObjects(state);
-    for (const auto& [contextID, bricks] : _contexts)
+    // Copies, since a pass locks its context first, and then the store.
+    std::map<unsigned int, osg::ref_ptr<ContextBricks>> contexts;
+    {
+        const std::lock_guard lock(_mutex);
+        for (const auto& [surface, texture] : _textures)
+            texture->releaseGLObjects(state);
+        contexts = _contexts;
+    }
+    for (const auto& [contextID, bricks] : contexts)
     {
         if (state && state->getContextID() != contextID) continue;
         const std::lock_guard contextLock(bricks->getMutex());

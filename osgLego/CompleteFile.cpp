@@ -37,6 +37,7 @@ std::string findObstacleToWriting(const std::string& fileName)
     std::error_code ignored;
     const fs::path path(fileName);
     if (fs::is_directory(path, ignored)) return "it is a folder";
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return {};
     const fs::path folder = path.parent_path();
     if (!folder.empty() && !fs::is_directory(folder, ignored)) return "there is no folder '" + folder.string() + "'";
     if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
@@ -48,7 +49,10 @@ std::string writeCompleteFile(const std::string& fileName, const std::function<s
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
     std::error_code ignored;
-    const fs::path path(fileName);
+    // What a link leads to is written, not the link.
+    const fs::path path =
+        fs::is_symlink(fileName, ignored) ? fs::weakly_canonical(fileName, ignored) : fs::path(fileName);
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write(fileName); // a device, a pipe
     const fs::path temporary = temporaryPathOf(path);
     std::string why = renamed(write(temporary.string()), temporary.string(), fileName);
     if (why.empty())

@@ -13,7 +13,8 @@ namespace osgLego
  * May be called from any thread. */
 OSGLEGO_EXPORT std::string findObstacleToWriting(const std::string& fileName);
 
-/** Write a file so that it is there complete or not at all: under another name beside its own, got in the end.
+/** Write a file so that it is there complete or not at all: under another name beside its own, got in the end. What
+ * is no file but a device or a pipe is written as it is.
  *
  * May be called from any thread.
  * @param write makes the file of the name that it is given, which has the same extension, and answers why it can't; an

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <osgLego/Export.h>
+
 #include <string>
 
 #include <osg/GLExtensions>
@@ -15,7 +17,7 @@ namespace osgLego
  * two geometry shader invocations, 1024 components out of a geometry shader, and buffer textures and textures as large
  * as the passes make them.
  */
-class GlRequirements : public osg::Referenced
+class OSGLEGO_EXPORT GlRequirements : public osg::Referenced
 {
 public:
     explicit GlRequirements(unsigned int contextID);

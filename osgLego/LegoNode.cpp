@@ -22,7 +22,8 @@ bool isGeometryWriter(const osg::NodeVisitor& visitor)
 {
     const std::string_view name = typeid(visitor).name();
     return name.find("Writer") != std::string_view::npos || name.find("writer") != std::string_view::npos ||
-           name.find("CreateStl") != std::string_view::npos;
+           name.find("WriteVisitor") != std::string_view::npos || name.find("CreateStl") != std::string_view::npos ||
+           name.find("geodeVisitor") != std::string_view::npos;
 }
 
 } // namespace
@@ -129,8 +130,9 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     {
     case osg::NodeVisitor::UPDATE_VISITOR:
         osg::Group::traverse(visitor);
-        if (_pipeline->refresh(*this)) dirtyBound();
-        _pipeline->releaseIdlePasses();
+        _pipeline->refresh(*this);
+        if (_pipeline->takeBoundDirty()) dirtyBound();
+        _pipeline->releaseIdlePasses(visitor.getTraversalNumber());
         return;
     case osg::NodeVisitor::EVENT_VISITOR:
         osg::Group::traverse(visitor);

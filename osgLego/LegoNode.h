@@ -28,7 +28,8 @@ class LegoPipeline;
  *    switches, materials and textures need nothing. For what escapes even so there is dirty().
  * 3. The scene is updated once a frame, as every osgViewer does. Without an update traversal only the first source,
  *    setSettings() and dirty() are noticed.
- * 4. As with every node, GL objects are released while the node is in the scene of a context that closes, or by
+ * 4. Contexts that share GL objects are drawn in one thread (osgViewer::ViewerBase::SingleThreaded).
+ * 5. As with every node, GL objects are released while the node is in the scene of a context that closes, or by
  *    releaseGLObjects() before, while no thread draws (osgViewer::ViewerBase::stopThreading()).
  *
  * Usage:
@@ -40,6 +41,11 @@ class LegoPipeline;
  * Other node visitors than the update, event and cull visitors: those that traverse all children get the source and the
  * bricks, those that traverse active children the bricks alone. Writers of file formats get the bricks as an
  * osg::Geometry; OSG's own formats (.osgt, .osgb) save the settings and the source.
+ *
+ * What else of the source draws, or acts while it is culled, does so only where the source is drawn as it is: lights and
+ * clip planes below the node, cameras that render to textures, levels of paged detail that are not loaded yet. State set
+ * above the node has no part in the bricks' colours. Since the source is looked at once a frame, a viewer that runs on
+ * demand draws all the time, as it does with every node that has an update callback.
  *
  * Functions may be called from the thread that updates the scene, those of the statistics and bricks from any.
  */

@@ -2,9 +2,9 @@
 
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/GlRequirements.h>
-#include <osgLego/SourceSignature.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <osg/Notify>
 #include <osg/Timer>
@@ -75,16 +75,15 @@ bool LegoPipeline::getReadBack() const
     return _readBack;
 }
 
-bool LegoPipeline::refresh(const osg::Node& source)
+void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
     const bool wasDirty = _isDirty.exchange(false);
-    const std::uint64_t signature = computeSourceSignature(source);
-    if (!wasDirty && signature == _signature) return false;
-    _signature = signature;
+    SourceSignature signature = computeSourceSignature(source);
+    if (!wasDirty && signature == _signature) return;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(source);
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(source, _textures);
     osg::ref_ptr<LegoSource> lego;
     if (scene->getNumTriangles() > 0)
     {
@@ -98,12 +97,16 @@ bool LegoPipeline::refresh(const osg::Node& source)
     }
     _store->setSource(lego.get());
     _brickNode->getDrawable(0)->dirtyBound();
-    return true;
+    _brickNode->getBound(); // here, or several cull threads would compute it at once
+    _signature = std::move(signature);
+    _isBoundDirty = true;
 }
 
-void LegoPipeline::releaseIdlePasses()
+void LegoPipeline::releaseIdlePasses(unsigned int frame)
 {
     const std::lock_guard lock(_mutex);
+    // With several parents there are several updates in a frame.
+    if (frame == std::exchange(_lastUpdate, frame)) return;
     if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
     _passes = nullptr;
     _lastCulls.clear();

@@ -4,6 +4,8 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/BrickStore.h>
 #include <osgLego/LegolizationPasses.h>
+#include <osgLego/SourceSignature.h>
+#include <osgLego/SurfaceTextureCache.h>
 
 #include <atomic>
 #include <mutex>
@@ -38,13 +40,18 @@ public:
     /** Flatten the source at the next chance, whatever its signature says. */
     void dirty() { _isDirty = true; }
 
-    /** Look at the source, and flatten it if it is another than before. @return whether it is. */
-    bool refresh(const osg::Node& source);
+    /** Look at the source, and flatten it if it is another than before. */
+    void refresh(const osg::Node& source);
     /** The same, but look only when dirty() was said. */
-    bool refreshIfDirty(const osg::Node& source) { return _isDirty && refresh(source); }
+    void refreshIfDirty(const osg::Node& source)
+    {
+        if (_isDirty) refresh(source);
+    }
+    /** Whether the bounds may have changed since this was asked last. */
+    bool takeBoundDirty() { return _isBoundDirty.exchange(false); }
 
-    /** Let go of the passes when they have had nothing to do for a while. Called once a frame. */
-    void releaseIdlePasses();
+    /** Let go of the passes when they have had nothing to do for a while. Called in every update. */
+    void releaseIdlePasses(unsigned int frame);
 
     /** Draw the bricks, and have them made first if the visitor's context lacks them.
      * @return false when the context can't have them, or there are none: then the source is to be drawn. */
@@ -85,12 +92,15 @@ private:
     bool _timing = false;
     bool _readBack = false;
     std::atomic<bool> _isDirty{true};
-    std::uint64_t _signature = 0;
+    std::atomic<bool> _isBoundDirty{false};
+    SourceSignature _signature;
+    SurfaceTextureCache _textures;
 
     osg::ref_ptr<BrickStore> _store;
     osg::ref_ptr<osg::Geode> _brickNode;
     osg::ref_ptr<LegolizationPasses> _passes;
     unsigned int _idleFrames = 0;
+    unsigned int _lastUpdate = 0;
     std::vector<LastCull> _lastCulls;
 
     osg::ref_ptr<osg::Geode> _geometryNode;

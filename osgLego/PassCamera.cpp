@@ -1,6 +1,8 @@
 #include <osgLego/PassCamera.h>
 
+#include <osg/BlendEquation>
 #include <osg/ColorMask>
+#include <osg/GLExtensions>
 #include <osg/NodeVisitor>
 #include <osg/Point>
 #include <osg/Viewport>
@@ -60,6 +62,14 @@ osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size)
     return target;
 }
 
+bool PassCamera::isTargetThere(const osg::State& state)
+{
+    GLint name = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    return name != 0 && extensions.glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
 osg::ref_ptr<osg::StateSet> PassCamera::createStateSet(osg::Program& program)
 {
     constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
@@ -67,6 +77,7 @@ osg::ref_ptr<osg::StateSet> PassCamera::createStateSet(osg::Program& program)
     stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OURS);
     stateSet->setAttribute(new osg::Point(1.0f), OURS);
     stateSet->setAttribute(new osg::ColorMask, OURS);
+    stateSet->setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OURS);
     for (const auto mode :
          {GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP, GL_POINT_SMOOTH,
           GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_DITHER, GL_FOG,

@@ -56,6 +56,8 @@ float ProjectionPass::getNumberScale(const BrickGrid& grid)
 
 std::string ProjectionPass::run(osg::State& state, ContextBricks& bricks) const
 {
+    if (!PassCamera::isTargetThere(state))
+        return "there is no memory on the GPU for the picture of the projected target; allowed: a smaller fbo";
     const BrickGrid& grid = bricks.work->source->triangles->getGrid();
     const ProgramUniforms uniforms(state);
     uniforms.set("projection", projectionOf(grid));

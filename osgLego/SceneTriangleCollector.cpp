@@ -67,7 +67,7 @@ class VertexReader
 {
 public:
     VertexReader(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state) :
-        _positions(*geometry.getVertexArray()), _colors(state.usesColorArray() ? geometry.getColorArray() : nullptr),
+        _positions(*geometry.getVertexArray()), _colors(state.usesColorArray() ? colorsOf(geometry) : nullptr),
         _coordinates(geometry.getTexCoordArray(0)), _toRoot(toRoot), _stateColor(state.getColor()),
         _textureMatrix(state.getTextureMatrix())
     {
@@ -87,6 +87,12 @@ public:
     }
 
 private:
+    static const osg::Array* colorsOf(const osg::Geometry& geometry)
+    {
+        const osg::Array* colors = geometry.getColorArray();
+        return colors && colors->getBinding() != osg::Array::BIND_OFF ? colors : nullptr;
+    }
+
     glm::vec3 readColor(unsigned int vertex, unsigned int primitiveSet) const
     {
         glm::dvec4 color(_stateColor.x(), _stateColor.y(), _stateColor.z(), 1.0);
@@ -191,20 +197,13 @@ void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const o
 SceneBatch& SceneTriangleCollector::findOrMakeBatch(const SurfaceState& state, bool hasCoordinates)
 {
     osg::ref_ptr<const SurfaceTexture> texture;
-    if (state.getTexture() && hasCoordinates) texture = findOrMakeTexture(*state.getTexture());
+    if (state.getTexture() && hasCoordinates) texture = _textures.findOrMake(*state.getTexture());
     const TextureEnvironment environment = texture ? state.getEnvironment() : TextureEnvironment::MODULATE;
 
     const auto [place, isNew] =
         _batchIndices.try_emplace(BatchKey(texture.get(), environment), _triangles._batches.size());
     if (isNew) _triangles._batches.push_back({texture, environment, {}});
     return _triangles._batches[place->second];
-}
-
-osg::ref_ptr<const SurfaceTexture> SceneTriangleCollector::findOrMakeTexture(const osg::Texture2D& texture)
-{
-    const auto [place, isNew] = _textures.try_emplace(&texture);
-    if (isNew) place->second = SurfaceTexture::create(texture);
-    return place->second;
 }
 
 void SceneTriangleCollector::addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b,

@@ -3,6 +3,7 @@
 #include <osgLego/SceneTriangles.h>
 #include <osgLego/SourceVisitor.h>
 #include <osgLego/SurfaceState.h>
+#include <osgLego/SurfaceTextureCache.h>
 
 #include <map>
 #include <tuple>
@@ -18,7 +19,10 @@ class SceneTriangleCollector : public SourceVisitor
 public:
     META_NodeVisitor(osgLego, SceneTriangleCollector)
 
-    explicit SceneTriangleCollector(SceneTriangles& triangles) : _triangles(triangles) {}
+    SceneTriangleCollector(SceneTriangles& triangles, SurfaceTextureCache& textures) :
+        _triangles(triangles), _textures(textures)
+    {
+    }
 
 protected:
     void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
@@ -30,12 +34,11 @@ private:
     void collectGeometry(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state);
     void collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot, const SurfaceState& state);
     SceneBatch& findOrMakeBatch(const SurfaceState& state, bool hasCoordinates);
-    osg::ref_ptr<const SurfaceTexture> findOrMakeTexture(const osg::Texture2D& texture);
     void addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b, const SceneVertex& c);
 
     SceneTriangles& _triangles;
+    SurfaceTextureCache& _textures;
     std::map<BatchKey, std::size_t> _batchIndices;
-    std::map<const osg::Texture2D*, osg::ref_ptr<const SurfaceTexture>> _textures;
 };
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include <osgLego/SceneTriangles.h>
 
 #include <osgLego/SceneTriangleCollector.h>
+#include <osgLego/SurfaceTextureCache.h>
 
 #include <algorithm>
 
@@ -11,10 +12,17 @@ namespace osgLego
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 {
+    SurfaceTextureCache textures;
+    return create(node, textures);
+}
+
+osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node, SurfaceTextureCache& textures)
+{
     osg::ref_ptr<SceneTriangles> triangles = new SceneTriangles;
-    SceneTriangleCollector collector(*triangles);
+    SceneTriangleCollector collector(*triangles, textures);
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(collector);
+    textures.dropUnused();
     if (triangles->getNumOutOfRange() > 0)
     {
         OSG_WARN << "osgLego: " << triangles->getNumOutOfRange() << " triangles of '" << node.getName()

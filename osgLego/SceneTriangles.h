@@ -16,6 +16,8 @@
 namespace osgLego
 {
 
+class SurfaceTextureCache;
+
 /** A corner of a triangle, in the coordinates of the node that was flattened. */
 struct SceneVertex
 {
@@ -58,6 +60,8 @@ public:
 
     /** Flatten `node` itself and everything below it that would be shown, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
+    /** The same with textures that are kept from one call to the next. */
+    static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
 
     const std::vector<SceneBatch>& getBatches() const { return _batches; }
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include <osg/Geometry>
 
@@ -26,7 +27,11 @@ public:
         _value = mixed ^ (mixed >> 29);
     }
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-    void add(const void* pointer) { add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(pointer))); }
+    void add(const osg::Referenced* object)
+    {
+        add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
+        if (object) _objects.emplace_back(object);
+    }
     void add(const osg::Matrixd& matrix)
     {
         for (int element = 0; element < 16; ++element)
@@ -48,10 +53,11 @@ public:
         }
     }
 
-    std::uint64_t get() const { return _value; }
+    SourceSignature take() { return {_value, std::move(_objects)}; }
 
 private:
     std::uint64_t _value = 0;
+    std::vector<osg::ref_ptr<const osg::Referenced>> _objects;
 };
 
 class SignatureVisitor : public SourceVisitor
@@ -65,7 +71,7 @@ protected:
     void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
                       const std::vector<const osg::StateSet*>& stateSets) override
     {
-        _signature.add(static_cast<const void*>(&drawable));
+        _signature.add(static_cast<const osg::Referenced*>(&drawable));
         _signature.add(toRoot);
         addState(SurfaceState(stateSets));
         if (const osg::Geometry* geometry = drawable.asGeometry()) addGeometry(*geometry);
@@ -77,10 +83,10 @@ private:
         _signature.add(state.getColor());
         _signature.add(std::uint64_t(state.usesColorArray()));
         _signature.add(static_cast<std::uint64_t>(state.getEnvironment()));
-        _signature.add(static_cast<const void*>(state.getTexture()));
+        _signature.add(static_cast<const osg::Referenced*>(state.getTexture()));
         if (const osg::Texture2D* texture = state.getTexture())
         {
-            _signature.add(static_cast<const void*>(texture->getImage()));
+            _signature.add(static_cast<const osg::Referenced*>(texture->getImage()));
             _signature.add(std::uint64_t(texture->getImage() ? texture->getImage()->getModifiedCount() : 0));
             _signature.add(std::uint64_t(texture->getWrap(osg::Texture::WRAP_S)));
             _signature.add(std::uint64_t(texture->getWrap(osg::Texture::WRAP_T)));
@@ -107,7 +113,7 @@ private:
 
     void addData(const osg::BufferData* data, bool byContents)
     {
-        _signature.add(static_cast<const void*>(data));
+        _signature.add(static_cast<const osg::Referenced*>(data));
         if (!data) return;
         _signature.add(std::uint64_t(data->getModifiedCount()));
         _signature.add(std::uint64_t(data->getTotalDataSize()));
@@ -119,12 +125,12 @@ private:
 
 } // namespace
 
-std::uint64_t computeSourceSignature(const osg::Node& node)
+SourceSignature computeSourceSignature(const osg::Node& node)
 {
     SignatureVisitor visitor;
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(visitor);
-    return visitor.getSignature().get();
+    return visitor.getSignature().take();
 }
 
 } // namespace osgLego

@@ -3,13 +3,26 @@
 #include <osgLego/Export.h>
 
 #include <cstdint>
+#include <vector>
 
 #include <osg/Node>
+#include <osg/Referenced>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
 
-/** A number that changes whenever what a subgraph shows does.
+/** What tells whether a subgraph shows what it did: a number, and the objects that it came from, which are held so that
+ * no new one comes to lie where an old one lay. */
+struct SourceSignature
+{
+    std::uint64_t value = 0;
+    std::vector<osg::ref_ptr<const osg::Referenced>> objects;
+
+    bool operator==(const SourceSignature& other) const { return value == other.value; }
+};
+
+/** A signature that changes whenever what a subgraph shows does.
  *
  * Takes in transforms, switches, levels of detail, materials, textures and their images, and the arrays and primitive
  * sets of geometries: by their modified counts (`array->dirty()`), and, where a geometry's data variance is DYNAMIC, by
@@ -17,6 +30,6 @@ namespace osgLego
  * costs a walk over the nodes, not over the triangles.
  *
  * May be called from any thread as long as no other thread changes the subgraph. */
-OSGLEGO_EXPORT std::uint64_t computeSourceSignature(const osg::Node& node);
+OSGLEGO_EXPORT SourceSignature computeSourceSignature(const osg::Node& node);
 
 } // namespace osgLego

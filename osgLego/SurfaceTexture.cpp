@@ -143,11 +143,10 @@ bool canBeRead(const osg::Image& image)
 osg::ref_ptr<SurfaceTexture> SurfaceTexture::create(const osg::Texture2D& texture)
 {
     const osg::Image* source = texture.getImage();
-    if (!source) return nullptr;
-    if (!canBeRead(*source))
+    if (!source || !canBeRead(*source))
     {
-        OSG_WARN << "osgLego: the texture image '" << source->getFileName()
-                 << "' is compressed or empty and is left out; allowed: uncompressed images" << std::endl;
+        OSG_WARN << "osgLego: the texture image '" << (source ? source->getFileName() : texture.getName())
+                 << "' is compressed, empty or not there, and is left out; allowed: uncompressed images" << std::endl;
         return nullptr;
     }
 

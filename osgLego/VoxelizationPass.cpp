@@ -32,16 +32,6 @@ osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
                                         {"voxelization_points.vert", "voxelization_points.frag"});
 }
 
-/** Whether what is bound to be drawn into has the size of the voxel image: OSG draws elsewhere when it can't make a
- * frame buffer object, for lack of memory above all. */
-bool isTargetThere(const osg::State& state)
-{
-    GLint name = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    return name != 0 && extensions.glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
 std::uint8_t toByte(float value)
 {
     return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
@@ -65,7 +55,7 @@ VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const P
 
 std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) const
 {
-    if (!isTargetThere(state))
+    if (!PassCamera::isTargetThere(state))
         return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
                std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
 

@@ -49,6 +49,7 @@ void emitVertex(Place place, vec3 normal, vec2 where)
     coordinate = where;
     color = brick[0].z;
     gl_Position = place.clip;
+    gl_ClipVertex = vec4(place.eye, 1.0);
     EmitVertex();
 }
 

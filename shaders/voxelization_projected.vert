@@ -12,7 +12,7 @@ void main()
 {
     ivec2 pictureSize = textureSize(picture, 0);
     vec4 pixel = texelFetch(picture, ivec2(gl_VertexID % pictureSize.x, gl_VertexID / pictureSize.x), 0);
-    int number = int(pixel.a * numberScale + 0.5);
+    int number = int(pixel.a * numberScale); // exact, as the scale is a power of two
     int row = number / gridSize.x;
     ivec3 cell = ivec3(number - row * gridSize.x, row % gridSize.y, row / gridSize.y);
     bool inSlab = pixel.a >= 0.0 && cell.z >= slab.x && cell.z < slab.y;

@@ -2,8 +2,10 @@
 
 #include "ExitCode.h"
 
+#include <osgLego/GlRequirements.h>
 #include <osgLego/RacingCar.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <osg/LightModel>
@@ -24,11 +26,11 @@ constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 
-/** Finds the first LegoNode in a scene. */
+/** Finds the first LegoNode that a scene shows. */
 class LegoNodeFinder : public osg::NodeVisitor
 {
 public:
-    LegoNodeFinder() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    LegoNodeFinder() : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) {}
 
     void apply(osg::Group& group) override
     {
@@ -106,9 +108,7 @@ osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
     setUpCamera(context, *image);
     _viewer.realize();
     _viewer.frame();
-    if (_lego)
-        if (const std::string failure = _lego->getFailure(context.getState()->getContextID()); !failure.empty())
-            throw CaptureError(EXIT_NO_GL, failure);
+    if (_lego) checkLegolized(*context.getState());
 
     // The picture is there; a second one only tells how long it takes when nothing is to be made anew.
     if (_options.statistics.empty()) return image;
@@ -120,6 +120,16 @@ osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
     glFinish();
     _drawingTime = elapsed(start);
     return image;
+}
+
+void CaptureScene::checkLegolized(const osg::State& state) const
+{
+    const unsigned int contextID = state.getContextID();
+    if (const std::string failure = _lego->getFailure(contextID); !failure.empty())
+        throw CaptureError(GlRequirements::getMissing(state).empty() ? EXIT_BAD_INPUT : EXIT_NO_GL, failure);
+    if (!_lego->isLegolized(contextID))
+        throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; allowed: a level of detail, or a view, "
+                                           "in which they are seen");
 }
 
 void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
@@ -139,6 +149,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     camera->attach(osg::Camera::COLOR_BUFFER, &image, SAMPLES, SAMPLES);
     camera->setViewport(0, 0, _options.width, _options.height);
     camera->setClearColor(BACKGROUND);
+    camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted however small they look
     placeCamera(*camera);
     camera->addChild(_shown);
 
@@ -174,8 +185,9 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
     const double radii = _options.view.distance > 0.0 ? _options.view.distance : 1.05 / std::sin(halfView);
     const double aspect = static_cast<double>(_options.width) / _options.height;
     const double vertical = aspect >= 1.0 ? halfView : std::atan(std::tan(halfView) / aspect);
-    camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect, 0.01 * bound.radius(),
-                                            100.0 * bound.radius());
+    camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect,
+                                            std::max(0.01, 0.5 * (radii - 2.0)) * bound.radius(),
+                                            (radii + 4.0) * bound.radius());
     camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * (radii * bound.radius()), bound.center(), headUp);
 }
 

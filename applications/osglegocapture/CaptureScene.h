@@ -35,6 +35,7 @@ public:
 
 private:
     void unwrapSource();
+    void checkLegolized(const osg::State& state) const;
     void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
     void placeCamera(osg::Camera& camera) const;
     UpAxis getUpAxis() const;

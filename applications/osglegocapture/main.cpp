@@ -66,6 +66,17 @@ int capture(const CaptureOptions& options)
     checkPlace(options.statistics);
     checkPlace(options.cells);
 
+    OIIO::ImageBuf reference;
+    if (!options.reference.empty())
+    {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(options.reference, options.output, ignored))
+            throw CaptureError(EXIT_BAD_OUTPUT, "the output would take the place of the reference '" +
+                                                    options.reference + "'; allowed: another name");
+        checkPicturePlace(differenceNameOf(options));
+        reference = readReference(options.reference, options.width, options.height);
+    }
+
     const Progress progress;
     progress.show("reading");
     CaptureScene scene(options);
@@ -80,7 +91,7 @@ int capture(const CaptureOptions& options)
         writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
     progress.clear();
     if (options.reference.empty()) return EXIT_FINE;
-    return compareWithReference(picture, options.reference, differenceNameOf(options)) ? EXIT_FINE : EXIT_DIFFERENT;
+    return compareWithReference(picture, reference, differenceNameOf(options)) ? EXIT_FINE : EXIT_DIFFERENT;
 }
 
 #if !defined(OSGLEGO_OSMESA)

@@ -15,6 +15,8 @@ namespace
 {
 
 constexpr int MAXIMUM_CHANNELS = 4;
+// OSG's images hold colours that are not multiplied by alpha.
+constexpr const char* STRAIGHT_ALPHA = "oiio:UnassociatedAlpha";
 // More than any texture, and so little that a header of lies does no harm.
 constexpr double MAXIMUM_BYTES = 4.0 * (1u << 30);
 
@@ -50,6 +52,7 @@ const ChannelType& typeFor(const OIIO::TypeDesc& format)
 std::string findFault(const OIIO::ImageSpec& spec, int channels, const ChannelType& type)
 {
     const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
+    if (spec.depth > 1) return "it has " + std::to_string(spec.depth) + " layers; allowed: flat images";
     if (spec.deep) return "deep images can't be shown; allowed: flat ones";
     if (spec.width < 1 || spec.height < 1 || channels < 1) return "it has no pixels (" + size + ")";
     const double bytes =
@@ -140,7 +143,9 @@ osg::ref_ptr<osg::Image> readWithOiio(const std::string& fileName, std::string& 
 {
     try
     {
-        const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(fileName);
+        OIIO::ImageSpec wishes;
+        wishes.attribute(STRAIGHT_ALPHA, 1);
+        const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(fileName, &wishes);
         if (!input)
         {
             error = OIIO::geterror();
@@ -168,7 +173,8 @@ std::string writeWithOiio(const osg::Image& image, const std::string& fileName)
         return "its pixels are of another kind; allowed: one to four channels of unsigned bytes, unsigned shorts or "
                "floats";
 
-    const OIIO::ImageSpec spec(image.s(), image.t(), static_cast<int>(order.size()), type->oiio);
+    OIIO::ImageSpec spec(image.s(), image.t(), static_cast<int>(order.size()), type->oiio);
+    spec.attribute(STRAIGHT_ALPHA, 1);
     const std::vector<unsigned char> pixels = collectPixels(image, order, type->oiio.size());
     return osgLego::writeCompleteFile(fileName, [&](const std::string& temporaryName)
                                       { return writePixels(temporaryName, spec, pixels); });

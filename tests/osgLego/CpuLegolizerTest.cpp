@@ -98,6 +98,14 @@ TEST(CpuLegolizer, ATriangleSpeaksForItsPointNearestTheMiddleOfTheCell)
         EXPECT_NEAR(model->find({x, 0, 0})->color[0], 255.0 * (x + 0.5) / 4.0, 12.0);
 }
 
+TEST(CpuLegolizer, CornersThatFallTogetherLeaveTheColour)
+{
+    const osg::ref_ptr<osg::Node> node = test::createCoincidingCorners();
+    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*node, settingsOf(16));
+    for (const Brick& brick : model->getBricks())
+        EXPECT_EQ(brick.color[1], 255);
+}
+
 TEST(CpuLegolizer, ATextureIsFilteredToTheSizeOfACell)
 {
     // A chessboard far finer than the cells is grey.

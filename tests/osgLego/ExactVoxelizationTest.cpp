@@ -164,6 +164,18 @@ TEST_F(ExactVoxelizationLimits, FarFromTheOriginTheCellsAreTheSame)
     expectSame("far", *node, settings, *gpu, statistics);
 }
 
+TEST_F(ExactVoxelizationLimits, CornersThatFallTogetherLeaveTheColour)
+{
+    const osg::ref_ptr<osg::Node> node = createCoincidingCorners();
+    const LegoSettings settings = parseSettings("16");
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    expectSame("coinciding", *node, settings, *gpu, statistics);
+    for (const Brick& brick : gpu->getBricks())
+        EXPECT_EQ(brick.color[1], 255);
+}
+
 /** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than expected. */
 osg::ref_ptr<osg::Node> createCornerTriangles()
 {

@@ -1,6 +1,7 @@
 #include <osgLego/LegoNode.h>
 #include <osgLego/RacingCar.h>
 
+#include <GlDebug.h>
 #include <GlTest.h>
 #include <Meshes.h>
 
@@ -131,6 +132,28 @@ TEST_F(LegoNodeTest, BoundsAreThoseOfTheBricksStudsIncluded)
     EXPECT_NEAR((osg::Vec3d(_lego->getBound().center()) - bounds.center()).length(), 0.0, 1e-5);
     _transform->setMatrix(osg::Matrix::scale(3, 3, 3));
     EXPECT_NEAR(_lego->getBound().radius(), 3.0 * bounds.radius(), 1e-4) << "a change is seen without a frame";
+}
+
+TEST_F(LegoNodeTest, BoundsFollowAChangeThatWasAskedAboutBeforeTheFrame)
+{
+    _viewer.frame();
+    const float before = _root->getBound().radius();
+    osg::Geometry& sphere = *_transform->getChild(0)->asGeode()->getDrawable(0)->asGeometry();
+    auto& vertices = static_cast<osg::Vec3Array&>(*sphere.getVertexArray());
+    for (osg::Vec3& vertex : vertices)
+        vertex *= 2.0f;
+    vertices.dirty();
+    _lego->getBricks();
+    _viewer.frame();
+    EXPECT_NEAR(_root->getBound().radius(), 2.0f * before, 1e-3f);
+}
+
+TEST_F(LegoNodeTest, AnErrorOfGlWouldBeSeen)
+{
+    // That the tests of this kind can fail.
+    _context->makeCurrent();
+    glEnable(GL_RGBA);
+    EXPECT_FALSE(takeGlMessages().empty());
 }
 
 TEST_F(LegoNodeTest, TwoParentsShareOneLegolization)

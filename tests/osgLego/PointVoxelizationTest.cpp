@@ -155,6 +155,7 @@ TEST_F(PointVoxelization, ProjectedIsSoundAndFindsMoreInLargerPictures)
             const osg::ref_ptr<const GridTriangles> triangles = toGrid(*model.node, parseSettings(resolution));
             const osg::ref_ptr<const BrickModel> truth = legolizeOnCpu(*triangles);
             double previous = 0.0;
+            double smallest = 0.0;
             for (const char* size : {"256", "512", "1024", "2048"})
             {
                 const LegoSettings settings = parseSettings(std::string(resolution) + ",method=points,fbo=" + size);
@@ -164,8 +165,12 @@ TEST_F(PointVoxelization, ProjectedIsSoundAndFindsMoreInLargerPictures)
                 std::printf(" %8.4f", recall);
                 EXPECT_EQ(countUnsound(*triangles, *truth, *found), 0u);
                 EXPECT_GT(recall, previous - 0.01);
+                if (previous == 0.0) smallest = recall;
                 previous = recall;
             }
+            EXPECT_GT(smallest, 0.02);
+            EXPECT_GT(previous, smallest);
+            EXPECT_GT(previous, 0.5);
             std::printf("\n");
         }
 }
@@ -177,9 +182,25 @@ TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
         legolizeOnGpu(*node, parseSettings("64,method=points,target=addressed"));
     const osg::ref_ptr<const BrickModel> projected = legolizeOnGpu(*node, parseSettings("64,method=points,fbo=2048"));
     ASSERT_TRUE(addressed && projected);
+    EXPECT_GT(projected->getBricks().size(), addressed->getBricks().size() / 2);
     EXPECT_LE(projected->getBricks().size(), addressed->getBricks().size());
     for (const Brick& brick : projected->getBricks())
         ASSERT_TRUE(addressed->find({brick.cell[0], brick.cell[1], brick.cell[2]}));
+}
+
+TEST_F(PointVoxelization, ProjectedNumbersTheLastCellsOfTheLargestGrid)
+{
+    // Beyond 2^23 every whole number is a float still, but no half is.
+    osg::ref_ptr<osg::Group> node = new osg::Group;
+    node->addChild(createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    node->addChild(createTriangle({245, 250, 250}, {250, 245, 250}, {250, 250, 245}));
+    const LegoSettings settings = parseSettings("250,method=points,fbo=2048");
+    const osg::ref_ptr<const GridTriangles> triangles = toGrid(*node, settings);
+    ASSERT_GT(triangles->getGrid().getNumCells(), std::size_t(1) << 23);
+    const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*node, settings);
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->getBricks().size(), 20u);
+    EXPECT_EQ(countUnsound(*triangles, *legolizeOnCpu(*triangles), *found), 0u);
 }
 
 TEST_F(PointVoxelization, ProjectedRefusesMoreCellsThanAFloatCanNumber)

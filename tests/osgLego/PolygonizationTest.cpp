@@ -144,6 +144,38 @@ TEST_F(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
     EXPECT_EQ(_cells->getBricks(), expected->getBricks());
 }
 
+TEST_F(Polygonization, ForeignProgramsDoNotDrawTheBricks)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const osg::ref_ptr<osg::Image> plain = draw(*lego);
+    const osg::ref_ptr<osg::Image> overridden =
+        draw(*lego,
+             [](osg::StateSet& stateSet)
+             {
+                 osg::ref_ptr<osg::Program> program = new osg::Program;
+                 program->addShader(new osg::Shader(
+                     osg::Shader::VERTEX, "void main() { gl_FrontColor = gl_Color; gl_Position = ftransform(); }"));
+                 program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "void main() { gl_FragColor = gl_Color; }"));
+                 stateSet.setAttribute(program, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+             });
+    EXPECT_LE(countDifferent(*plain, *overridden, 2), FEW_PIXELS);
+}
+
+TEST_F(Polygonization, ClipPlanesCutTheBricks)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const auto cut = [](osg::Node& node)
+    {
+        osg::ref_ptr<osg::ClipNode> clip = new osg::ClipNode;
+        clip->addClipPlane(new osg::ClipPlane(0, osg::Vec4d(1, 0, 0, 0)));
+        clip->addChild(&node);
+        return clip;
+    };
+    const osg::ref_ptr<osg::Image> bricks = draw(*cut(*lego));
+    EXPECT_LE(countDifferent(*bricks, *draw(*cut(*toTriangles(*lego))), 2), FEW_PIXELS);
+    EXPECT_GT(countDifferent(*bricks, *draw(*lego), 2), 10 * FEW_PIXELS) << "the plane cuts nothing";
+}
+
 TEST_F(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
 {
     // An ordinary node, textured, drawn after the bricks in the frame in which the passes run and in one in which not.

@@ -1,5 +1,6 @@
 #include <osgLego/LegoNode.h>
 #include <osgLego/SceneTriangles.h>
+#include <osgLego/SurfaceTextureCache.h>
 
 #include <Meshes.h>
 
@@ -222,6 +223,36 @@ TEST(SceneTriangles, WhatIsTooSmallForOsgsBoundsIsLeftOut)
 TEST(SceneTriangles, WithoutColoursItIsWhite)
 {
     expectColor(colorOfFirst(*createUnitTriangle()), 1, 1, 1);
+}
+
+TEST(SceneTriangles, ColourArraysThatAreOffAreNot)
+{
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_OFF, 1);
+    colors->front() = osg::Vec4(1, 0, 0, 1);
+    expectColor(colorOfFirst(*createColored(colors.get(), osg::Array::BIND_OFF)), 1, 1, 1);
+}
+
+TEST(SceneTriangles, ATextureThatLetsGoOfItsImageKeepsItsColours)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(1, 1, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    image->data()[0] = image->data()[1] = 255;
+    image->data()[2] = 0;
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    osg::ref_ptr<osg::Geometry> geometry = createUnitTriangle();
+    geometry->setTexCoordArray(0, new osg::Vec2Array(3));
+    geometry->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+    SurfaceTextureCache textures;
+    const auto create = [&] { return SceneTriangles::create(*geometry, textures)->getBatches().at(0).texture; };
+    const osg::ref_ptr<const SurfaceTexture> first = create();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(create(), first);
+    texture->setImage(nullptr);
+    EXPECT_EQ(create(), first);
+    texture->setImage(image);
+    image->data()[2] = 255;
+    image->dirty();
+    EXPECT_NE(create(), first);
 }
 
 TEST(SceneTriangles, ColourArraysOfAnyTypeAreRead)

@@ -172,6 +172,16 @@ osg::ref_ptr<osg::Node> createSliverSoup(int count, std::uint32_t seed)
     return toNode(geometry);
 }
 
+osg::ref_ptr<osg::Node> createCoincidingCorners()
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(createTriangle({0.0f, 0.1f, 2.1f}, {1e-7f, 0.1f, 2.1f}, {0.0f, 0.2f, 5.9f}));
+    group->addChild(createTriangle({8.0f, 0.2f, 5.9f}, {8.0f, 0.1f, 2.1f}, {8.0000005f, 0.1f, 2.1f}));
+    group->addChild(
+        createTriangle({0.0f, 0.0f, 0.0f}, {16.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 16.0f})); // for the grid's size
+    return group;
+}
+
 osg::ref_ptr<osg::Node> readBunny()
 {
     const char* folder = std::getenv("OSGLEGO_TEST_MODELS");

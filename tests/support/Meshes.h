@@ -25,6 +25,9 @@ osg::ref_ptr<osg::Node> createThinPlate();
 /** Long thin triangles in a cube of side 2, without order, each of another colour; the same for the same seed. */
 osg::ref_ptr<osg::Node> createSliverSoup(int count = 100, std::uint32_t seed = 7);
 
+/** White triangles, two corners of each so near each other that they fall together once they are rounded to floats. */
+osg::ref_ptr<osg::Node> createCoincidingCorners();
+
 /** The Stanford bunny, if the set-up of the tests could fetch it; else null. */
 osg::ref_ptr<osg::Node> readBunny();
 
