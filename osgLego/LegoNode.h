@@ -42,10 +42,10 @@ class LegoPipeline;
  * bricks, those that traverse active children the bricks alone. Writers of file formats get the bricks as an
  * osg::Geometry; OSG's own formats (.osgt, .osgb) save the settings and the source.
  *
- * What else of the source draws, or acts while it is culled, does so only where the source is drawn as it is: lights and
- * clip planes below the node, cameras that render to textures, levels of paged detail that are not loaded yet. State set
- * above the node has no part in the bricks' colours. Since the source is looked at once a frame, a viewer that runs on
- * demand draws all the time, as it does with every node that has an update callback.
+ * What else of the source draws, or acts while it is culled, does so only where the source is drawn as it is: lights
+ * and clip planes below the node, cameras that render to textures, levels of paged detail that are not loaded yet.
+ * State set above the node has no part in the bricks' colours. Since the source is looked at once a frame, a viewer
+ * that runs on demand draws all the time, as it does with every node that has an update callback.
  *
  * Functions may be called from the thread that updates the scene, those of the statistics and bricks from any.
  */
