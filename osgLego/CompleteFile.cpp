@@ -30,6 +30,13 @@ std::string renamed(std::string text, const std::string& from, const std::string
     return text;
 }
 
+/** Whether a name is that of a device or a pipe, which is written as it is. */
+bool isSpecial(const fs::path& path)
+{
+    std::error_code ignored;
+    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);
+}
+
 } // namespace
 
 std::string findObstacleToWriting(const std::string& fileName)
@@ -37,7 +44,7 @@ std::string findObstacleToWriting(const std::string& fileName)
     std::error_code ignored;
     const fs::path path(fileName);
     if (fs::is_directory(path, ignored)) return "it is a folder";
-    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return {};
+    if (isSpecial(path)) return {};
     const fs::path folder = path.parent_path();
     if (!folder.empty() && !fs::is_directory(folder, ignored)) return "there is no folder '" + folder.string() + "'";
     if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
@@ -52,7 +59,7 @@ std::string writeCompleteFile(const std::string& fileName, const std::function<s
     // What a link leads to is written, not the link.
     const fs::path path =
         fs::is_symlink(fileName, ignored) ? fs::weakly_canonical(fileName, ignored) : fs::path(fileName);
-    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write(fileName); // a device, a pipe
+    if (isSpecial(path)) return write(fileName);
     const fs::path temporary = temporaryPathOf(path);
     std::string why = renamed(write(temporary.string()), temporary.string(), fileName);
     if (why.empty())
