@@ -1,0 +1,537 @@
+#include <osgLego/LightProbe.h>
+
+#include <Probes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <osg/Notify>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using namespace test;
+
+constexpr double PI = std::numbers::pi;
+constexpr int NORMALS = 100;
+
+osg::ref_ptr<LightProbe> createProbe(const osg::Image* image, LightProbe::Mapping mapping = LightProbe::AUTO)
+{
+    osg::ref_ptr<LightProbe> probe = new LightProbe;
+    std::string error;
+    EXPECT_TRUE(probe->setImage(image, mapping, error)) << error;
+    return probe;
+}
+
+/** The same light through either mapping. */
+std::vector<osg::ref_ptr<LightProbe>> createProbes(const RadianceOf& radianceOf)
+{
+    return {createProbe(createLatitudeLongitude(256, radianceOf)), createProbe(createAngularMap(300, radianceOf))};
+}
+
+std::string errorOf(const osg::Image* image, LightProbe::Mapping mapping = LightProbe::AUTO)
+{
+    const osg::ref_ptr<LightProbe> probe = new LightProbe;
+    const osg::Vec3d before = probe->getIrradiance({0.0, 0.0, 1.0});
+    std::string error;
+    EXPECT_FALSE(probe->setImage(image, mapping, error));
+    EXPECT_EQ(probe->getIrradiance({0.0, 0.0, 1.0}), before);
+    EXPECT_EQ(probe->getImage(), nullptr);
+    return error;
+}
+
+osg::ref_ptr<osg::Image> createEmptyImage(int width, int height, GLenum format = GL_RGB, GLenum type = GL_FLOAT)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, format, type);
+    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    return image;
+}
+
+RadianceOf constant(double radiance)
+{
+    return [radiance](const osg::Vec3d&) { return osg::Vec3d(radiance, radiance, radiance); };
+}
+
+osg::Vec3d grey(double value)
+{
+    return {value, value, value};
+}
+
+void expectNear(const osg::Vec3d& actual, const osg::Vec3d& expected, double tolerance, const char* what = "")
+{
+    for (unsigned int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(actual[channel], expected[channel], tolerance) << what << ", channel " << channel;
+}
+
+/** What OSG says while this lives. */
+class Notices : public osg::NotifyHandler
+{
+public:
+    void notify(osg::NotifySeverity, const char* message) override { text += message; }
+    std::string text;
+};
+
+std::string noticesOf(const std::function<void()>& function)
+{
+    const osg::ref_ptr<Notices> notices = new Notices;
+    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
+    osg::setNotifyHandler(notices);
+    function();
+    osg::setNotifyHandler(before);
+    return notices->text;
+}
+
+TEST(LightProbe, ConstantLightMakesConstantIrradiance)
+{
+    for (const auto& probe : createProbes(constant(1.0)))
+    {
+        for (int index = 0; index < NORMALS; ++index)
+        {
+            expectNear(probe->getIrradiance(spreadDirection(index, NORMALS)), grey(1.0), 1e-3);
+            expectNear(probe->getHarmonicIrradiance(spreadDirection(index, NORMALS)), grey(1.0), 1e-3);
+        }
+        EXPECT_LT(probe->getHarmonicError(), 1e-3);
+        EXPECT_FALSE(probe->usesConvolvedMap());
+    }
+}
+
+TEST(LightProbe, SolidAnglesMakeASphere)
+{
+    for (const auto& probe : createProbes(constant(1.0)))
+    {
+        // The first harmonic is 1 / sqrt(4 pi) everywhere: its coefficient is the sum of solid angles times that.
+        EXPECT_NEAR(probe->getCoefficients()[0].x() * std::sqrt(4.0 * PI), 4.0 * PI, 1e-3);
+        for (std::size_t index = 1; index < 9; ++index)
+            EXPECT_NEAR(probe->getCoefficients()[index].x(), 0.0, 1e-3) << index;
+    }
+}
+
+TEST(LightProbe, AGradientKeepsTwoThirds)
+{
+    for (const auto& probe : createProbes([](const osg::Vec3d& d) { return grey(1.0 + d.z()); }))
+        for (int index = 0; index < NORMALS; ++index)
+        {
+            const osg::Vec3d normal = spreadDirection(index, NORMALS);
+            expectNear(probe->getIrradiance(normal), grey(1.0 + 2.0 / 3.0 * normal.z()), 2e-3);
+        }
+}
+
+TEST(LightProbe, ACosineLobeIsAsCalculated)
+{
+    for (const auto& probe : createProbes([](const osg::Vec3d& d) { return grey(std::max(d.z(), 0.0)); }))
+    {
+        EXPECT_NEAR(probe->getIrradiance({0.0, 0.0, 1.0}).x(), 2.0 / 3.0, 0.01);
+        EXPECT_NEAR(probe->getIrradiance({1.0, 0.0, 0.0}).x(), 2.0 / (3.0 * PI), 0.01);
+        EXPECT_NEAR(probe->getIrradiance({0.0, 0.0, -1.0}).x(), 0.0, 0.01);
+    }
+}
+
+TEST(LightProbe, EachAxisIsWhereThePictureHasIt)
+{
+    struct Axis
+    {
+        osg::Vec3d direction;
+        osg::Vec3d color;
+        int column, row; // of the first reflection
+    };
+    const std::vector<Axis> axes{{{1, 0, 0}, {1, 0, 0}, 192, 64}, {{-1, 0, 0}, {0, 1, 1}, 64, 64},
+                                 {{0, 1, 0}, {0, 1, 0}, 128, 64}, {{0, -1, 0}, {1, 0, 1}, 0, 64},
+                                 {{0, 0, 1}, {0, 0, 1}, 0, 127},  {{0, 0, -1}, {1, 1, 0}, 0, 0}};
+    const auto lamps = [&](const osg::Vec3d& direction)
+    {
+        osg::Vec3d sum;
+        for (const Axis& axis : axes)
+            if (direction * axis.direction > 0.97) sum += axis.color * 20.0;
+        return sum;
+    };
+    for (const auto& probe : createProbes(lamps))
+        for (const Axis& axis : axes)
+        {
+            expectNear(pixelOf(*probe->getReflectionMap(0), axis.column, axis.row), axis.color * 20.0, 1e-3);
+            const osg::Vec3d irradiance = probe->getIrradiance(axis.direction);
+            double least = std::numeric_limits<double>::max();
+            double most = 0.0;
+            for (unsigned int channel = 0; channel < 3; ++channel)
+            {
+                double& bound = axis.color[channel] > 0.0 ? least : most;
+                bound = axis.color[channel] > 0.0 ? std::min(bound, irradiance[channel])
+                                                  : std::max(bound, irradiance[channel]);
+            }
+            EXPECT_GT(least, 2.0 * most) << axis.column << " " << axis.row;
+        }
+}
+
+TEST(LightProbe, HarmonicsAreThoseOfTheSumOverAllPixels)
+{
+    const auto smooth = [](const osg::Vec3d& d)
+    {
+        return osg::Vec3d(1.0 + 0.6 * d.x() * d.y() - 0.3 * d.z(), 0.7 + d.z() * d.z() + 0.5 * d.x() * d.z(),
+                          0.8 + 0.5 * d.y() + 0.2 * d.x() * d.x() * d.y());
+    };
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(256, smooth);
+    for (const auto& probe : createProbes(smooth))
+    {
+        EXPECT_FALSE(probe->usesConvolvedMap());
+        for (int index = 0; index < NORMALS; ++index)
+        {
+            const osg::Vec3d normal = spreadDirection(index, NORMALS);
+            expectNear(probe->getHarmonicIrradiance(normal), sumIrradiance(*image, normal), 0.01);
+        }
+    }
+}
+
+TEST(LightProbe, ASmallLampIsConvolved)
+{
+    osg::Vec3d lampDirection(0.5, 0.3, 0.6);
+    lampDirection.normalize();
+    // Five degrees from its middle to its rim.
+    const auto lamp = [&](const osg::Vec3d& d)
+    { return d * lampDirection > 0.9962 ? osg::Vec3d(400.0, 300.0, 200.0) : grey(0.05); };
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(512, lamp);
+    const osg::ref_ptr<LightProbe> probe = createProbe(image);
+    EXPECT_GT(probe->getHarmonicError(), 0.1);
+    ASSERT_TRUE(probe->usesConvolvedMap());
+
+    const double brightest = sumIrradiance(*image, lampDirection).x();
+    double squares = 0.0;
+    for (int index = 0; index < NORMALS; ++index)
+    {
+        const osg::Vec3d normal = spreadDirection(index, NORMALS);
+        const osg::Vec3d irradiance = probe->getIrradiance(normal);
+        const double difference = irradiance.x() - sumIrradiance(*image, normal).x();
+        EXPECT_GE(std::min({irradiance.x(), irradiance.y(), irradiance.z()}), 0.0);
+        EXPECT_GE(probe->getHarmonicIrradiance(normal).x(), 0.0);
+        // Where the lamp sets, a line between two pixels cuts the corner.
+        EXPECT_NEAR(difference, 0.0, (std::abs(normal * lampDirection) < 0.1 ? 0.03 : 0.01) * brightest);
+        squares += difference * difference;
+    }
+    EXPECT_LT(std::sqrt(squares / NORMALS), 0.01 * 0.25 * brightest);
+    expectNear(probe->getIrradiance(lampDirection) / brightest, sumIrradiance(*image, lampDirection) / brightest, 0.01);
+}
+
+TEST(LightProbe, ConvolvedPixelsAreSumsOverAllPixels)
+{
+    const auto lamp = [](const osg::Vec3d& d) { return d.x() > 0.99 ? grey(100.0) : grey(0.1 + 0.05 * d.y()); };
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(256, lamp);
+    const osg::ref_ptr<LightProbe> probe = createProbe(image);
+    const osg::Image& map = *probe->getConvolvedMap();
+    ASSERT_EQ(map.s(), LightProbe::CONVOLVED_WIDTH);
+    ASSERT_EQ(map.t(), LightProbe::CONVOLVED_WIDTH / 2);
+    ASSERT_EQ(map.getPixelFormat(), GLenum(GL_RGB));
+    ASSERT_EQ(map.getDataType(), GLenum(GL_FLOAT));
+    const double mean = meanOf(map).x();
+    for (int row = 0; row < map.t(); row += 3)
+        for (int column = 0; column < map.s(); column += 5)
+        {
+            const osg::Vec3d normal = latitudeLongitudeDirection(column, row, map.s(), map.t());
+            EXPECT_NEAR(pixelOf(map, column, row).x(), sumIrradiance(*image, normal).x(), 0.01 * mean);
+        }
+}
+
+TEST(LightProbe, RotationAndIntensityAct)
+{
+    const osg::ref_ptr<LightProbe> probe =
+        createProbe(createLatitudeLongitude(128, [](const osg::Vec3d& d) { return grey(1.0 + d.y()); }));
+    // A quarter of a turn to the left brings what is ahead (+Y) to -X.
+    probe->setRotation(osg::Quat(0.5 * PI, osg::Vec3d(0.0, 0.0, 1.0)));
+    probe->setIntensity(3.0);
+    expectNear(probe->getIrradiance({-1.0, 0.0, 0.0}), grey(5.0), 0.01);
+    expectNear(probe->getIrradiance({7.0, 0.0, 0.0}), grey(1.0), 0.01);
+    expectNear(probe->getIrradiance({0.0, 1.0, 0.0}), grey(3.0), 0.01);
+    expectNear(probe->getHarmonicIrradiance({0.0, 1.0, 0.0}), grey(5.0 / 3.0), 0.01);
+    EXPECT_EQ(probe->getIrradiance(osg::Vec3d()), osg::Vec3d());
+
+    probe->setIntensity(0.0);
+    EXPECT_EQ(probe->getIrradiance({0.0, 0.0, 1.0}), osg::Vec3d());
+}
+
+TEST(LightProbe, RefusesIntensitiesAndRotationsThatAreNone)
+{
+    const osg::ref_ptr<LightProbe> probe = new LightProbe;
+    probe->setIntensity(2.0);
+    const double notANumber = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {-1.0, notANumber, std::numeric_limits<double>::infinity()})
+        EXPECT_NE(noticesOf([&] { probe->setIntensity(bad); }).find("allowed: 0 or more"), std::string::npos);
+    EXPECT_EQ(probe->getIntensity(), 2.0);
+    for (const double bad : {0.0, notANumber})
+        EXPECT_NE(noticesOf([&] { probe->setRotation(osg::Quat(bad, bad, bad, bad)); }).find("allowed"),
+                  std::string::npos);
+    EXPECT_EQ(probe->getRotation(), osg::Quat());
+    probe->setRotation(osg::Quat(0.0, 0.0, 0.0, 5.0));
+    EXPECT_EQ(probe->getRotation(), osg::Quat());
+}
+
+TEST(LightProbe, TheFirstReflectionIsThePicture)
+{
+    const auto pattern = [](const osg::Vec3d& d)
+    { return osg::Vec3d(1.0 + std::sin(9.0 * d.x()), 1.0 + std::cos(7.0 * d.y()), 1.0 + d.z()); };
+    for (const int width : {256, 512, 64})
+    {
+        const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(width, pattern);
+        const osg::ref_ptr<LightProbe> probe = createProbe(image);
+        const osg::Image& map = *probe->getReflectionMap(0);
+        ASSERT_EQ(map.s(), 256);
+        ASSERT_EQ(map.t(), 128);
+        // Not at the poles, where the mean of a pixel is not what is in its middle.
+        for (int row = 8; row < 120; row += 9)
+            for (int column = 3; column < 256; column += 7)
+                expectNear(pixelOf(map, column, row), pattern(latitudeLongitudeDirection(column, row, 256, 128)),
+                           width < 256 ? 0.5 : 0.005);
+    }
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(256, pattern);
+    const osg::ref_ptr<LightProbe> probe = createProbe(image);
+    for (int row = 0; row < 128; ++row)
+        for (int column = 0; column < 256; ++column)
+            expectNear(pixelOf(*probe->getReflectionMap(0), column, row), pixelOf(*image, column, row), 1e-5);
+}
+
+TEST(LightProbe, ConstantLightIsReflectedTheSameFromEverySurface)
+{
+    const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(64, constant(3.0)));
+    for (int level = 0; level < LightProbe::REFLECTION_LEVELS; ++level)
+    {
+        const osg::Image& map = *probe->getReflectionMap(level);
+        ASSERT_EQ(map.s(), 256 >> level);
+        ASSERT_EQ(map.t(), 128 >> level);
+        for (int row = 0; row < map.t(); ++row)
+            for (int column = 0; column < map.s(); ++column)
+                expectNear(pixelOf(map, column, row), grey(3.0), 1e-3);
+    }
+    EXPECT_EQ(probe->getReflectionMap(-1), nullptr);
+    EXPECT_EQ(probe->getReflectionMap(LightProbe::REFLECTION_LEVELS), nullptr);
+}
+
+TEST(LightProbe, RoughSurfacesReflectAsMuchLightSmoothly)
+{
+    osg::Vec3d lampDirection(0.6, -0.5, 0.4);
+    lampDirection.normalize();
+    const auto lamp = [&](const osg::Vec3d& d)
+    { return grey(0.2 + 10.0 * std::exp(30.0 * (d * lampDirection - 1.0))); };
+    const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(256, lamp));
+    const double mean = meanOf(*probe->getReflectionMap(0)).x();
+    double brightestBefore = 11.0;
+    for (int level = 0; level < LightProbe::REFLECTION_LEVELS; ++level)
+    {
+        const osg::Image& map = *probe->getReflectionMap(level);
+        double brightest = 0.0;
+        osg::Vec3d where;
+        for (int row = 0; row < map.t(); ++row)
+            for (int column = 0; column < map.s(); ++column)
+                if (pixelOf(map, column, row).x() > brightest)
+                {
+                    brightest = pixelOf(map, column, row).x();
+                    where = latitudeLongitudeDirection(column, row, map.s(), map.t());
+                }
+        EXPECT_NEAR(meanOf(map).x(), mean, (level < 4 ? 0.01 : 0.05) * mean) << level;
+        EXPECT_LT(brightest, brightestBefore) << level;
+        EXPECT_GT(where * lampDirection, std::cos(1.5 * PI / map.t())) << level;
+        brightestBefore = brightest;
+    }
+}
+
+TEST(LightProbe, AnglesAreThoseOfTheDistribution)
+{
+    // A lamp of one cell shows the lobe itself: the half vector is half way to the lamp.
+    const osg::ref_ptr<osg::Image> image = createEmptyImage(128, 64);
+    reinterpret_cast<osg::Vec3f*>(image->data(64, 32))->set(1000.0f, 1000.0f, 1000.0f);
+    const osg::ref_ptr<LightProbe> probe = createProbe(image);
+    const osg::Image& map = *probe->getReflectionMap(1);
+    const double alphaSquared = std::pow(0.2, 4.0);
+    const auto lobeAt = [&](int columns)
+    {
+        const osg::Vec3d lamp = latitudeLongitudeDirection(64, 32, 128, 64);
+        const double cosine = lamp * latitudeLongitudeDirection(64 + columns, 32, 128, 64);
+        const double denominator = 0.5 * (1.0 + cosine) * (alphaSquared - 1.0) + 1.0;
+        return cosine / (denominator * denominator);
+    };
+    for (const int columns : {1, 2, 4, 8})
+        EXPECT_NEAR(pixelOf(map, 64 + columns, 32).x() / pixelOf(map, 64, 32).x(), lobeAt(columns) / lobeAt(0), 1e-3);
+}
+
+TEST(LightProbe, PixelsThatAreNoLightAreMended)
+{
+    const float bad[]{std::numeric_limits<float>::quiet_NaN(), -5.0f, -std::numeric_limits<float>::infinity()};
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(64, constant(1.0));
+    const osg::ref_ptr<osg::Image> mended = createLatitudeLongitude(64, constant(1.0));
+    for (unsigned int index = 0; index < 3; ++index)
+    {
+        reinterpret_cast<osg::Vec3f*>(image->data(10 + index, 20))->x() = bad[index];
+        reinterpret_cast<osg::Vec3f*>(mended->data(10 + index, 20))->x() = 0.0f;
+    }
+    reinterpret_cast<osg::Vec3f*>(image->data(30, 10))->y() = std::numeric_limits<float>::infinity();
+    reinterpret_cast<osg::Vec3f*>(mended->data(30, 10))->y() = 65504.0f;
+
+    osg::ref_ptr<LightProbe> probe;
+    const std::string notices = noticesOf([&] { probe = createProbe(image); });
+    EXPECT_NE(notices.find("3 pixels are negative or not numbers"), std::string::npos) << notices;
+    EXPECT_NE(notices.find("1 are infinite"), std::string::npos) << notices;
+    EXPECT_EQ(probe->getCoefficients(), createProbe(mended)->getCoefficients());
+    EXPECT_GT(probe->getIrradiance({1.0, 0.0, 0.0}).x(), 0.0);
+}
+
+TEST(LightProbe, APictureWithoutLightIsRefused)
+{
+    const std::string expected = "not one pixel is finite and above 0";
+    for (const float value :
+         {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        EXPECT_NE(errorOf(createLatitudeLongitude(8, constant(value))).find(expected), std::string::npos) << value;
+}
+
+TEST(LightProbe, PicturesOfOtherKindsAreRefused)
+{
+    EXPECT_NE(errorOf(new osg::Image).find("no pixels"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(300, 100)).find("300 x 100 pixels; allowed: twice as wide"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(3, 1)).find("allowed"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(1, 2)).find("allowed"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4), LightProbe::ANGULAR).find("allowed: square"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4, GL_LUMINANCE_ALPHA)).find("2 channels"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4, GL_RG)).find("2 channels"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4, GL_DEPTH_COMPONENT)).find("allowed: grey"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4, GL_RGB, GL_INT)).find("allowed: floats"), std::string::npos);
+    EXPECT_NE(errorOf(createEmptyImage(8, 4, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_UNSIGNED_BYTE)).find("allowed"),
+              std::string::npos);
+    const osg::ref_ptr<osg::Image> volume = new osg::Image;
+    volume->allocateImage(8, 4, 2, GL_RGB, GL_FLOAT);
+    EXPECT_NE(errorOf(volume).find("2 layers"), std::string::npos);
+}
+
+TEST(LightProbe, EveryKindOfPixelIsRead)
+{
+    for (const GLenum format : std::initializer_list<GLenum>{GL_LUMINANCE, GL_RED, GL_RGB, GL_RGBA, GL_BGR, GL_BGRA})
+        for (const GLenum type : std::initializer_list<GLenum>{GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT})
+        {
+            // Rows of 6 pixels have bytes of padding behind them.
+            const osg::ref_ptr<osg::Image> image = new osg::Image;
+            image->allocateImage(6, 3, 1, format, type, 8);
+            const unsigned int channels = osg::Image::computeNumComponents(format);
+            for (unsigned int row = 0; row < 3; ++row)
+                for (unsigned int index = 0; index < 6 * channels; ++index)
+                {
+                    // The first channel is half of the second and third, as displays have it, the fourth nothing.
+                    const double value = index % channels == 0 ? 0.5 : (index % channels == 3 ? 0.0 : 1.0);
+                    unsigned char* data = image->data(0, row);
+                    if (type == GL_UNSIGNED_BYTE) data[index] = static_cast<unsigned char>(255.0 * value + 0.5);
+                    const auto word = static_cast<unsigned short>(65535.0 * value + 0.5);
+                    if (type == GL_UNSIGNED_SHORT) std::memcpy(data + 2 * index, &word, 2);
+                    const auto number = static_cast<float>(value);
+                    if (type == GL_FLOAT) std::memcpy(data + 4 * index, &number, 4);
+                }
+            const double half = type == GL_FLOAT ? 0.5 : (type == GL_UNSIGNED_BYTE ? 0.21586 : 0.21404);
+            osg::Vec3d expected(half, 1.0, 1.0);
+            if (channels == 1) expected = grey(half);
+            if (format == GL_BGR || format == GL_BGRA) expected.set(1.0, 1.0, half);
+            expectNear(createProbe(image)->getIrradiance({0.0, 1.0, 0.0}), expected, 1e-3);
+        }
+}
+
+TEST(LightProbe, TinyPicturesAreEnough)
+{
+    const osg::ref_ptr<osg::Image> halves = createEmptyImage(2, 1);
+    reinterpret_cast<osg::Vec3f*>(halves->data(1, 0))->set(1.0f, 1.0f, 1.0f); // +X
+    const osg::ref_ptr<LightProbe> right = createProbe(halves);
+    EXPECT_NEAR(right->getIrradiance({1.0, 0.0, 0.0}).x(), 1.0, 0.02);
+    EXPECT_NEAR(right->getIrradiance({0.0, 0.0, 1.0}).x(), 0.5, 0.02);
+    EXPECT_NEAR(right->getIrradiance({-1.0, 0.0, 0.0}).x(), 0.0, 0.02);
+
+    const osg::ref_ptr<osg::Image> stacked = createEmptyImage(1, 2);
+    reinterpret_cast<osg::Vec3f*>(stacked->data(0, 1))->set(1.0f, 1.0f, 1.0f); // +Z
+    EXPECT_NEAR(createProbe(stacked, LightProbe::LATITUDE_LONGITUDE)->getIrradiance({0.0, 0.0, 1.0}).x(), 1.0, 0.02);
+
+    const osg::ref_ptr<osg::Image> one = createEmptyImage(1, 1);
+    reinterpret_cast<osg::Vec3f*>(one->data())->set(1.0f, 1.0f, 1.0f);
+    expectNear(createProbe(one)->getIrradiance({0.0, 1.0, 0.0}), grey(1.0), 2e-3);
+}
+
+TEST(LightProbe, TheSkyIsSoftAndBright)
+{
+    const osg::ref_ptr<LightProbe> probe = new LightProbe;
+    const osg::Vec3d up = probe->getIrradiance({0.0, 0.0, 1.0});
+    const osg::Vec3d down = probe->getIrradiance({0.0, 0.0, -1.0});
+    osg::Vec3d sides;
+    for (const osg::Vec3d& side :
+         {osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0), osg::Vec3d(0, 1, 0), osg::Vec3d(0, -1, 0)})
+        sides += probe->getIrradiance(side) * 0.25;
+    expectNear(up, grey(0.75), 0.06, "up");
+    expectNear(sides, grey(0.45), 0.04, "sides");
+    expectNear(down, grey(0.22), 0.03, "down");
+    EXPECT_GT(up.z(), up.x());
+    EXPECT_GT(down.x(), down.z());
+
+    double brightest = 0.0;
+    for (int row = 0; row < 128; ++row)
+        for (int column = 0; column < 256; ++column)
+            brightest = std::max(brightest, pixelOf(*probe->getReflectionMap(0), column, row).y());
+    EXPECT_GT(brightest, 3.0 * up.y());
+}
+
+TEST(LightProbe, TheSkyIsMadeOnceForAllThreads)
+{
+    const osg::ref_ptr<LightProbe> probes[]{new LightProbe, new LightProbe};
+    std::vector<osg::Image*> maps(4);
+    std::vector<std::thread> threads;
+    for (std::size_t index = 0; index < maps.size(); ++index)
+        threads.emplace_back([&, index] { maps[index] = probes[index % 2]->getConvolvedMap(); });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (osg::Image* map : maps)
+        EXPECT_EQ(map, maps.front());
+}
+
+TEST(LightProbe, NoImageBringsTheSkyBack)
+{
+    const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(8, constant(1.0)));
+    std::string error;
+    EXPECT_TRUE(probe->setImage(nullptr, LightProbe::AUTO, error));
+    EXPECT_EQ(probe->getImage(), nullptr);
+    const osg::ref_ptr<LightProbe> sky = new LightProbe;
+    EXPECT_EQ(probe->getConvolvedMap(), sky->getConvolvedMap());
+}
+
+TEST(LightProbe, AFailureChangesNothing)
+{
+    const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(8, constant(1.0));
+    const osg::ref_ptr<LightProbe> probe = createProbe(image);
+    osg::Image* map = probe->getConvolvedMap();
+    std::string error;
+    EXPECT_FALSE(probe->setImage(createEmptyImage(9, 3), LightProbe::AUTO, error));
+    EXPECT_EQ(probe->getImage(), image);
+    EXPECT_EQ(probe->getConvolvedMap(), map);
+}
+
+TEST(LightProbe, CopiesShareWhatFollowsFromThePicture)
+{
+    const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(8, constant(1.0)));
+    probe->setIntensity(2.0);
+    probe->setRotation(osg::Quat(0.5, osg::Vec3d(1.0, 0.0, 0.0)));
+    probe->setName("park");
+    const osg::ref_ptr<LightProbe> shallow = osg::clone(probe.get(), osg::CopyOp::SHALLOW_COPY);
+    const osg::ref_ptr<LightProbe> deep = osg::clone(probe.get(), osg::CopyOp::DEEP_COPY_ALL);
+    EXPECT_EQ(shallow->getImage(), probe->getImage());
+    EXPECT_NE(deep->getImage(), probe->getImage());
+    for (const auto& copy : {shallow, deep})
+    {
+        EXPECT_EQ(copy->getConvolvedMap(), probe->getConvolvedMap());
+        EXPECT_EQ(copy->getIntensity(), 2.0);
+        EXPECT_EQ(copy->getRotation(), probe->getRotation());
+        EXPECT_EQ(copy->getName(), "park");
+    }
+    std::string error;
+    EXPECT_TRUE(shallow->setImage(nullptr, LightProbe::AUTO, error));
+    EXPECT_NE(shallow->getConvolvedMap(), probe->getConvolvedMap());
+}
+
+} // namespace
+
+} // namespace osgLego
