@@ -1,7 +1,5 @@
 #pragma once
 
-#include <osgLego/Export.h>
-
 #include <osg/Vec2d>
 #include <osg/Vec3d>
 
@@ -16,13 +14,13 @@ namespace LatitudeLongitude
 {
 
 /** The unit vector that a place in the picture stands for. */
-OSGLEGO_EXPORT osg::Vec3d directionAt(double u, double v);
+osg::Vec3d directionAt(double u, double v);
 
 /** The place of a unit vector, both coordinates from 0 to 1. */
-OSGLEGO_EXPORT osg::Vec2d coordinatesOf(const osg::Vec3d& direction);
+osg::Vec2d coordinatesOf(const osg::Vec3d& direction);
 
 /** The solid angle, in steradians, of each pixel in a row of a picture of that size; exact. */
-OSGLEGO_EXPORT double solidAngleOf(int row, int width, int height);
+double solidAngleOf(int row, int width, int height);
 
 } // namespace LatitudeLongitude
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <osgLego/Export.h>
-
 #include <array>
 
 #include <osg/Vec3d>
@@ -21,11 +19,11 @@ constexpr int COUNT = 9;
 using Coefficients = std::array<osg::Vec3d, COUNT>;
 
 /** The value of each harmonic in the direction of a unit vector. */
-OSGLEGO_EXPORT std::array<double, COUNT> evaluate(const osg::Vec3d& direction);
+std::array<double, COUNT> evaluate(const osg::Vec3d& direction);
 
 /** The irradiance over pi upon a surface with that unit normal, red, green and blue, from the coefficients of the
  * radiance. Below 0 where the light has more contrast than nine harmonics can tell. */
-OSGLEGO_EXPORT osg::Vec3d irradiance(const Coefficients& radiance, const osg::Vec3d& normal);
+osg::Vec3d irradiance(const Coefficients& radiance, const osg::Vec3d& normal);
 
 } // namespace SphericalHarmonics
 

@@ -9,7 +9,9 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
@@ -19,8 +21,6 @@ namespace osgLego::test
 
 namespace
 {
-
-constexpr int NORMALS = 100;
 
 osg::Vec3d warmSky(const osg::Vec3d& direction)
 {
@@ -70,11 +70,8 @@ TEST_F(LightProbeRead, ReadsExrAndHdr)
         ASSERT_TRUE(probe) << error;
         const osg::ref_ptr<LightProbe> expected = new LightProbe;
         ASSERT_TRUE(expected->setImage(createLatitudeLongitude(64, warmSky), LightProbe::AUTO, error)) << error;
-        for (int index = 0; index < NORMALS; ++index)
-        {
-            const osg::Vec3d normal = spreadDirection(index, NORMALS);
+        for (const osg::Vec3d& normal : createNormals())
             EXPECT_LT((probe->getIrradiance(normal) - expected->getIrradiance(normal)).length(), tolerance) << name;
-        }
     }
 }
 
@@ -140,20 +137,22 @@ TEST_P(PhotographedProbe, IrradianceIsThatOfTheSumOverAllPixels)
     ASSERT_TRUE(probe) << error;
     const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(fileName + ".oiio");
     ASSERT_TRUE(image);
-    osg::Vec3d mean;
-    for (std::size_t index = 0; index < NORMALS; ++index)
-        mean += sumIrradiance(*image, spreadDirection(static_cast<int>(index), NORMALS)) / NORMALS;
+    const std::vector<osg::Vec3d> normals = createNormals();
+    const std::vector<osg::Vec3d> sums = sumIrradiance(*image, normals);
+    osg::Vec3d sum;
     osg::Vec3d squares;
-    for (int index = 0; index < NORMALS; ++index)
+    for (std::size_t index = 0; index < normals.size(); ++index)
     {
-        const osg::Vec3d normal = spreadDirection(index, NORMALS);
-        const osg::Vec3d irradiance = probe->getIrradiance(normal);
-        const osg::Vec3d difference = irradiance - sumIrradiance(*image, normal);
-        squares += osg::componentMultiply(difference, difference) / NORMALS;
+        const osg::Vec3d irradiance = probe->getIrradiance(normals[index]);
+        const osg::Vec3d difference = irradiance - sums[index];
+        sum += sums[index];
+        squares += osg::componentMultiply(difference, difference);
         EXPECT_GE(std::min({irradiance.x(), irradiance.y(), irradiance.z()}), 0.0);
     }
+    // The root mean square, over the mean.
+    const auto count = static_cast<double>(normals.size());
     for (unsigned int channel = 0; channel < 3; ++channel)
-        EXPECT_LT(std::sqrt(squares[channel]), 0.02 * mean[channel]) << "channel " << channel;
+        EXPECT_LT(std::sqrt(squares[channel] / count), 0.02 * sum[channel] / count) << "channel " << channel;
 }
 
 INSTANTIATE_TEST_SUITE_P(LightProbeRead, PhotographedProbe, ::testing::Values("probe.exr", "probe-indoor.exr"));

@@ -84,27 +84,34 @@ osg::Vec3d meanOf(const osg::Image& image)
     return sum / (4.0 * PI);
 }
 
-osg::Vec3d sumIrradiance(const osg::Image& image, const osg::Vec3d& normal)
+std::vector<osg::Vec3d> sumIrradiance(const osg::Image& image, const std::vector<osg::Vec3d>& normals)
 {
-    osg::Vec3d sum;
+    std::vector<osg::Vec3d> sums(normals.size());
     for (int row = 0; row < image.t(); ++row)
         for (int column = 0; column < image.s(); ++column)
         {
-            const double cosine = latitudeLongitudeDirection(column, row, image.s(), image.t()) * normal;
-            const osg::Vec3d color = pixelOf(image, column, row);
-            const double weight = std::max(cosine, 0.0) * solidAngleOf(row, image.s(), image.t());
+            const osg::Vec3d direction = latitudeLongitudeDirection(column, row, image.s(), image.t());
+            osg::Vec3d light = pixelOf(image, column, row) * (solidAngleOf(row, image.s(), image.t()) / PI);
             for (unsigned int channel = 0; channel < 3; ++channel)
-                sum[channel] += weight * std::max(color[channel], 0.0);
+                light[channel] = std::max(light[channel], 0.0);
+            for (std::size_t index = 0; index < normals.size(); ++index)
+                sums[index] += light * std::max(direction * normals[index], 0.0);
         }
-    return sum / PI;
+    return sums;
 }
 
-osg::Vec3d spreadDirection(int index, int count)
+std::vector<osg::Vec3d> createNormals()
 {
-    const double height = 1.0 - (2.0 * index + 1.0) / count;
-    const double azimuth = index * PI * (3.0 - std::sqrt(5.0));
-    const double radius = std::sqrt(1.0 - height * height);
-    return {radius * std::cos(azimuth), radius * std::sin(azimuth), height};
+    constexpr int COUNT = 100;
+    std::vector<osg::Vec3d> normals;
+    for (int index = 0; index < COUNT; ++index)
+    {
+        const double height = 1.0 - (2.0 * index + 1.0) / COUNT;
+        const double azimuth = index * PI * (3.0 - std::sqrt(5.0)); // the golden angle
+        const double radius = std::sqrt(1.0 - height * height);
+        normals.emplace_back(radius * std::cos(azimuth), radius * std::sin(azimuth), height);
+    }
+    return normals;
 }
 
 } // namespace osgLego::test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <osg/Image>
 #include <osg/Vec3d>
@@ -25,10 +26,11 @@ osg::Vec3d pixelOf(const osg::Image& image, int column, int row);
 /** The mean over the sphere of a picture by latitude and longitude. */
 osg::Vec3d meanOf(const osg::Image& image);
 
-/** The irradiance over pi from a picture by latitude and longitude: the sum over its pixels, those below 0 left out. */
-osg::Vec3d sumIrradiance(const osg::Image& image, const osg::Vec3d& normal);
+/** The irradiance over pi for each normal, from a picture by latitude and longitude: the sum over its pixels, those
+ * below 0 left out. */
+std::vector<osg::Vec3d> sumIrradiance(const osg::Image& image, const std::vector<osg::Vec3d>& normals);
 
-/** Unit vectors spread evenly over the sphere. */
-osg::Vec3d spreadDirection(int index, int count);
+/** A hundred unit vectors, spread evenly over the sphere. */
+std::vector<osg::Vec3d> createNormals();
 
 } // namespace osgLego::test
