@@ -10,8 +10,9 @@ namespace osgLego
 /** Draws the bricks of a context, each a point that a geometry shader makes faces and a stud of (the paper, section
  * III-C, Algorithm 5).
  *
- * Lit by the scene's lights, by Phong's model; with GL_LIGHTING off, colours show as they are. Draws nothing in a
- * context in which no bricks are made yet. Not an osg::Geometry, since the optimizer merges those.
+ * Tells the program of BrickNodes, under which it is drawn, of the scene's lights and fog; with GL_LIGHTING off,
+ * colours show as they are. Draws nothing in a context in which no bricks are made yet. Not an osg::Geometry, since the
+ * optimizer merges those.
  */
 class BrickDrawable : public osg::Drawable
 {

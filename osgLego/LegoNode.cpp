@@ -42,6 +42,8 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
 {
     setTiming(node.getTiming());
     setReadBack(node.getReadBack());
+    setAppearance(node.getAppearance());
+    setLightProbe(node.getLightProbe());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
@@ -62,6 +64,32 @@ bool LegoNode::setSettings(const LegoSettings& settings)
 LegoSettings LegoNode::getSettings() const
 {
     return _pipeline->getSettings();
+}
+
+bool LegoNode::setAppearance(const BrickAppearance& appearance)
+{
+    if (const std::string error = appearance.check(); !error.empty())
+    {
+        OSG_WARN << "osgLego: " << error << std::endl;
+        return false;
+    }
+    _pipeline->setAppearance(appearance);
+    return true;
+}
+
+BrickAppearance LegoNode::getAppearance() const
+{
+    return _pipeline->getAppearance();
+}
+
+void LegoNode::setLightProbe(const LightProbe* probe)
+{
+    _pipeline->setLightProbe(probe ? *probe : *osg::ref_ptr<LightProbe>(new LightProbe));
+}
+
+osg::ref_ptr<const LightProbe> LegoNode::getLightProbe() const
+{
+    return _pipeline->getLightProbe();
 }
 
 void LegoNode::dirty()
@@ -168,7 +196,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
         // What will be drawn is compiled, and nothing else.
         const osg::State* state = compiler->getRenderInfo().getState();
         if (!state || _pipeline->isFit(*state))
-            _pipeline->getBrickNode().accept(visitor);
+            _pipeline->getBrickNode()->accept(visitor);
         else
             osg::Group::traverse(visitor);
         return;
@@ -176,7 +204,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     else if (!isGeometryWriter(visitor))
     {
         if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
-        _pipeline->getBrickNode().accept(visitor);
+        _pipeline->getBrickNode()->accept(visitor);
         return;
     }
 
@@ -199,7 +227,7 @@ osg::BoundingSphere LegoNode::computeBound() const
 void LegoNode::setThreadSafeRefUnref(bool threadSafe)
 {
     osg::Group::setThreadSafeRefUnref(threadSafe);
-    _pipeline->getBrickNode().setThreadSafeRefUnref(threadSafe);
+    _pipeline->getBrickNode()->setThreadSafeRefUnref(threadSafe);
 }
 
 void LegoNode::resizeGLObjectBuffers(unsigned int maxSize)

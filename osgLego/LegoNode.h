@@ -1,9 +1,11 @@
 #pragma once
 
+#include <osgLego/BrickAppearance.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/Export.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LegoStatistics.h>
+#include <osgLego/LightProbe.h>
 
 #include <string>
 
@@ -57,10 +59,20 @@ public:
     LegoNode(const LegoNode& node, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgLego, LegoNode)
 
-    /** Change the settings; the bricks are made anew in the next frame.
+    /** Change the settings; the bricks are made anew in the next frame, unless only the look is another.
      * @return false, with a warning and no change, when LegoSettings::check refuses them. */
     bool setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
+
+    /** Change how the bricks are made to look like bricks in the full look; nothing is legolized anew.
+     * @return false, with a warning and no change, when BrickAppearance::check refuses it. */
+    bool setAppearance(const BrickAppearance& appearance);
+    BrickAppearance getAppearance() const;
+
+    /** Change the light from all around in the full look; null: the built-in sky. Under an AmbientOcclusionScene the
+     * probe of that counts instead. The probe is looked at here: set it again after changing it. */
+    void setLightProbe(const LightProbe* probe);
+    osg::ref_ptr<const LightProbe> getLightProbe() const;
 
     /** Make the bricks anew in the next frame, whether or not a change of the source can be seen. */
     void dirty();

@@ -1,7 +1,9 @@
 #include <osgLego/LegoPipeline.h>
 
 #include <osgLego/BrickGeometry.h>
+#include <osgLego/GeometryBufferStage.h>
 #include <osgLego/GlRequirements.h>
+#include <osgLego/ProgramUniforms.h>
 
 #include <algorithm>
 #include <utility>
@@ -28,23 +30,61 @@ std::uint64_t makeRevision()
 } // namespace
 
 LegoPipeline::LegoPipeline(const LegoSettings& settings) :
-    _settings(settings), _store(new BrickStore), _brickNode(new osg::Geode)
+    _settings(settings), _store(new BrickStore), _drawable(new BrickDrawable(*_store)), _lightProbe(new LightProbe)
 {
-    _brickNode->addDrawable(new BrickDrawable(*_store));
+}
+
+osg::ref_ptr<const BrickNodes> LegoPipeline::getNodes() const
+{
+    const std::lock_guard lock(_mutex);
+    if (!_nodes)
+    {
+        _nodes = new BrickNodes(*_drawable, _settings.look, _appearance, *_lightProbe);
+        _nodes->getBound();
+    }
+    return _nodes;
 }
 
 void LegoPipeline::setSettings(const LegoSettings& settings)
 {
     const std::lock_guard lock(_mutex);
-    if (settings == _settings) return;
+    if (!settings.givesSameBricks(_settings)) _isDirty = true;
+    const bool looksOtherwise = settings.look != _settings.look;
     _settings = settings;
-    _isDirty = true;
+    if (looksOtherwise) _nodes = nullptr;
 }
 
 LegoSettings LegoPipeline::getSettings() const
 {
     const std::lock_guard lock(_mutex);
     return _settings;
+}
+
+void LegoPipeline::setAppearance(const BrickAppearance& appearance)
+{
+    const std::lock_guard lock(_mutex);
+    if (appearance == _appearance) return;
+    _appearance = appearance;
+    _nodes = nullptr;
+}
+
+BrickAppearance LegoPipeline::getAppearance() const
+{
+    const std::lock_guard lock(_mutex);
+    return _appearance;
+}
+
+void LegoPipeline::setLightProbe(const LightProbe& probe)
+{
+    const std::lock_guard lock(_mutex);
+    _lightProbe = &probe;
+    _nodes = nullptr;
+}
+
+osg::ref_ptr<const LightProbe> LegoPipeline::getLightProbe() const
+{
+    const std::lock_guard lock(_mutex);
+    return _lightProbe;
 }
 
 void LegoPipeline::setTiming(bool timing)
@@ -96,8 +136,8 @@ void LegoPipeline::refresh(const osg::Node& source)
         lego->readBack = _readBack;
     }
     _store->setSource(lego.get());
-    _brickNode->getDrawable(0)->dirtyBound();
-    _brickNode->getBound(); // here, or several cull threads would compute it at once
+    _drawable->dirtyBound();
+    if (_nodes) _nodes->getBound(); // here, or several cull threads would compute it at once
     _signature = std::move(signature);
     _isBoundDirty = true;
 }
@@ -121,8 +161,32 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     if (isHopeless(state, *bricks, *source)) return false;
     if (!bricks->isOf(*source)) cullPasses(visitor, *source);
-    _brickNode->accept(visitor);
+    cullBricks(visitor, *source);
     return true;
+}
+
+void LegoPipeline::cullBricks(osgUtil::CullVisitor& visitor, const LegoSource& source)
+{
+    const osg::ref_ptr<const BrickNodes> nodes = getNodes();
+    if (auto* stage = dynamic_cast<GeometryBufferStage*>(visitor.getCurrentRenderBin()->getStage()))
+    {
+        stage->noteBricks(source.triangles->getGrid().getPitch(), *visitor.getModelViewMatrix());
+        nodes->getBufferNode().accept(visitor);
+        return;
+    }
+    visitor.pushStateSet(getViewState(visitor));
+    nodes->getFrameNode().accept(visitor);
+    visitor.popStateSet();
+}
+
+/** What only this visit knows of the view: where the probe's light comes from, in the eye's coordinates. */
+osg::ref_ptr<osg::StateSet> LegoPipeline::getViewState(osgUtil::CullVisitor& visitor)
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<osg::StateSet>& state = _viewStates.find(visitor);
+    if (!state) state = new osg::StateSet;
+    state->getOrCreateUniform("eyeToWorld", osg::Uniform::FLOAT_MAT3)->set(toUniform(computeEyeToWorld(visitor)));
+    return state;
 }
 
 bool LegoPipeline::isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
@@ -190,14 +254,16 @@ osg::BoundingBoxd LegoPipeline::getBounds() const
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
     const std::lock_guard lock(_mutex);
-    _brickNode->resizeGLObjectBuffers(maxSize);
+    _drawable->resizeGLObjectBuffers(maxSize);
+    if (_nodes) _nodes->resizeGLObjectBuffers(maxSize);
     if (_passes) _passes->resizeGLObjectBuffers(maxSize);
 }
 
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
-    _brickNode->releaseGLObjects(state);
+    _drawable->releaseGLObjects(state);
+    if (_nodes) _nodes->releaseGLObjects(state);
     _store->releaseGLObjects(state);
     if (_passes) _passes->releaseGLObjects(state);
     _lastCulls.clear();

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <osgLego/BrickDrawable.h>
 #include <osgLego/BrickModel.h>
+#include <osgLego/BrickNodes.h>
 #include <osgLego/BrickStore.h>
 #include <osgLego/LegolizationPasses.h>
+#include <osgLego/PerVisit.h>
 #include <osgLego/SourceSignature.h>
 #include <osgLego/SurfaceTextureCache.h>
 
@@ -32,6 +33,10 @@ public:
 
     void setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
+    void setAppearance(const BrickAppearance& appearance);
+    BrickAppearance getAppearance() const;
+    void setLightProbe(const LightProbe& probe);
+    osg::ref_ptr<const LightProbe> getLightProbe() const;
     void setTiming(bool timing);
     bool getTiming() const;
     void setReadBack(bool readBack);
@@ -60,8 +65,8 @@ public:
     /** Find out whether a context, which is current, has what the passes need. */
     bool isFit(const osg::State& state) const;
 
-    /** The node that stands for the bricks: drawn by cull(), picked, bounded. */
-    osg::Geode& getBrickNode() const { return *_brickNode; }
+    /** The node that stands for the bricks: drawn, picked, bounded. */
+    osg::ref_ptr<osg::Geode> getBrickNode() const { return &getNodes()->getFrameNode(); }
     /** The bricks as osg::Geometry, made when first asked for; null when there are none. */
     osg::ref_ptr<osg::Node> getGeometryNode();
 
@@ -82,9 +87,13 @@ private:
 
     ~LegoPipeline() override = default;
 
+    osg::ref_ptr<const BrickNodes> getNodes() const;
+
     bool isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source);
 
     bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
+    osg::ref_ptr<osg::StateSet> getViewState(osgUtil::CullVisitor& visitor);
+    void cullBricks(osgUtil::CullVisitor& visitor, const LegoSource& source);
     void cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source);
 
     mutable std::mutex _mutex;
@@ -97,7 +106,11 @@ private:
     SurfaceTextureCache _textures;
 
     osg::ref_ptr<BrickStore> _store;
-    osg::ref_ptr<osg::Geode> _brickNode;
+    osg::ref_ptr<BrickDrawable> _drawable;
+    BrickAppearance _appearance;
+    osg::ref_ptr<const LightProbe> _lightProbe;
+    PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;
+    mutable osg::ref_ptr<const BrickNodes> _nodes; // made when first asked for
     osg::ref_ptr<LegolizationPasses> _passes;
     unsigned int _idleFrames = 0;
     unsigned int _lastUpdate = 0;

@@ -37,7 +37,15 @@ enum class VoxelizationTarget
     ADDRESSED  //!< one cell of the grid (the paper's future work)
 };
 
-/** Everything that decides which bricks stand for a mesh, and the one text form of it.
+/** How bricks are drawn. */
+enum class Look
+{
+    PLAIN, //!< smooth bricks by Phong's model, in the light of the scene's lights alone
+    FULL   //!< plastic with joints and relief (BrickAppearance), in the light of a probe besides (LightProbe)
+};
+
+/** Everything that decides which bricks stand for a mesh, and whether they look like bricks; and the one text form of
+ * it.
  *
  * A plain value: copy it, change members, hand it to LegoNode::setSettings or legolizeOnCpu, which check it.
  *
@@ -56,6 +64,7 @@ enum class VoxelizationTarget
  * | target      | projected, addressed (exact: addressed)    | projected (points), addressed (exact) |
  * | fbo         | 16 to 8192, the side of a projected target | 1024                                |
  * | edge        | 0.0625 to 4                                | 1 (points), 2 (exact)               |
+ * | look        | plain, full                                | full                                |
  *
  * Usage:
  *
@@ -84,6 +93,8 @@ struct OSGLEGO_EXPORT LegoSettings
     unsigned int fboSize = 1024;
     /** The longest edge that subdivision leaves, in cells; unset: what getEdgeLimit() answers. */
     std::optional<double> edgeLimit;
+    /** The only one of these that has no part in which bricks there are. */
+    Look look = Look::FULL;
 
     /** The target in force: `target`, or the method's own (points: projected, exact: addressed). */
     VoxelizationTarget getTarget() const;
@@ -104,6 +115,9 @@ struct OSGLEGO_EXPORT LegoSettings
 
     /** The shortest text that parse() turns into these values, beginning with the resolution. */
     std::string toString() const;
+
+    /** Whether the same mesh gives the same bricks: equal in everything but the look. */
+    bool givesSameBricks(const LegoSettings& other) const;
 
     bool operator==(const LegoSettings&) const = default;
 };

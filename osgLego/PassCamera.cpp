@@ -10,11 +10,28 @@
 namespace osgLego
 {
 
+namespace
+{
+
+constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+} // namespace
+
 PassCamera::PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, const osg::Vec4& clearColor) :
+    PassCamera(drawable, std::vector<osg::ref_ptr<osg::Texture2D>>{&target}, clearColor)
+{
+}
+
+PassCamera::PassCamera(const osg::Drawable& drawable, const std::vector<osg::ref_ptr<osg::Texture2D>>& targets,
+                       const osg::Vec4& clearColor) :
     _drawable(drawable)
 {
-    attach(COLOR_BUFFER, &target);
-    setUp({target.getTextureWidth(), target.getTextureHeight()});
+    if (targets.size() == 1)
+        attach(COLOR_BUFFER, targets.front());
+    else
+        for (std::size_t index = 0; index < targets.size(); ++index)
+            attach(static_cast<BufferComponent>(COLOR_BUFFER0 + index), targets[index]);
+    setUp({targets.front()->getTextureWidth(), targets.front()->getTextureHeight()});
     setClearColor(clearColor);
     setClearMask(GL_COLOR_BUFFER_BIT);
 }
@@ -72,18 +89,22 @@ bool PassCamera::isTargetThere(const osg::State& state)
 
 osg::ref_ptr<osg::StateSet> PassCamera::createStateSet(osg::Program& program)
 {
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
     stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OURS);
-    stateSet->setAttribute(new osg::Point(1.0f), OURS);
-    stateSet->setAttribute(new osg::ColorMask, OURS);
-    stateSet->setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OURS);
+    applyInitialState(*stateSet);
+    return stateSet;
+}
+
+void PassCamera::applyInitialState(osg::StateSet& stateSet)
+{
+    stateSet.setAttribute(new osg::Point(1.0f), OURS);
+    stateSet.setAttribute(new osg::ColorMask, OURS);
+    stateSet.setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OURS);
     for (const auto mode :
          {GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP, GL_POINT_SMOOTH,
           GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_DITHER, GL_FOG,
           GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
-        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OURS);
-    return stateSet;
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OURS);
 }
 
 } // namespace osgLego

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <glm/vec2.hpp>
 #include <osg/Camera>
 #include <osg/Drawable>
@@ -21,6 +23,9 @@ class PassCamera : public osg::Camera
 public:
     /** Draw into a texture, cleared before to `clearColor`. */
     PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, const osg::Vec4& clearColor);
+    /** Draw into several textures of one size, gl_FragData[0] into the first and so on. */
+    PassCamera(const osg::Drawable& drawable, const std::vector<osg::ref_ptr<osg::Texture2D>>& targets,
+               const osg::Vec4& clearColor);
     /** Draw nothing: for transform feedback, which needs a complete frame buffer all the same. */
     explicit PassCamera(const osg::Drawable& drawable);
 
@@ -35,6 +40,8 @@ public:
 
     /** The state of a pass: its program, and everything else as GL starts with, whatever the scene around sets. */
     static osg::ref_ptr<osg::StateSet> createStateSet(osg::Program& program);
+    /** All of that but the program. */
+    static void applyInitialState(osg::StateSet& stateSet);
 
 private:
     ~PassCamera() override = default;

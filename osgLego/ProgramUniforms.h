@@ -2,12 +2,17 @@
 
 #include <osgLego/SlabPlan.h>
 
+#include <algorithm>
 #include <bit>
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <osg/GLExtensions>
+#include <osg/Matrixd>
 #include <osg/Program>
 #include <osg/State>
 #include <osg/Uniform>
@@ -35,7 +40,13 @@ public:
         _extensions.glUniform1iv(find(name), count, values);
     }
     void set(const char* name, const glm::ivec2& value) const { _extensions.glUniform2iv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::vec2& value) const { _extensions.glUniform2fv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::vec3& value) const { _extensions.glUniform3fv(find(name), 1, &value.x); }
     void set(const char* name, const glm::ivec3& value) const { _extensions.glUniform3iv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::mat3& value) const
+    {
+        _extensions.glUniformMatrix3fv(find(name), 1, GL_FALSE, &value[0].x);
+    }
     void set(const char* name, const glm::mat4& value) const
     {
         _extensions.glUniformMatrix4fv(find(name), 1, GL_FALSE, &value[0].x);
@@ -47,6 +58,28 @@ private:
     const osg::GLExtensions& _extensions;
     const osg::Program::PerContextProgram& _program;
 };
+
+/** A matrix of OSG's, which multiplies rows, as GLSL's, which multiplies columns. */
+inline glm::mat4 toGlsl(const osg::Matrixd& matrix)
+{
+    return glm::mat4(glm::make_mat4(matrix.ptr()));
+}
+
+/** The rotation, without scale, of a transform that has no other skew. */
+inline glm::mat3 rotationOf(const osg::Matrixd& matrix)
+{
+    const glm::mat3 linear(toGlsl(matrix));
+    return {glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2])};
+}
+
+/** That as the value of a uniform. */
+inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
+{
+    const glm::mat3 rotation = rotationOf(matrix);
+    osg::Matrix3 result;
+    std::copy_n(&rotation[0].x, 9, result.ptr());
+    return result;
+}
 
 /** Set what shaders/addressing.glsl needs to find the cells of a slab in a voxel image. */
 inline void setAddressing(const ProgramUniforms& uniforms, const BrickGrid& grid, const Slab& slab,

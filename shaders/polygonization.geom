@@ -14,6 +14,11 @@ out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and up
 flat out uint color;
+flat out uint detail; // see detailOf()
+
+const uint FACE = 0u;
+const uint STUD_WALL = 1u;
+const uint STUD_DISK = 2u;
 
 const float STUD_RADIUS = 0.3;
 const int STUD_SIDES = 16;
@@ -42,18 +47,28 @@ Place moved(Place place, float distance, Place step)
     return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
 }
 
-void emitVertex(Place place, vec3 normal, vec2 where)
+// What the surface is part of, for its joints and its variation: the part (2 bits), the axis of a face (2), whether it is
+// the upper one (1), which of the four cells beside a face are filled (4), and a number that is the brick's own (16).
+uint detailOf(uint part, int axis, bool upper, uint filled)
+{
+    uint number = brick[0].x * 0x9e3779b1u ^ (brick[0].y & 0xffffu) * 0x85ebca77u;
+    number = (number ^ number >> 15) * 0x2c1b3c6du;
+    return part | uint(axis) << 2 | uint(upper) << 4 | filled << 5 | (number ^ number >> 12) << 16;
+}
+
+void emitVertex(Place place, vec3 normal, vec2 where, uint details)
 {
     eyePosition = place.eye;
     eyeNormal = normal;
     coordinate = where;
     color = brick[0].z;
+    detail = details;
     gl_Position = place.clip;
     gl_ClipVertex = vec4(place.eye, 1.0);
     EmitVertex();
 }
 
-void emitSide(vec3 cell, int axis, bool upper)
+void emitSide(vec3 cell, int axis, bool upper, uint open)
 {
     vec3 normal = vec3(0.0);
     normal[axis] = upper ? 1.0 : -1.0;
@@ -61,16 +76,20 @@ void emitSide(vec3 cell, int axis, bool upper)
     if (upper) corner[axis] += 1.0;
     vec4 u = vec4(0.0);
     vec4 v = vec4(0.0);
-    u[(axis + (upper ? 1 : 2)) % 3] = 1.0;
-    v[(axis + (upper ? 2 : 1)) % 3] = 1.0;
+    int axisU = (axis + (upper ? 1 : 2)) % 3;
+    int axisV = (axis + (upper ? 2 : 1)) % 3;
+    u[axisU] = 1.0;
+    v[axisV] = 1.0;
+    uint details =
+        detailOf(FACE, axis, upper, ~(open >> (2 * axisU)) & 3u | (~(open >> (2 * axisV)) & 3u) << 2);
     Place first = placeOf(vec4(corner, 1.0));
     Place alongU = placeOf(u);
     Place second = moved(first, 1.0, placeOf(v));
     vec3 eyeNormal = gl_NormalMatrix * normal;
-    emitVertex(first, eyeNormal, vec2(0.0, 0.0));
-    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0));
-    emitVertex(second, eyeNormal, vec2(0.0, 1.0));
-    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0));
+    emitVertex(first, eyeNormal, vec2(0.0, 0.0), details);
+    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0), details);
+    emitVertex(second, eyeNormal, vec2(0.0, 1.0), details);
+    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0), details);
     EndPrimitive();
 }
 
@@ -91,6 +110,8 @@ void emitStud(vec3 center, vec3 up)
     vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
     vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
     vec3 normalUp = gl_NormalMatrix * up;
+    uint wall = detailOf(STUD_WALL, upAxis, true, 0u);
+    uint disk = detailOf(STUD_DISK, upAxis, true, 0u);
 
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
@@ -98,8 +119,8 @@ void emitStud(vec3 center, vec3 up)
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
         vec3 normal = direction.x * normalU + direction.y * normalV;
         float around = float(side) / float(STUD_SIDES);
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0));
-        emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0));
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), wall);
+        emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
     }
     EndPrimitive();
 
@@ -108,7 +129,7 @@ void emitStud(vec3 center, vec3 up)
     {
         int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
         vec2 direction = DIRECTIONS[side];
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction);
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk);
     }
     EndPrimitive();
 }
@@ -120,7 +141,7 @@ void main()
     if (gl_InvocationID == 0)
     {
         for (int side = 0; side < 6; ++side)
-            if ((open & (1u << side)) != 0u) emitSide(cell, side / 2, side % 2 == 1);
+            if ((open & (1u << side)) != 0u) emitSide(cell, side / 2, side % 2 == 1, open);
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)
     {

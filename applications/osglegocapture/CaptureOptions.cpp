@@ -53,6 +53,25 @@ std::string readSettings(const std::string& text, CaptureOptions& options)
     return {};
 }
 
+std::string readOcclusion(const std::string& text, CaptureOptions& options)
+{
+    options.hasOcclusion = text != "off";
+    std::string error;
+    if (!options.hasOcclusion || AmbientOcclusionSettings::parse(text, options.occlusion, error)) return {};
+    return "--occlusion: " + error + "; or off";
+}
+
+std::string readNumber(const char* option, const std::string& text, double minimum, const char* allowed, double& number)
+{
+    char rest = 0;
+    double read = 0.0;
+    const bool isRead = std::sscanf(text.c_str(), "%lf%c", &read, &rest) == 1;
+    if (!isRead || !std::isfinite(read) || read < minimum)
+        return std::string("bad value '") + text + "' for " + option + "; allowed: " + allowed;
+    number = read;
+    return {};
+}
+
 /** Turns a function that answers what is wrong into what CLI11 wants. */
 template <typename Reader>
 CLI::callback_t toCallback(const Reader& reader)
@@ -73,6 +92,12 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
   target       projected, addressed                      (points: projected, exact: addressed)
   fbo          16 to 8192, side of a projected target    (1024)
   edge         0.0625 to 4, longest edge left, in cells  (points: 1, exact: 2)
+  look         plain, full                               (full)
+
+OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
+  quality      low, medium, high                         (medium)
+  radius       above 0, in the mesh's units              (2.5 bricks)
+  show         picture, occlusion, bent-normals, irradiance, normals
 
 Exit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be written,
 5 no GL that can make bricks.)";
@@ -94,6 +119,30 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
                    "Degrees around the model, degrees above the horizon, distance in radii (30,25)")
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
+    app.add_flag("--orthographic", options.view.orthographic, "A view without perspective");
+    app.add_option("--near",
+                   toCallback([&](const std::string& text)
+                              { return readNumber("--near", text, 1e-6, "radii above 0", options.view.near); }),
+                   "Cut off what is nearer than so many radii of the model")
+        ->type_name("RADII");
+    app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
+                   "Ambient occlusion, as below, or off (medium)")
+        ->type_name("OCCLUSION");
+    app.add_option("--probe", options.probe.file,
+                   "The light from all around: a latitude-longitude picture, or an angular map, of high dynamic range "
+                   "(a built-in sky)")
+        ->type_name("FILE");
+    app.add_option("--probe-turn",
+                   toCallback([&](const std::string& text)
+                              { return readNumber("--probe-turn", text, -1e6, "degrees", options.probe.turn); }),
+                   "Turn that light around the axis that is up (0)")
+        ->type_name("DEGREES");
+    app.add_option(
+           "--probe-intensity",
+           toCallback([&](const std::string& text)
+                      { return readNumber("--probe-intensity", text, 0.0, "0 or more", options.probe.intensity); }),
+           "Make that light stronger or weaker (1)")
+        ->type_name("FACTOR");
     app.add_flag("--original", options.original, "Draw the mesh as it is");
     app.add_option("--context", options.context, "How to get at GL: auto, egl or osmesa (auto)")
         ->transform(CLI::CheckedTransformer(std::map<std::string, ContextKind>{{"auto", ContextKind::AUTO},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/AmbientOcclusionSettings.h>
 #include <osgLego/LegoSettings.h>
 
 #include <optional>
@@ -22,6 +23,16 @@ struct CaptureView
     double azimuth = 30.0;   //!< degrees; 0 looks at the front, 90 at the right side of it
     double elevation = 25.0; //!< degrees above the horizon, -90 to 90
     double distance = 0.0;   //!< radii of the model's bounding sphere from its middle; 0: as near as it all fits in
+    bool orthographic = false;
+    double near = 0.0; //!< radii before the camera of which nothing is drawn; 0: as it comes
+};
+
+/** The light from all around. */
+struct CaptureProbe
+{
+    std::string file;  //!< empty: the built-in sky
+    double turn = 0.0; //!< degrees around the axis that is up
+    double intensity = 1.0;
 };
 
 /** What the command line of osglegocapture says. */
@@ -33,6 +44,9 @@ struct CaptureOptions
     int width = 1280;
     int height = 720;
     CaptureView view;
+    CaptureProbe probe;
+    bool hasOcclusion = true;
+    AmbientOcclusionSettings occlusion;
     bool original = false;
     ContextKind context = ContextKind::AUTO;
     std::string statistics;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <osg/LightModel>
+#include <osg/LightSource>
 #include <osg/Math>
 #include <osg/Timer>
 #include <osgDB/FileNameUtils>
@@ -26,22 +27,23 @@ constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 
-/** Finds the first LegoNode that a scene shows. */
-class LegoNodeFinder : public osg::NodeVisitor
+/** Finds the first node of a class that a scene shows. */
+template <typename Found>
+class Finder : public osg::NodeVisitor
 {
 public:
-    LegoNodeFinder() : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) {}
+    explicit Finder(osg::Node& scene) : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) { scene.accept(*this); }
 
     void apply(osg::Group& group) override
     {
-        if (!_found) _found = dynamic_cast<LegoNode*>(&group);
+        if (!_found) _found = dynamic_cast<Found*>(&group);
         if (!_found) traverse(group);
     }
 
-    LegoNode* getFound() const { return _found; }
+    Found* getFound() const { return _found; }
 
 private:
-    LegoNode* _found = nullptr;
+    Found* _found = nullptr;
 };
 
 osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
@@ -75,30 +77,68 @@ CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
     if (options.original || options.settings) unwrapSource();
     _shown = _source;
     if (options.original) return;
-
-    LegoNodeFinder finder;
-    if (!options.settings) _source->accept(finder);
-    _lego = finder.getFound();
-    if (!_lego)
-    {
-        _lego = new LegoNode(options.settings.value_or(LegoSettings()));
-        _lego->addChild(_source);
-        _shown = _lego;
-    }
-    if (!_lego->hasTriangles())
-        throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "' has no triangles to legolize");
-    _lego->setTiming(!options.statistics.empty());
-    _lego->setReadBack(!options.statistics.empty() || !options.cells.empty());
+    legolize();
+    addOcclusion();
 }
 
 void CaptureScene::unwrapSource()
 {
-    const auto* lego = dynamic_cast<LegoNode*>(_source.get());
-    if (!lego) return;
+    const osg::ref_ptr<LegoNode> lego = Finder<LegoNode>(*_source).getFound();
+    const auto* occlusion = dynamic_cast<AmbientOcclusionScene*>(_source.get());
+    if (!lego || (lego != _source && !(occlusion && occlusion->containsNode(lego)))) return;
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
-        group->addChild(const_cast<osg::Node*>(lego->getChild(child)));
+        group->addChild(lego->getChild(child));
     _source = group;
+}
+
+void CaptureScene::legolize()
+{
+    if (!_options.settings) _lego = Finder<LegoNode>(*_source).getFound();
+    if (!_lego)
+    {
+        _lego = new LegoNode(_options.settings.value_or(LegoSettings()));
+        _lego->addChild(_source);
+        _shown = _lego;
+    }
+    if (!_lego->hasTriangles())
+        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
+    _lego->setTiming(!_options.statistics.empty());
+    _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
+}
+
+void CaptureScene::addOcclusion()
+{
+    const osg::ref_ptr<LightProbe> probe = createProbe();
+    _lego->setLightProbe(probe);
+    _occlusion = Finder<AmbientOcclusionScene>(*_shown).getFound();
+    if (_lego->getSettings().look == Look::FULL && _options.hasOcclusion && !_occlusion)
+    {
+        _occlusion = new AmbientOcclusionScene;
+        _occlusion->addChild(_shown);
+        _shown = _occlusion;
+    }
+    if (!_occlusion) return;
+    _occlusion->setEnabled(_options.hasOcclusion);
+    _occlusion->setSettings(_options.occlusion);
+    _occlusion->setLightProbe(probe);
+    _occlusion->setTiming(!_options.statistics.empty());
+}
+
+osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
+{
+    osg::ref_ptr<LightProbe> probe = new LightProbe;
+    if (!_options.probe.file.empty())
+    {
+        std::string error;
+        probe = LightProbe::read(_options.probe.file, error);
+        if (!probe) throw CaptureError(EXIT_BAD_INPUT, error);
+    }
+    const osg::Quat turn(osg::DegreesToRadians(_options.probe.turn), osg::Vec3d(0, 0, 1));
+    const osg::Quat upright = getUpAxis() == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
+    probe->setRotation(turn * upright);
+    probe->setIntensity(_options.probe.intensity);
+    return probe;
 }
 
 osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
@@ -149,14 +189,22 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     camera->attach(osg::Camera::COLOR_BUFFER, &image, SAMPLES, SAMPLES);
     camera->setViewport(0, 0, _options.width, _options.height);
     camera->setClearColor(BACKGROUND);
+    if (_options.view.near > 0.0) camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted however small they look
     placeCamera(*camera);
     camera->addChild(_shown);
 
-    // A light over the left shoulder: head on, edges would drown.
-    _viewer.setLightingMode(osg::View::HEADLIGHT);
-    _viewer.getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
-    _viewer.getLight()->setDiffuse(osg::Vec4(0.7f, 0.7f, 0.7f, 1.0f));
+    // A light over the left shoulder of this camera: head on, edges would drown.
+    _viewer.setLightingMode(osg::View::NO_LIGHT);
+    osg::ref_ptr<osg::LightSource> light = new osg::LightSource;
+    light->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
+    light->getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
+    light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    light->getLight()->setDiffuse(osg::Vec4(0.7f, 0.7f, 0.7f, 1.0f));
+    light->getLight()->setSpecular(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
+    camera->addChild(light);
+    camera->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+    camera->getStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
     osg::ref_ptr<osg::LightModel> ambient = new osg::LightModel;
     ambient->setAmbientIntensity(osg::Vec4(0.32f, 0.32f, 0.34f, 1.0f));
     camera->getOrCreateStateSet()->setAttribute(ambient);
@@ -180,14 +228,23 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
     const osg::Vec3d headUp = up * std::cos(elevation) - ahead * std::sin(elevation);
 
     // Of the mesh, not of its bricks, so that pictures of both fit on each other.
-    const osg::BoundingSphere bound = _source == _lego ? _lego->osg::Group::computeBound() : _source->getBound();
+    const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
+    const osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
     const double halfView = osg::DegreesToRadians(0.5 * FIELD_OF_VIEW);
     const double radii = _options.view.distance > 0.0 ? _options.view.distance : 1.05 / std::sin(halfView);
     const double aspect = static_cast<double>(_options.width) / _options.height;
     const double vertical = aspect >= 1.0 ? halfView : std::atan(std::tan(halfView) / aspect);
-    camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect,
-                                            std::max(0.01, 0.5 * (radii - 2.0)) * bound.radius(),
-                                            (radii + 4.0) * bound.radius());
+    const double near =
+        (_options.view.near > 0.0 ? _options.view.near : std::max(0.01, 0.5 * (radii - 2.0))) * bound.radius();
+    const double far = (radii + 4.0) * bound.radius();
+    if (_options.view.orthographic)
+    {
+        // What a perspective view shows in the middle, at the same size.
+        const double height = std::tan(vertical) * radii * bound.radius();
+        camera.setProjectionMatrixAsOrtho(-height * aspect, height * aspect, -height, height, near, far);
+    }
+    else
+        camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect, near, far);
     camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * (radii * bound.radius()), bound.center(), headUp);
 }
 

@@ -2,6 +2,7 @@
 
 #include "CaptureOptions.h"
 
+#include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
 #include <osg/Camera>
@@ -29,12 +30,17 @@ public:
 
     /** The node that makes the bricks; null when the mesh is drawn as it is. */
     LegoNode* getLegoNode() const { return _lego.get(); }
+    /** The node that adds ambient occlusion; null without. */
+    AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
     double getReadingTime() const { return _readingTime; }
     /** Milliseconds of the last frame in which nothing was made anew. */
     double getDrawingTime() const { return _drawingTime; }
 
 private:
     void unwrapSource();
+    void legolize();
+    void addOcclusion();
+    osg::ref_ptr<LightProbe> createProbe() const;
     void checkLegolized(const osg::State& state) const;
     void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
     void placeCamera(osg::Camera& camera) const;
@@ -45,6 +51,7 @@ private:
     osg::ref_ptr<osg::Node> _source;
     osg::ref_ptr<osg::Node> _shown;
     osg::ref_ptr<LegoNode> _lego;
+    osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     double _readingTime = 0.0;
     double _drawingTime = 0.0;
 };

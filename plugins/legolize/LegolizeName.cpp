@@ -10,7 +10,8 @@
 namespace
 {
 
-constexpr std::array<std::string_view, 7> KEYS{"resolution", "proportions", "up", "method", "target", "fbo", "edge"};
+constexpr std::array<std::string_view, 8> KEYS{"resolution", "proportions", "up",   "method",
+                                               "target",     "fbo",         "edge", "look"};
 
 bool isNumber(std::string_view text)
 {

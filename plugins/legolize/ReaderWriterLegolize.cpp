@@ -1,5 +1,6 @@
 #include "LegolizeName.h"
 
+#include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 #include <osgLego/RacingCar.h>
 
@@ -7,7 +8,8 @@
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
 
-/** The pseudo-loader `.legolize`: reads the file whose name comes before, and puts it under an osgLego::LegoNode.
+/** The pseudo-loader `.legolize`: reads the file whose name comes before, and puts it under an osgLego::LegoNode; and
+ * that, unless `look=plain` is asked for, under an osgLego::AmbientOcclusionScene.
  *
  *     osgviewer bunny.ply.legolize
  *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"
@@ -30,6 +32,7 @@ public:
         supportsOption("target=projected|addressed", "what a texel stands for");
         supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
         supportsOption("edge=<number>", "the longest edge that subdivision leaves, in cells, 0.0625 to 4");
+        supportsOption("look=plain|full", "smooth bricks, or plastic with joints, relief and ambient occlusion");
     }
 
     const char* className() const override { return "legolize pseudo-loader"; }
@@ -68,7 +71,15 @@ private:
         lego->setName(name);
         lego->addChild(source);
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
-        return lego.get();
+        if (settings.look == osgLego::Look::PLAIN) return lego.get();
+        osg::ref_ptr<osgLego::LightProbe> probe = new osgLego::LightProbe;
+        if (settings.upAxis == osgLego::UpAxis::Y) probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
+        lego->setLightProbe(probe);
+        osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
+        scene->setLightProbe(probe);
+        scene->setName(name);
+        scene->addChild(lego);
+        return scene.get();
     }
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <osg/Matrixd>
+#include <osgUtil/RenderStage>
+
+namespace osgLego
+{
+
+/** The stage in which an AmbientOcclusionScene draws its children; by it, bricks know that they are among them.
+ *
+ * Used by one cull visitor.
+ */
+class GeometryBufferStage : public osgUtil::RenderStage
+{
+public:
+    void reset() override;
+
+    /** Let lights and clip planes of the stage around act in this one as they do there: those that it inherits from
+     * stages around it, as one that renders to a texture does, too. */
+    void inheritPositionalState(osgUtil::RenderStage& outer);
+
+    /** Say that bricks are drawn in this frame, how wide they are in their own coordinates, and the transform from
+     * these to the eye's. */
+    void noteBricks(double pitch, const osg::Matrixd& modelView);
+    /** How wide the widest bricks of this frame are, in the eye's coordinates; 0 when there are none. */
+    double getPitch() const { return _pitch; }
+
+    osg::Object* cloneType() const override { return new GeometryBufferStage; }
+    const char* libraryName() const override { return "osgLego"; }
+    const char* className() const override { return "GeometryBufferStage"; }
+
+private:
+    double _pitch = 0.0;
+};
+
+} // namespace osgLego

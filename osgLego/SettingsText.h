@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace osgLego
+{
+
+/** A value and what it is called in the text form of settings. */
+template <typename Value>
+struct SettingName
+{
+    std::string_view text;
+    Value value;
+};
+
+template <typename Value, std::size_t COUNT>
+std::string_view nameOf(const std::array<SettingName<Value>, COUNT>& names, Value value)
+{
+    for (const auto& name : names)
+        if (name.value == value) return name.text;
+    return {};
+}
+
+template <typename Number>
+std::string toText(Number number)
+{
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+    return {buffer.data(), result.ptr};
+}
+
+/** What is wrong with a value, in one sentence. */
+std::string badValue(std::string_view key, std::string_view value, std::string_view allowed);
+
+/** Read a number. @return what is wrong with it; empty when nothing is. */
+template <typename Number>
+std::string readNumber(std::string_view key, std::string_view text, std::string_view allowed, Number& number)
+{
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (code == std::errc() && end == text.data() + text.size()) return {};
+    return badValue(key, text, allowed);
+}
+
+/** Read a name of a list. @return what is wrong with it; empty when nothing is. */
+template <typename Value, std::size_t COUNT>
+std::string readName(std::string_view key, std::string_view text, const std::array<SettingName<Value>, COUNT>& names,
+                     Value& value)
+{
+    std::string allowed;
+    for (const auto& name : names)
+    {
+        if (name.text == text)
+        {
+            value = name.value;
+            return {};
+        }
+        allowed += (allowed.empty() ? "" : ", ") + std::string(name.text);
+    }
+    return badValue(key, text, allowed);
+}
+
+/** Go through a list of `key=value`, separated by commas, up to the first mistake.
+ * @param bareKey answers the key that an item without one is for; empty when it is for none.
+ * @param whatIsBare what such an item may be, for the message.
+ * @param read takes a key and its value and answers what is wrong with them; empty when nothing is.
+ * @return what is wrong, in one sentence; empty when nothing is. */
+std::string readSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
+                         std::string_view whatIsBare, std::string_view keys,
+                         const std::function<std::string(std::string_view key, std::string_view value)>& read);
+
+/** What is wrong with a key that is none of the allowed. */
+std::string unknownKey(std::string_view key, std::string_view keys);
+
+} // namespace osgLego

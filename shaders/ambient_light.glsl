@@ -1,0 +1,55 @@
+// Light from all around: diffuse by nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or a convolved map, mirrored by
+// maps filtered for each roughness.
+
+uniform vec3 irradianceCoefficients[9]; // of irradiance over pi
+uniform bool usesConvolvedMap;
+uniform sampler2D convolvedMap;
+uniform sampler2D reflectionMap;
+uniform float probeIntensity;
+uniform mat3 worldToProbe;
+uniform mat3 eyeToWorld;
+
+const float REFLECTION_LEVELS = 6.0;
+const float PLASTIC = 0.04; // reflected head on, by an index of refraction of 1.5
+
+// The picture's middle looks along +y, its right side along +x, its top along +z.
+vec2 toPicture(vec3 direction)
+{
+    const float PI = 3.14159265;
+    return vec2(0.5 + atan(direction.x, direction.y) / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
+}
+
+vec3 toProbe(vec3 eyeDirection)
+{
+    return worldToProbe * (eyeToWorld * eyeDirection);
+}
+
+// Irradiance over pi: 1 where light of 1 comes from everywhere.
+vec3 irradianceAt(vec3 eyeNormal)
+{
+    vec3 n = normalize(toProbe(eyeNormal));
+    vec3 irradiance;
+    if (usesConvolvedMap)
+        irradiance = textureLod(convolvedMap, toPicture(n), 0.0).rgb;
+    else
+        irradiance = irradianceCoefficients[0] * 0.282095 +
+                     0.488603 * (irradianceCoefficients[1] * n.y + irradianceCoefficients[2] * n.z +
+                                 irradianceCoefficients[3] * n.x) +
+                     1.092548 * (irradianceCoefficients[4] * n.x * n.y + irradianceCoefficients[5] * n.y * n.z +
+                                 irradianceCoefficients[7] * n.x * n.z) +
+                     irradianceCoefficients[6] * 0.315392 * (3.0 * n.z * n.z - 1.0) +
+                     irradianceCoefficients[8] * 0.546274 * (n.x * n.x - n.y * n.y);
+    return probeIntensity * max(irradiance, 0.0);
+}
+
+// What glossy plastic mirrors of it, by Karis' fit of the integrated reflectance (2014).
+vec3 reflectionAt(vec3 eyeNormal, vec3 toEye, float roughness)
+{
+    float cosine = max(dot(eyeNormal, toEye), 0.0);
+    vec3 direction = normalize(toProbe(reflect(-toEye, eyeNormal)));
+    vec3 light = textureLod(reflectionMap, toPicture(direction), roughness * (REFLECTION_LEVELS - 1.0)).rgb;
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(r.x * r.x, exp2(-9.28 * cosine)) * r.x + r.y;
+    vec2 scale = vec2(-1.04, 1.04) * a + r.zw;
+    return probeIntensity * light * (PLASTIC * scale.x + scale.y);
+}

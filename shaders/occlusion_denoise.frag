@@ -1,0 +1,44 @@
+// Ambient occlusion, the last pass before the picture: the mean over neighbours that lie on the same surface.
+
+#include "view_position.glsl"
+
+uniform sampler2D occlusion; // bent normal, visibility
+uniform sampler2D depthImage;
+uniform sampler2D normalBuffer;
+
+// How far a neighbour may lie off this pixel's plane, in widths of a pixel there.
+const float THICKNESS = 2.0;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(depthImage, 0) - 1;
+    float depth = texelFetch(depthImage, pixel, 0).r;
+    if (depth < NOTHING) discard;
+    vec2 normal = texelFetch(normalBuffer, pixel, 0).xy;
+    vec4 here = texelFetch(occlusion, pixel, 0);
+
+    // The slope of depth across the picture: of both sides, the gentler one.
+    vec4 beside = vec4(texelFetch(depthImage, min(pixel + ivec2(1, 0), last), 0).r - depth,
+                       depth - texelFetch(depthImage, max(pixel - ivec2(1, 0), ivec2(0)), 0).r,
+                       texelFetch(depthImage, min(pixel + ivec2(0, 1), last), 0).r - depth,
+                       depth - texelFetch(depthImage, max(pixel - ivec2(0, 1), ivec2(0)), 0).r);
+    vec2 slope = vec2(abs(beside.x) < abs(beside.y) ? beside.x : beside.y,
+                      abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
+    float width = abs(spreadAt(depth)) * pixelSize.x / sceneProjection[0][0];
+
+    vec4 sum = here;
+    float weights = 1.0;
+    for (int y = -DENOISE; y <= DENOISE; ++y)
+        for (int x = -DENOISE; x <= DENOISE; ++x)
+        {
+            ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
+            float away = abs(texelFetch(depthImage, other, 0).r - depth - dot(slope, vec2(x, y)));
+            vec2 turned = abs(texelFetch(normalBuffer, other, 0).xy - normal);
+            float weight = clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0) *
+                           clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
+            sum += weight * texelFetch(occlusion, other, 0);
+            weights += weight;
+        }
+    gl_FragColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : here.xyz, sum.w / weights);
+}

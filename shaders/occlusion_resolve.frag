@@ -1,0 +1,68 @@
+// Ambient occlusion, the first pass: from the geometry buffer to one depth a pixel, in the eye's coordinates, and how much
+// of the pixel is covered. Of several samples (#define SAMPLES) the nearest speaks for the pixel's shape, and all of them
+// for its light.
+
+#include "view_position.glsl"
+
+#if SAMPLES > 1
+
+#include "color_space.glsl"
+#include "geometry_buffer.glsl"
+
+uniform sampler2DMS lightBuffer;
+uniform sampler2DMS albedoBuffer;
+uniform sampler2DMS normalBuffer;
+uniform sampler2DMS depthBuffer;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float nearest = 1.0;
+    int nearestSample = 0;
+    int count = 0;
+    for (int index = 0; index < SAMPLES; ++index)
+    {
+        float depth = texelFetch(depthBuffer, pixel, index).r;
+        if (depth < 1.0) ++count;
+        if (depth < nearest)
+        {
+            nearest = depth;
+            nearestSample = index;
+        }
+    }
+    if (count == 0) discard;
+
+    vec4 normals = texelFetch(normalBuffer, pixel, nearestSample);
+    bool inLight = isBrick(normals);
+    vec3 light = vec3(0.0);
+    vec4 albedo = vec4(0.0);
+    for (int index = 0; index < SAMPLES; ++index)
+    {
+        if (texelFetch(depthBuffer, pixel, index).r >= 1.0) continue;
+        vec4 color = texelFetch(lightBuffer, pixel, index);
+        bool isLight = isBrick(texelFetch(normalBuffer, pixel, index));
+        // What is shown and what is light are brought to what the nearest is.
+        if (inLight && !isLight) color.rgb = toLight(color.rgb);
+        if (!inLight && isLight) color.rgb = toColor(color.rgb);
+        light += color.rgb;
+        // Only bricks have an albedo that is of use; others wrote their colour.
+        albedo += isLight ? texelFetch(albedoBuffer, pixel, index) : vec4(0.0, 0.0, 0.0, 1.0);
+    }
+    gl_FragData[0] = vec4(eyeDepthOf(nearest), float(count) / float(SAMPLES), 0.0, 0.0);
+    gl_FragData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, nearestSample).a);
+    gl_FragData[2] = albedo / float(count);
+    gl_FragData[3] = normals;
+}
+
+#else
+
+uniform sampler2D depthBuffer;
+
+void main()
+{
+    float depth = texelFetch(depthBuffer, ivec2(gl_FragCoord.xy), 0).r;
+    if (depth >= 1.0) discard;
+    gl_FragData[0] = vec4(eyeDepthOf(depth), 1.0, 0.0, 0.0);
+}
+
+#endif

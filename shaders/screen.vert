@@ -1,0 +1,6 @@
+// A pass over every pixel: one triangle that covers the picture.
+
+void main()
+{
+    gl_Position = vec4(4.0 * float(gl_VertexID & 1) - 1.0, 4.0 * float(gl_VertexID >> 1) - 1.0, 0.0, 1.0);
+}
