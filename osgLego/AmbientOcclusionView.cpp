@@ -25,12 +25,15 @@ constexpr float NOTHING = -1e15f; // beyond that of shaders/view_position.glsl
 // Behind what is opaque in the frame around, before what is transparent.
 constexpr int COMPOSITE_BIN = osg::StateSet::TRANSPARENT_BIN - 1;
 
-/** What a quality stands for: slices by pixel, steps to each side in a slice, and how many neighbours are averaged. */
+/** What a quality stands for. Few steps miss what is between them, and no pixel knows what is hidden behind others;
+ * both leave pictures too bright, which radius and power make good. They were found by `osglegobench occlusion` on its
+ * first view. */
 struct Effort
 {
-    int slices;
-    int steps;
-    int denoise;
+    int slices;   // by pixel
+    int steps;    // to each side of a slice
+    float radius; // over the one that is asked for
+    float power;  // of visibility
 };
 
 Effort effortOf(AmbientOcclusionQuality quality)
@@ -38,13 +41,13 @@ Effort effortOf(AmbientOcclusionQuality quality)
     switch (quality)
     {
     case AmbientOcclusionQuality::LOW:
-        return {2, 2, 2};
+        return {2, 6, 1.2f, 1.15f};
     case AmbientOcclusionQuality::HIGH:
-        return {3, 6, 2};
+        return {4, 10, 1.25f, 1.05f};
     case AmbientOcclusionQuality::MEDIUM:
         break;
     }
-    return {2, 4, 2};
+    return {3, 8, 1.2f, 1.1f};
 }
 
 void setUpTexture(osg::Texture& texture, GLint internalFormat, GLenum format, GLenum type)
@@ -204,12 +207,14 @@ void AmbientOcclusionView::createPasses(const LightProbe& probe)
                        {{"normalBuffer", normals}, {"depthImage", depthImage}, {"noise", createOcclusionNoise()}});
     _occlusion->setTargets({rough}, osg::Vec4());
     _radius = _occlusion->getStateSet()->getOrCreateUniform("radius", osg::Uniform::FLOAT);
-    _falloff = _occlusion->getStateSet()->getOrCreateUniform("falloff", osg::Uniform::FLOAT);
+    _occlusion->getStateSet()->addUniform(
+        new osg::Uniform("falloff", static_cast<float>(AmbientOcclusionSettings::FALLOFF)));
 
     const osg::ref_ptr<osg::Texture2D> smooth = createColorTexture(_format.size, GL_RGBA16F_ARB);
-    _denoise = new ScreenPass(*createProgram("occlusion_denoise", define("DENOISE", effort.denoise)),
+    _denoise = new ScreenPass(*createProgram("occlusion_denoise", ""),
                               {{"occlusion", rough}, {"depthImage", depthImage}, {"normalBuffer", normals}});
     _denoise->setTargets({smooth}, osg::Vec4());
+    _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
 
     _composite = new ScreenPass(*createProgram("occlusion_composite", ""), {{"lightBuffer", light},
                                                                             {"albedoBuffer", albedo},
@@ -253,8 +258,7 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
 
     const double pitch = _stage->getPitch();
     const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * sceneRadius;
-    _radius->set(static_cast<float>(settings.radius.value_or(usual)));
-    _falloff->set(static_cast<float>(AmbientOcclusionSettings::FALLOFF));
+    _radius->set(effortOf(_format.quality).radius * static_cast<float>(settings.radius.value_or(usual)));
     _shown->set(static_cast<int>(settings.output));
     const osg::Matrixd eyeToWorld = computeEyeToWorld(visitor);
     const osg::Viewport* viewport = visitor.getViewport();

@@ -71,7 +71,6 @@ private:
     osg::ref_ptr<ScreenPass> _denoise;
     osg::ref_ptr<ScreenPass> _composite;
     osg::ref_ptr<osg::Uniform> _radius;
-    osg::ref_ptr<osg::Uniform> _falloff;
     osg::ref_ptr<osg::Uniform> _shown;
 };
 

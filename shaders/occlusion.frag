@@ -35,26 +35,39 @@ vec3 normalFromDepth(ivec2 pixel, vec3 here)
     return normalize(cross(u, v));
 }
 
-// The cosine of the horizon that a pixel makes, sunk towards none as it is far away.
-float horizonOf(vec3 position, vec3 here, vec3 toEye, float none)
+// The integrals of light from the eye's direction to an angle in a slice, n being the normal's angle: what is visible, and
+// its mean direction, along the slice and towards the eye.
+vec3 lightTo(float angle, float n)
+{
+    return vec3(0.25 * (cos(n) + 2.0 * angle * sin(n) - cos(2.0 * angle - n)),
+                vec2(6.0 * sin(angle - n) - sin(3.0 * angle - n) - 3.0 * sin(angle + n) + 8.0 * sin(n),
+                     4.0 * cos(n) - cos(3.0 * angle - n) - 3.0 * cos(angle + n)) /
+                    12.0);
+}
+
+// One side of a slice: how high the horizon has risen, and the light that is left.
+struct Side
+{
+    float horizon;
+    vec3 light;
+};
+
+Side openSide(float n, float side)
+{
+    float horizon = n + side * 0.5 * PI;
+    return Side(horizon, lightTo(horizon, n));
+}
+
+// Let a pixel raise the horizon. What it adds to what nearer ones hide counts as much as it is near.
+void raise(inout Side side, float sign, vec3 position, vec3 here, vec3 toEye, float n)
 {
     vec3 step = position - here;
     float range = length(step);
     float weight = clamp((radius - range) / (radius * falloff), 0.0, 1.0);
-    return mix(none, dot(step, toEye) / max(range, 1e-9), weight);
-}
-
-// The integrals of light between the direction to the eye and a horizon, n the normal's angle in the slice.
-float visibilityTo(float horizon, float n)
-{
-    return 0.25 * (cos(n) + 2.0 * horizon * sin(n) - cos(2.0 * horizon - n));
-}
-
-vec2 meanDirectionTo(float horizon, float n) // along the slice, towards the eye
-{
-    return vec2(6.0 * sin(horizon - n) - sin(3.0 * horizon - n) - 3.0 * sin(horizon + n) + 8.0 * sin(n),
-                4.0 * cos(n) - cos(3.0 * horizon - n) - 3.0 * cos(horizon + n)) /
-           12.0;
+    float angle = sign * acos(clamp(dot(step, toEye) / max(range, 1e-9), -1.0, 1.0));
+    if (sign * (side.horizon - angle) <= 0.0 || weight == 0.0) return;
+    side.light -= weight * (lightTo(side.horizon, n) - lightTo(angle, n));
+    side.horizon = angle;
 }
 
 void main()
@@ -82,22 +95,19 @@ void main()
         float size = length(projected);
         float n = atan(dot(projected, tangent), dot(projected, toEye));
 
-        vec2 none = vec2(cos(n + 0.5 * PI), cos(n - 0.5 * PI));
-        vec2 horizon = none;
+        Side ahead = openSide(n, 1.0);
+        Side behind = openSide(n, -1.0);
         for (int index = 0; index < STEPS; ++index)
         {
             float along = (float(index) + fract(random.y + 0.618034 * float(slice))) / float(STEPS);
-            ivec2 offset = ivec2(round(direction.xy * max(along * along * reach, vec2(1.0))));
-            horizon.x = max(horizon.x, horizonOf(positionAt(pixel + offset), here, toEye, none.x));
-            horizon.y = max(horizon.y, horizonOf(positionAt(pixel - offset), here, toEye, none.y));
+            ivec2 offset = ivec2(round(direction.xy * max(along * sqrt(along) * reach, vec2(1.0))));
+            raise(ahead, 1.0, positionAt(pixel + offset), here, toEye, n);
+            raise(behind, -1.0, positionAt(pixel - offset), here, toEye, n);
         }
-        vec2 angles = vec2(acos(clamp(horizon.x, -1.0, 1.0)), -acos(clamp(horizon.y, -1.0, 1.0)));
-        angles = n + clamp(angles - n, -0.5 * PI, 0.5 * PI);
-        visibility += size * (visibilityTo(angles.x, n) + visibilityTo(angles.y, n));
-        vec2 mean = size * (meanDirectionTo(angles.x, n) + meanDirectionTo(angles.y, n));
-        bent += mean.x * tangent + mean.y * toEye;
+        vec3 light = size * (ahead.light + behind.light);
+        visibility += light.x;
+        bent += light.y * tangent + light.z * toEye;
     }
-    visibility = clamp(visibility / float(SLICES), 0.0, 1.0);
-    bent = dot(bent, bent) > 1e-8 ? normalize(bent) : normal;
-    gl_FragColor = vec4(bent, visibility);
+    // Of few slices neither is what it should be: some see more than all of the sky. Only the mean of neighbours is.
+    gl_FragColor = vec4(bent, visibility) / float(SLICES);
 }

@@ -6,6 +6,8 @@ uniform sampler2D occlusion; // bent normal, visibility
 uniform sampler2D depthImage;
 uniform sampler2D normalBuffer;
 
+uniform float power; // of visibility
+
 // How far a neighbour may lie off this pixel's plane, in widths of a pixel there.
 const float THICKNESS = 2.0;
 
@@ -29,8 +31,8 @@ void main()
 
     vec4 sum = here;
     float weights = 1.0;
-    for (int y = -DENOISE; y <= DENOISE; ++y)
-        for (int x = -DENOISE; x <= DENOISE; ++x)
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
         {
             ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
             float away = abs(texelFetch(depthImage, other, 0).r - depth - dot(slope, vec2(x, y)));
@@ -40,5 +42,6 @@ void main()
             sum += weight * texelFetch(occlusion, other, 0);
             weights += weight;
         }
-    gl_FragColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : here.xyz, sum.w / weights);
+    float visibility = pow(clamp(sum.w / weights, 0.0, 1.0), power);
+    gl_FragColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : vec3(0.0, 0.0, 1.0), visibility);
 }

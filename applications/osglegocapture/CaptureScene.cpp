@@ -200,7 +200,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     light->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
     light->getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
     light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
-    light->getLight()->setDiffuse(osg::Vec4(0.7f, 0.7f, 0.7f, 1.0f));
+    light->getLight()->setDiffuse(osg::Vec4(0.6f, 0.6f, 0.6f, 1.0f));
     light->getLight()->setSpecular(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
     camera->addChild(light);
     camera->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);

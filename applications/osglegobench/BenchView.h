@@ -1,0 +1,48 @@
+#pragma once
+
+#include "OcclusionBench.h"
+
+#include <osgLego/AmbientOcclusionScene.h>
+#include <osgLego/LegoNode.h>
+
+#include <functional>
+
+#include <glm/vec2.hpp>
+#include <osg/Camera>
+#include <osg/GraphicsContext>
+#include <osg/Image>
+#include <osgViewer/Viewer>
+
+namespace osgLego
+{
+
+/** A scene of the bench before a camera that draws pictures of floats. Throws std::runtime_error. One thread. */
+class BenchView
+{
+public:
+    BenchView(const BenchScene& scene, const glm::ivec2& size);
+
+    /** Draw, and bring the picture back: RGBA of floats, its first row at the bottom. */
+    osg::ref_ptr<osg::Image> draw(const AmbientOcclusionSettings& settings);
+
+    /** The point on a pixel's near plane, and the direction from there, in the coordinates of the model. */
+    void getRay(const glm::ivec2& pixel, osg::Vec3d& origin, osg::Vec3d& direction) const;
+    /** From directions of the eye's coordinates to those of the model. */
+    osg::Vec3d toModel(const osg::Vec3d& eyeDirection) const;
+
+    LegoNode& getLegoNode() const { return *_lego; }
+    AmbientOcclusionScene& getScene() const { return *_scene; }
+    AmbientOcclusionTimes getTimes() const;
+
+private:
+    void placeCamera(const BenchScene& scene);
+
+    osgViewer::Viewer _viewer; // closes the context when it goes
+    glm::ivec2 _size;
+    osg::ref_ptr<LegoNode> _lego;
+    osg::ref_ptr<AmbientOcclusionScene> _scene;
+    osg::ref_ptr<osg::Camera> _camera;
+    osg::ref_ptr<osg::Image> _image;
+};
+
+} // namespace osgLego
