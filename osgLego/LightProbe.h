@@ -72,11 +72,10 @@ public:
     LightProbe(const LightProbe& probe, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgLego, LightProbe)
 
-        /** Read a picture through osgDB: by this project's plugin for OpenImageIO, or OSG's own where that is not
-         * there.
-         * @return null, with one sentence in `error`, when there is no such file, it is damaged, or setImage() refuses
-         * it. */
-        static osg::ref_ptr<LightProbe> read(const std::string& fileName, std::string& error, Mapping mapping = AUTO);
+    /** Read a picture through osgDB: by this project's plugin for OpenImageIO, or OSG's own where that is not there.
+     * @return null, with one sentence in `error`, when there is no such file, it is damaged, or setImage() refuses
+     * it. */
+    static osg::ref_ptr<LightProbe> read(const std::string& fileName, std::string& error, Mapping mapping = AUTO);
 
     /** Take the light from a picture; from the built-in sky when it is null.
      *
