@@ -72,16 +72,15 @@ public:
     LightProbe(const LightProbe& probe, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgLego, LightProbe)
 
-        /** Read a picture through osgDB: by this project's plugin for OpenImageIO, or OSG's own where that is not
-         * there.
-         * @return null, with one sentence in `error`, when there is no such file, it is damaged, or setImage() refuses
-         * it. */
-        static osg::ref_ptr<LightProbe> read(const std::string& fileName, std::string& error, Mapping mapping = AUTO);
+    /** Read a picture through osgDB: by this project's plugin for OpenImageIO, or OSG's own where that is not there.
+     * @return null, with one sentence in `error`, when there is no such file, it is damaged, or setImage() refuses
+     * it. */
+    static osg::ref_ptr<LightProbe> read(const std::string& fileName, std::string& error, Mapping mapping = AUTO);
 
     /** Take the light from a picture; from the built-in sky when it is null.
      *
      * Pixels that are negative or not numbers count as 0, infinite ones as 65504, and a warning says how many there
-     * are. Takes some 60 ms, and 0.1 us a pixel, 0.25 us a pixel of an angular map.
+     * are. Takes 60 to 100 ms, and 0.1 us a pixel, 0.3 us a pixel of an angular map.
      * @return false, with one sentence in `error` and nothing changed, for an image that does not meet the
      * preconditions, one that has no pixel above 0, and when memory runs out. */
     bool setImage(const osg::Image* image, Mapping mapping, std::string& error);

@@ -31,9 +31,11 @@ struct Normals
     {
         for (std::size_t index = 0; index < NORMALS; ++index)
         {
-            const double u = (static_cast<double>(index % NORMALS_ACROSS) + 0.5) / NORMALS_ACROSS;
-            const double v = (static_cast<double>(index / NORMALS_ACROSS) + 0.5) / (NORMALS_ACROSS / 2.0);
-            const osg::Vec3f normal(LatitudeLongitude::directionAt(u, v));
+            const std::size_t column = index % NORMALS_ACROSS;
+            const std::size_t row = index / NORMALS_ACROSS;
+            const osg::Vec3f normal(
+                LatitudeLongitude::directionAt((static_cast<double>(column) + 0.5) / NORMALS_ACROSS,
+                                               (static_cast<double>(row) + 0.5) / (NORMALS_ACROSS / 2.0)));
             x[index] = normal.x();
             y[index] = normal.y();
             z[index] = normal.z();
@@ -109,6 +111,7 @@ std::vector<osg::Vec3f> paddedRowOf(const RadianceGrid& grid, int row)
 {
     const int width = grid.getWidth();
     std::vector<osg::Vec3f> result;
+    result.reserve(2 * static_cast<std::size_t>(width));
     for (int column = 0; column < 2 * width; ++column)
         result.emplace_back(grid.getCell((column + width / 2) % width, row).radiance);
     return result;
@@ -147,6 +150,7 @@ osg::ref_ptr<osg::Image> filterByRoughness(const RadianceGrid& grid, double roug
     const int columnsPerPixel = grid.getWidth() / width;
     const LobeKernels kernels(roughness, grid.getWidth(), columnsPerPixel);
     std::vector<std::vector<osg::Vec3f>> rows;
+    rows.reserve(static_cast<std::size_t>(grid.getHeight()));
     for (int row = 0; row < grid.getHeight(); ++row)
         rows.push_back(paddedRowOf(grid, row));
 

@@ -163,8 +163,8 @@ std::optional<RadiancePicture> RadiancePicture::read(const osg::Image& image, Li
     {
         const unsigned char* data = image.data(0, static_cast<unsigned int>(row));
         for (int column = 0; column < image.s(); ++column, data += pixelBytes, ++pixel)
-            for (unsigned int channel = 0; channel < 3; ++channel)
-                (*pixel)[channel] = reader.read(data, order.channels[channel]);
+            for (int channel = 0; channel < 3; ++channel)
+                (*pixel)[channel] = reader.read(data, order.channels[static_cast<std::size_t>(channel)]);
     }
     if (picture.mend()) return picture;
     error = "the picture of a light probe gives no light: not one pixel is finite and above 0";
@@ -191,7 +191,7 @@ bool RadiancePicture::mend()
     {
         bool isDark = false;
         bool isEndless = false;
-        for (unsigned int channel = 0; channel < 3; ++channel)
+        for (int channel = 0; channel < 3; ++channel)
         {
             float& value = color[channel];
             // Comparisons with NaN are false.
@@ -246,6 +246,7 @@ void RadiancePicture::visitLatitudesAndLongitudes(const std::function<void(const
     const int columns = columnPieces * _width;
     const int rows = rowPieces * _height;
     std::vector<osg::Vec3d> equator;
+    equator.reserve(static_cast<std::size_t>(columns));
     for (int column = 0; column < columns; ++column)
         equator.push_back(LatitudeLongitude::directionAt((column + 0.5) / columns, 0.5));
 
@@ -282,8 +283,9 @@ void RadiancePicture::visitCircle(const std::function<void(const Piece&)>& funct
             piece.radiance = pixel(column, row);
             for (int part = 0; part < pieces * pieces; ++part)
             {
+                const int partRow = part / pieces;
                 const double x = column * pixelSize - 1.0 + (part % pieces + 0.5) * size;
-                const double z = row * pixelSize - 1.0 + (part / pieces + 0.5) * size;
+                const double z = row * pixelSize - 1.0 + (partRow + 0.5) * size;
                 const double radius = std::hypot(x, z);
                 if (radius >= 1.0) continue;
                 // A ring of the circle, 2 pi r dr, is a ring of the sphere, 2 pi sin(pi r) d(pi r).

@@ -40,7 +40,7 @@ std::vector<osg::ref_ptr<LightProbe>> createProbes(const RadianceOf& radianceOf)
     return {createProbe(createLatitudeLongitude(256, radianceOf)), createProbe(createAngularMap(300, radianceOf))};
 }
 
-std::string errorOf(const osg::Image* image, LightProbe::Mapping mapping = LightProbe::AUTO)
+std::string errorOf(const osg::ref_ptr<osg::Image>& image, LightProbe::Mapping mapping = LightProbe::AUTO)
 {
     const osg::ref_ptr<LightProbe> probe = new LightProbe;
     const osg::Vec3d before = probe->getIrradiance({0.0, 0.0, 1.0});
