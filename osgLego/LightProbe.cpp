@@ -33,7 +33,7 @@ osgDB::ReaderWriter::ReadResult readImage(const std::string& fileName)
 LightProbe::LightProbe() = default;
 
 LightProbe::LightProbe(const LightProbe& probe, const osg::CopyOp& copyop) :
-    osg::Object(probe, copyop), _image(copyop(probe._image.get())), _light(probe._light), _rotation(probe._rotation),
+    osg::Object(probe, copyop), _image(copyop(probe._image.get())), _mapping(probe._mapping), _light(probe._light), _rotation(probe._rotation),
     _intensity(probe._intensity)
 {
 }
@@ -74,6 +74,7 @@ bool LightProbe::setImage(const osg::Image* image, Mapping mapping, std::string&
     if (!image)
     {
         _image = nullptr;
+        _mapping = AUTO;
         _light = nullptr;
         return true;
     }
@@ -83,6 +84,7 @@ bool LightProbe::setImage(const osg::Image* image, Mapping mapping, std::string&
         if (!picture) return false;
         _light = ProbeLight::create(*picture);
         _image = image;
+        _mapping = mapping;
         return true;
     }
     catch (const std::bad_alloc&)

@@ -86,6 +86,8 @@ public:
     bool setImage(const osg::Image* image, Mapping mapping, std::string& error);
     /** The picture; null for the built-in sky. */
     const osg::Image* getImage() const { return _image.get(); }
+    /** How that was asked to be taken. */
+    Mapping getMapping() const { return _mapping; }
 
     /** The turn from the probe's coordinates to those of the world; none at first. One of no length, or that is not of
      * numbers, is refused with a warning. */
@@ -139,6 +141,7 @@ private:
     const ProbeLight& getLight() const;
 
     osg::ref_ptr<const osg::Image> _image;
+    Mapping _mapping = AUTO;
     osg::ref_ptr<const ProbeLight> _light; // null: that of the built-in sky
     osg::Quat _rotation;
     double _intensity = 1.0;

@@ -3,8 +3,10 @@
 #include <osgLego/ProgramUniforms.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include <osg/Math>
 #include <osg/Matrixd>
 #include <osg/Texture2D>
 #include <osg/Uniform>
@@ -27,6 +29,34 @@ void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::I
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     stateSet.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
+}
+
+/** The convolved map as shaders/ambient_light.glsl wants it, the poles in the middle of the first and the last row;
+ * where harmonics do, a pixel that nobody looks at. */
+osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
+{
+    const bool isUsed = probe.usesConvolvedMap();
+    const int width = isUsed ? LightProbe::CONVOLVED_WIDTH : 1;
+    const int height = isUsed ? LightProbe::CONVOLVED_WIDTH / 2 + 1 : 1;
+    osg::ref_ptr<LightProbe> plain = new LightProbe(probe);
+    plain->setRotation(osg::Quat());
+    plain->setIntensity(1.0);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGB, GL_FLOAT);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+        {
+            const double longitude = ((column + 0.5) / width - 0.5) * 2.0 * osg::PI;
+            const double latitude = isUsed ? (static_cast<double>(row) / (height - 1) - 0.5) * osg::PI : 0.0;
+            const osg::Vec3d direction(std::sin(longitude) * std::cos(latitude),
+                                       std::cos(longitude) * std::cos(latitude), std::sin(latitude));
+            const osg::Vec3d light = plain->getIrradiance(direction);
+            auto* pixel = reinterpret_cast<float*>(
+                image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row)));
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = static_cast<float>(light[channel]);
+        }
+    return image;
 }
 
 /** The reflection maps of all roughnesses as the levels of one picture; below the last, which needs be there for GL's
@@ -73,7 +103,7 @@ void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
     stateSet.addUniform(new osg::Uniform("usesConvolvedMap", probe.usesConvolvedMap()));
     stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
     stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));
-    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", const_cast<osg::Image&>(*probe.getConvolvedMap()), false);
+    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *createConvolvedMap(probe), false);
     setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", *createLevels(probe), true);
 }
 

@@ -19,6 +19,14 @@ vec2 toPicture(vec3 direction)
     return vec2(0.5 + atan(direction.x, direction.y) / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
 }
 
+// The convolved map has the poles in the middle of its first and last row: the tops of bricks look right at one.
+vec2 toConvolved(vec3 direction)
+{
+    vec2 place = toPicture(direction);
+    float rows = float(textureSize(convolvedMap, 0).y);
+    return vec2(place.x, (0.5 + place.y * (rows - 1.0)) / rows);
+}
+
 vec3 toProbe(vec3 eyeDirection)
 {
     return worldToProbe * (eyeToWorld * eyeDirection);
@@ -30,7 +38,7 @@ vec3 irradianceAt(vec3 eyeNormal)
     vec3 n = normalize(toProbe(eyeNormal));
     vec3 irradiance;
     if (usesConvolvedMap)
-        irradiance = textureLod(convolvedMap, toPicture(n), 0.0).rgb;
+        irradiance = textureLod(convolvedMap, toConvolved(n), 0.0).rgb;
     else
         irradiance = irradianceCoefficients[0] * 0.282095 +
                      0.488603 * (irradianceCoefficients[1] * n.y + irradianceCoefficients[2] * n.z +

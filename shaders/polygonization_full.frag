@@ -13,7 +13,9 @@
 uniform bool usesMaterial; // the specular of osg::Material in place of plastic
 
 const float PLASTIC_REFLECTANCE = 0.04;
-const float LIGHT_SIZE = 0.16; // lights are no points; the square of the slope by which they widen a highlight
+const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
+// A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
+const float HIGHLIGHT = 0.25;
 
 // Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
 vec3 directLight(Surface surface, vec3 albedo)
@@ -34,7 +36,7 @@ vec3 directLight(Surface surface, vec3 albedo)
         diffuse += attenuation * gl_LightSource[number].diffuse.rgb;
         specular += attenuation * pow(highlight, shininess) * gl_LightSource[number].specular.rgb;
     }
-    vec3 reflectance = vec3(PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
+    vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
     if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;
     return albedo * diffuse + reflectance * specular;
 }
