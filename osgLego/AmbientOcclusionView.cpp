@@ -11,7 +11,6 @@
 #include <osg/ColorMask>
 #include <osg/Texture2D>
 #include <osg/Texture2DMultisample>
-#include <osg/Timer>
 #include <osg/Uniform>
 #include <osg/Viewport>
 
@@ -133,23 +132,6 @@ void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& ou
             outer.addPositionedTextureAttribute(unit, matrix, attribute);
 }
 
-/** Times the drawing of the children. */
-class TimedDraw : public osgUtil::RenderBin::DrawCallback
-{
-public:
-    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& renderInfo,
-                            osgUtil::RenderLeaf*& previous) override
-    {
-        glFinish();
-        const osg::Timer_t start = osg::Timer::instance()->tick();
-        bin->drawImplementation(renderInfo, previous);
-        glFinish();
-        time = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-    }
-
-    double time = 0.0;
-};
-
 } // namespace
 
 AmbientOcclusionView::AmbientOcclusionView(const Format& format, const LightProbe& probe) :
@@ -228,6 +210,7 @@ void AmbientOcclusionView::createPasses(const LightProbe& probe)
     state.setRenderBinDetails(COMPOSITE_BIN, "RenderBin");
     _shown = state.getOrCreateUniform("shown", osg::Uniform::INT);
     applyLightProbe(probe, state);
+    _composite->setSource(*_stage);
 }
 
 void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
@@ -274,14 +257,12 @@ void AmbientOcclusionView::setTiming(bool timing)
 {
     for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
         pass->setTiming(timing);
-    if (timing != (_stage->getDrawCallback() != nullptr)) _stage->setDrawCallback(timing ? new TimedDraw : nullptr);
+    _stage->setTiming(timing);
 }
 
 AmbientOcclusionTimes AmbientOcclusionView::getTimes() const
 {
-    const auto* timed = dynamic_cast<const TimedDraw*>(_stage->getDrawCallback());
-    return {timed ? timed->time : 0.0, _resolve->getTime(), _occlusion->getTime(), _denoise->getTime(),
-            _composite->getTime()};
+    return {_stage->getTime(), _resolve->getTime(), _occlusion->getTime(), _denoise->getTime(), _composite->getTime()};
 }
 
 void AmbientOcclusionView::resizeGLObjectBuffers(unsigned int maxSize) const

@@ -44,6 +44,9 @@ public:
     void cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings, double sceneRadius,
               const std::function<void()>& cullChildren);
 
+    /** Whether there was no memory on the GPU for the buffers. */
+    bool hasFailed() const { return _stage->hasFailed(); }
+
     void setTiming(bool timing);
     AmbientOcclusionTimes getTimes() const;
 

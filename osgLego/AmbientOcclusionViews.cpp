@@ -13,7 +13,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int MAXIMUM_SAMPLES = 8;
+constexpr int SAMPLES = 4; // every GL has as many
 
 bool isColor(osg::Camera::BufferComponent component)
 {
@@ -36,7 +36,7 @@ int samplesOf(const osg::Camera& camera, const osg::State& state)
         samples = std::max({samples, attachment._multisampleSamples});
     const osg::GraphicsContext* context = state.getGraphicsContext();
     if (attachments.empty() && context && context->getTraits()) samples = context->getTraits()->samples;
-    return std::clamp(static_cast<int>(samples), 1, MAXIMUM_SAMPLES);
+    return samples > 1 ? SAMPLES : 1;
 }
 
 } // namespace
@@ -57,9 +57,7 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
         const std::string missing = GlRequirements::getMissingVersion(*extensions);
         if (!missing.empty())
         {
-            if (std::find(_warned.begin(), _warned.end(), state.getContextID()) != _warned.end()) return {};
-            _warned.push_back(state.getContextID());
-            OSG_WARN << "osgLego: no ambient occlusion: " << missing << std::endl;
+            warn(state.getContextID(), missing);
             return {};
         }
     }
@@ -70,7 +68,16 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
     format.quality = settings.quality;
     osg::ref_ptr<AmbientOcclusionView>& view = _views.find(visitor);
     if (!view || view->getFormat() != format) view = new AmbientOcclusionView(format, probe);
-    return view;
+    if (!view->hasFailed()) return view;
+    warn(state.getContextID(), "there is no memory on the GPU for its buffers; allowed: a smaller viewport");
+    return {};
+}
+
+void AmbientOcclusionViews::warn(unsigned int contextID, const std::string& why)
+{
+    if (std::find(_warned.begin(), _warned.end(), contextID) != _warned.end()) return;
+    _warned.push_back(contextID);
+    OSG_WARN << "osgLego: no ambient occlusion: " << why << std::endl;
 }
 
 void AmbientOcclusionViews::clear()

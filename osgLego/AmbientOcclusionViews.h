@@ -4,6 +4,7 @@
 #include <osgLego/PerVisit.h>
 
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <osg/ref_ptr>
@@ -20,7 +21,7 @@ class AmbientOcclusionViews
 public:
     /** The view for a visit of the scene; made when there is none that fits.
      * @return null when the scene is to be drawn as a plain group: below another such scene, for a camera that draws
-     * depths alone, and in a context that lacks what it takes, of which a warning tells once. */
+     * depths alone, and in a context that lacks what it takes, or memory, of which a warning tells once. */
     osg::ref_ptr<AmbientOcclusionView> find(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
                                             const LightProbe& probe);
 
@@ -33,6 +34,8 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
+    void warn(unsigned int contextID, const std::string& why);
+
     mutable std::mutex _mutex;
     PerVisit<osg::ref_ptr<AmbientOcclusionView>> _views;
     std::vector<unsigned int> _warned; // of contexts that lack something

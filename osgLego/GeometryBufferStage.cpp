@@ -1,8 +1,13 @@
 #include <osgLego/GeometryBufferStage.h>
 
-#include <algorithm>
+#include <osgLego/GlMemory.h>
+#include <osgLego/PassCamera.h>
 
-#include <osg/ref_ptr>
+#include <algorithm>
+#include <atomic>
+
+#include <osg/RenderInfo>
+#include <osg/Timer>
 #include <osgUtil/PositionalStateContainer>
 
 namespace osgLego
@@ -48,6 +53,53 @@ private:
 };
 
 } // namespace
+
+/** Draws only if the buffer is there: OSG would draw into the window instead. */
+class GeometryBufferStage::Draw : public osgUtil::RenderBin::DrawCallback
+{
+public:
+    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& renderInfo,
+                            osgUtil::RenderLeaf*& previous) override
+    {
+        if (!PassCamera::isTargetThere(*renderInfo.getState()))
+        {
+            takeOutOfMemoryError();
+            hasFailed = true;
+            return;
+        }
+        const osg::Timer_t start = osg::Timer::instance()->tick();
+        bin->drawImplementation(renderInfo, previous);
+        if (!isTimed) return;
+        glFinish();
+        time = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    }
+
+    std::atomic<bool> hasFailed{false};
+    std::atomic<bool> isTimed{false};
+    double time = 0.0;
+};
+
+GeometryBufferStage::GeometryBufferStage() : _draw(new Draw)
+{
+    setDrawCallback(_draw);
+}
+
+GeometryBufferStage::~GeometryBufferStage() = default;
+
+void GeometryBufferStage::setTiming(bool timing)
+{
+    _draw->isTimed = timing;
+}
+
+double GeometryBufferStage::getTime() const
+{
+    return _draw->isTimed ? _draw->time : 0.0;
+}
+
+bool GeometryBufferStage::hasFailed() const
+{
+    return _draw->hasFailed;
+}
 
 void GeometryBufferStage::reset()
 {

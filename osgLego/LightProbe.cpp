@@ -33,8 +33,8 @@ osgDB::ReaderWriter::ReadResult readImage(const std::string& fileName)
 LightProbe::LightProbe() = default;
 
 LightProbe::LightProbe(const LightProbe& probe, const osg::CopyOp& copyop) :
-    osg::Object(probe, copyop), _image(copyop(probe._image.get())), _mapping(probe._mapping), _light(probe._light), _rotation(probe._rotation),
-    _intensity(probe._intensity)
+    osg::Object(probe, copyop), _image(copyop(probe._image.get())), _mapping(probe._mapping), _light(probe._light),
+    _rotation(probe._rotation), _intensity(probe._intensity)
 {
 }
 

@@ -57,7 +57,7 @@ void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     if (!state.getLastAppliedProgramObject() || !_projection) return;
-    if (_camera && !PassCamera::isTargetThere(state)) return;
+    if ((_source && _source->hasFailed()) || (_camera && !PassCamera::isTargetThere(state))) return;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const ProgramUniforms uniforms(state);
     uniforms.set("sceneProjection", toGlsl(*_projection));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/GeometryBufferStage.h>
 #include <osgLego/PassCamera.h>
 
 #include <string>
@@ -42,6 +43,9 @@ public:
     void setView(const osg::RefMatrix& projection, const osg::Matrixd& eyeToWorld, const glm::ivec2& origin,
                  const glm::ivec2& size);
 
+    /** Draw only what a stage has drawn. */
+    void setSource(const GeometryBufferStage& source) { _source = &source; }
+
     /** Wait after drawing, and have getTime(). */
     void setTiming(bool timing) { _timing = timing; }
     /** The milliseconds that it took when it was drawn last; 0 without timing. */
@@ -61,6 +65,7 @@ private:
     ~ScreenPass() override = default;
 
     osg::ref_ptr<PassCamera> _camera;
+    osg::ref_ptr<const GeometryBufferStage> _source;
     osg::ref_ptr<const osg::RefMatrix> _projection;
     glm::mat3 _eyeToWorld{1.0f};
     glm::ivec2 _origin{0};

@@ -15,7 +15,7 @@ uniform bool usesMaterial; // the specular of osg::Material in place of plastic
 const float PLASTIC_REFLECTANCE = 0.04;
 const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
 // A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
-const float HIGHLIGHT = 0.25;
+const float HIGHLIGHT = 0.15;
 
 // Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
 vec3 directLight(Surface surface, vec3 albedo)
