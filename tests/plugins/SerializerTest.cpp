@@ -1,8 +1,10 @@
+#include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
 #include <Meshes.h>
 #include <TemporaryFolder.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -37,6 +39,53 @@ TEST_F(Serializer, SettingsAndSourceComeBackFromEveryFormOfOsgsFormat)
         // The text forms round the coordinates.
         EXPECT_NEAR(static_cast<double>(back->getBricks()->getBricks().size()),
                     static_cast<double>(lego->getBricks()->getBricks().size()), 20.0);
+    }
+}
+
+TEST_F(Serializer, LooksAndLightComeBack)
+{
+    osg::ref_ptr<osg::Image> picture = new osg::Image;
+    picture->allocateImage(4, 2, 1, GL_RGB, GL_FLOAT);
+    std::fill_n(reinterpret_cast<float*>(picture->data()), 4 * 2 * 3, 0.5f);
+    osg::ref_ptr<LightProbe> probe = new LightProbe;
+    std::string error;
+    ASSERT_TRUE(probe->setImage(picture, LightProbe::LATITUDE_LONGITUDE, error)) << error;
+    probe->setRotation(osg::Quat(0.5, osg::Vec3d(0, 0, 1)));
+    probe->setIntensity(2.0);
+
+    osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->addChild(createSphere(6));
+    BrickAppearance appearance;
+    appearance.joints = false;
+    appearance.variation = 0.5;
+    lego->setAppearance(appearance);
+    lego->setLightProbe(probe);
+    osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+    AmbientOcclusionSettings settings;
+    ASSERT_TRUE(AmbientOcclusionSettings::parse("high,radius=0.25,show=irradiance", settings, error)) << error;
+    scene->setSettings(settings);
+    scene->setLightProbe(probe);
+    scene->setEnabled(false);
+    scene->addChild(lego);
+    for (const char* name : {"look.osgt", "look.osgb"})
+    {
+        ASSERT_TRUE(osgDB::writeNodeFile(*scene, pathOf(name))) << name;
+        const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf(name));
+        const auto* back = dynamic_cast<AmbientOcclusionScene*>(node.get());
+        ASSERT_TRUE(back) << name;
+        EXPECT_EQ(back->getSettings(), settings);
+        EXPECT_FALSE(back->getEnabled());
+        EXPECT_DOUBLE_EQ(back->getLightProbe()->getIntensity(), 2.0);
+        EXPECT_NEAR(back->getLightProbe()->getRotation().z(), probe->getRotation().z(), 1e-5);
+        EXPECT_NEAR(back->getLightProbe()->getIrradiance(osg::Vec3d(0, 0, 1)).x(), 1.0, 0.01);
+        const auto* backLego = dynamic_cast<const LegoNode*>(back->getChild(0));
+        ASSERT_TRUE(backLego) << name;
+        const BrickAppearance backAppearance = backLego->getAppearance();
+        EXPECT_FALSE(backAppearance.joints);
+        EXPECT_DOUBLE_EQ(backAppearance.variation, 0.5);
+        EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text form rounds it
+        const osg::ref_ptr<const LightProbe> backProbe = backLego->getLightProbe();
+        EXPECT_NEAR(backProbe->getIrradiance(osg::Vec3d(0, 0, 1)).x(), 1.0, 0.01);
     }
 }
 
