@@ -73,7 +73,10 @@ void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
     stateSet.addUniform(new osg::Uniform("usesConvolvedMap", probe.usesConvolvedMap()));
     stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
     stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));
-    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", const_cast<osg::Image&>(*probe.getConvolvedMap()), false);
+    osg::ref_ptr<osg::Image> convolved = new osg::Image(*probe.getConvolvedMap(), osg::CopyOp::DEEP_COPY_ALL);
+    // The texture's, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    convolved->setInternalTextureFormat(GL_RGB16F_ARB);
+    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *convolved, false);
     setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", *createLevels(probe), true);
 }
 
