@@ -105,9 +105,20 @@ std::string define(const char* name, int value)
     return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+/** The place of a state graph's state with another in the place of one of its state sets. */
+osgUtil::StateGraph* replaceState(osgUtil::StateGraph* graph, const osg::StateSet& from, const osg::StateSet& to)
+{
+    if (!graph->_parent) return graph;
+    const osg::StateSet* state = graph->getStateSet() == &from ? &to : graph->getStateSet();
+    return replaceState(graph->_parent, from, to)->find_or_insert(state);
+}
+
 /** Draw in the frame around what a stage has that is transparent: nothing there needs occlusion, and all of it must
- * come after what is opaque on both sides. */
-void handOnTransparent(osgUtil::RenderStage& stage, osgUtil::RenderBin& outer)
+ * come after what is opaque on both sides.
+ * @param inside the state of the stage.
+ * @param outside what stands for it in the frame around. */
+void handOnTransparent(osgUtil::RenderStage& stage, osgUtil::RenderBin& outer, const osg::StateSet& inside,
+                       const osg::StateSet& outside)
 {
     osgUtil::RenderBin::RenderBinList& bins = stage.getRenderBinList();
     for (auto place = bins.lower_bound(osg::StateSet::TRANSPARENT_BIN); place != bins.end();)
@@ -116,7 +127,13 @@ void handOnTransparent(osgUtil::RenderStage& stage, osgUtil::RenderBin& outer)
         const bool isSorted = from.getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
         osgUtil::RenderBin* to = outer.find_or_insert(place->first, isSorted ? "DepthSortedBin" : "RenderBin");
         for (osgUtil::StateGraph* graph : from.getStateGraphList())
-            to->addStateGraph(graph);
+        {
+            osgUtil::StateGraph* moved = replaceState(graph, inside, outside);
+            if (moved->leaves_empty()) to->addStateGraph(moved);
+            for (const osg::ref_ptr<osgUtil::RenderLeaf>& leaf : graph->_leaves)
+                moved->addLeaf(leaf);
+            graph->_leaves.clear();
+        }
         place = bins.erase(place);
     }
 }
@@ -136,8 +153,10 @@ void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& ou
 
 AmbientOcclusionView::AmbientOcclusionView(const Format& format, const LightProbe& probe) :
     _format(format), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
-    _childState(new osg::StateSet)
+    _childState(new osg::StateSet), _transparentState(new osg::StateSet)
 {
+    // The viewport of the camera is part of the state above, and has another origin.
+    _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
     createGeometryBuffer();
     createPasses(probe);
 }
@@ -235,7 +254,7 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     cullChildren();
     visitor.popStateSet();
     visitor.setCurrentRenderBin(outerBin);
-    handOnTransparent(*_stage, *outerBin);
+    handOnTransparent(*_stage, *outerBin, *_childState, *_transparentState);
     handOnPositionalState(*_stage, outer);
     outer.addPreRenderStage(_stage);
 

@@ -67,7 +67,9 @@ private:
     osg::ref_ptr<osg::Texture> _albedo;
     osg::ref_ptr<osg::Texture> _normals;
     osg::ref_ptr<osg::Texture> _depth;
-    osg::ref_ptr<osg::StateSet> _childState; // tells the children's state graphs from those of others
+    // They tell the children's state graphs from those of others.
+    osg::ref_ptr<osg::StateSet> _childState;
+    osg::ref_ptr<osg::StateSet> _transparentState;
 
     osg::ref_ptr<ScreenPass> _resolve;
     osg::ref_ptr<ScreenPass> _occlusion;

@@ -20,6 +20,8 @@ namespace
 /** A texture of a latitude-longitude picture: it goes on around the sides, and ends at top and bottom. */
 void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::Image& image, bool hasLevels)
 {
+    // Both the same, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    image.setInternalTextureFormat(GL_RGB16F_ARB);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&image);
     texture->setInternalFormat(GL_RGB16F_ARB);
     texture->setResizeNonPowerOfTwoHint(false);

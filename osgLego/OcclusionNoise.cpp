@@ -58,6 +58,8 @@ osg::ref_ptr<osg::Texture2D> createOcclusionNoise()
         }
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setInternalFormat(GL_RG16F);
+    // Or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    image->setInternalTextureFormat(GL_RG16F);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
     return texture;

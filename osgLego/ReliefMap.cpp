@@ -118,7 +118,8 @@ osg::ref_ptr<osg::Image> createMap(const HeightField& field, std::size_t size)
     auto* data = new unsigned char[all.size() * sizeof(glm::vec4)];
     std::copy_n(reinterpret_cast<const unsigned char*>(all.data()), all.size() * sizeof(glm::vec4), data);
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->setImage(static_cast<int>(size), static_cast<int>(size), 1, GL_RGBA32F_ARB, GL_RGBA, GL_FLOAT, data,
+    // The texture's format, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    image->setImage(static_cast<int>(size), static_cast<int>(size), 1, GL_RGBA16F_ARB, GL_RGBA, GL_FLOAT, data,
                     osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels(offsets);
     return image;

@@ -79,10 +79,14 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
     vec3 right = edgeAt(size.x - place.x, width.x, (filled & 2u) != 0u);
     vec3 lower = edgeAt(place.y, width.y, (filled & 4u) != 0u);
     vec3 upper = edgeAt(size.y - place.y, width.y, (filled & 8u) != 0u);
-    // Beyond half a brick a pixel holds edges of which this one knows nothing; those of opposite sides cancel out.
+    // Beyond half a brick a pixel holds edges of which this one knows nothing: slopes of opposite sides cancel out, and of
+    // the rest there is as much as in all of the brick.
     vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
-    return Bend(vec2(right.x - left.x, upper.x - lower.x) * near, left.y + right.y + lower.y + upper.y,
-                1.0 - GAP_DARKNESS * min(left.z + right.z + lower.z + upper.z, 1.0));
+    vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
+    vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
+    vec2 gap = mix(GAP * joints / size, vec2(left.z + right.z, lower.z + upper.z), near);
+    return Bend(vec2(right.x - left.x, upper.x - lower.x) * near, variance.x + variance.y,
+                1.0 - GAP_DARKNESS * min(gap.x + gap.y, 1.0));
 }
 
 // Of the stud's wall: up, towards the rim.

@@ -1,3 +1,4 @@
+#include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/RacingCar.h>
 
 #include <GlTest.h>
@@ -14,6 +15,8 @@ namespace
 {
 
 constexpr GLuint MOST_NAMES = 5000;
+// What the full look keeps: the relief, and two maps of the light probe.
+constexpr int LOOK_TEXTURES = 3;
 
 /** How many objects of each kind there are in a context. */
 struct GlObjects
@@ -79,15 +82,51 @@ protected:
     GlObjects _before;
 };
 
-TEST_F(GlObjectsTest, OnceTheBricksAreThereOnlyTheirBufferStays)
+TEST_F(GlObjectsTest, OnceTheBricksAreThereOnlyTheirBufferAndLookStay)
 {
     drawFrames(1);
     EXPECT_GT(GlObjects::count(*_context).framebuffers, _before.framebuffers) << "the passes draw into some";
     drawFrames(12);
     const GlObjects after = GlObjects::count(*_context);
     EXPECT_EQ(after.buffers, _before.buffers + 1);
-    EXPECT_EQ(after.textures, _before.textures);
+    EXPECT_EQ(after.textures, _before.textures + LOOK_TEXTURES);
     EXPECT_EQ(after.framebuffers, _before.framebuffers);
+}
+
+TEST_F(GlObjectsTest, ThePlainLookKeepsNoTextures)
+{
+    _lego->setSettings(parseSettings("32,look=plain"));
+    drawFrames(12);
+    EXPECT_EQ(GlObjects::count(*_context).textures, _before.textures);
+}
+
+TEST_F(GlObjectsTest, AnAmbientOcclusionSceneThatIsRemovedLeavesNothing)
+{
+    _root->removeChild(_lego);
+    osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+    scene->addChild(_lego);
+    _root->addChild(scene);
+    drawFrames(2);
+    EXPECT_GT(GlObjects::count(*_context).framebuffers, _before.framebuffers);
+    _root->removeChild(scene);
+    scene = nullptr;
+    _lego = nullptr;
+    expectNoneLeft();
+}
+
+TEST_F(GlObjectsTest, AnAmbientOcclusionSceneThatIsOffMakesNothingOfItsOwn)
+{
+    drawFrames(12);
+    const GlObjects alone = GlObjects::count(*_context);
+    _root->removeChild(_lego);
+    osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+    scene->setEnabled(false);
+    scene->addChild(_lego);
+    _root->addChild(scene);
+    drawFrames(12);
+    const GlObjects after = GlObjects::count(*_context);
+    EXPECT_EQ(after.textures, alone.textures);
+    EXPECT_EQ(after.framebuffers, alone.framebuffers);
 }
 
 TEST_F(GlObjectsTest, ANodeThatIsRemovedLeavesNothing)
@@ -117,7 +156,7 @@ TEST_F(GlObjectsTest, ManyLegolizationsLeaveNoMoreThanOne)
     drawFrames(12);
     const GlObjects after = GlObjects::count(*_context);
     EXPECT_EQ(after.buffers, _before.buffers + 1);
-    EXPECT_EQ(after.textures, _before.textures);
+    EXPECT_EQ(after.textures, _before.textures + LOOK_TEXTURES);
     EXPECT_EQ(after.framebuffers, _before.framebuffers);
 }
 

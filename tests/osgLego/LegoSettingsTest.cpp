@@ -53,11 +53,33 @@ TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
 
 TEST(LegoSettings, TheTextFormComesBackAsItWas)
 {
-    for (const char* text : {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625",
-                             "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25"})
+    for (const char* text : {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain",
+                             "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,look=plain"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
         EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
+    }
+}
+
+TEST(LegoSettings, TheLookIsFullUnlessThePlainOneIsAskedFor)
+{
+    EXPECT_EQ(parsed("64").look, Look::FULL);
+    EXPECT_EQ(parsed("64,look=plain").look, Look::PLAIN);
+    EXPECT_EQ(parsed("64,look=full").toString(), "64");
+}
+
+TEST(LegoSettings, OnlyTheLookHasNoPartInWhichBricksThereAre)
+{
+    const LegoSettings settings = parsed("32,method=points");
+    EXPECT_TRUE(settings.givesSameBricks(settings));
+    EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,look=plain")));
+    EXPECT_NE(settings, parsed("32,method=points,look=plain"));
+    for (const char* other :
+         {"33,method=points", "32", "32,method=points,up=y", "32,method=points,proportions=plate",
+          "32,method=points,target=addressed", "32,method=points,fbo=64", "32,method=points,edge=3"})
+    {
+        EXPECT_FALSE(settings.givesSameBricks(parsed(other))) << other;
+        EXPECT_FALSE(settings.givesSameBricks(parsed(std::string(other) + ",look=plain"))) << other;
     }
 }
 
@@ -72,13 +94,14 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
 TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
 {
     EXPECT_EQ(errorOf("64,colour=red"),
-              "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge");
+              "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge, look");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("resolution=-5"), "bad value '-5' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("proportions=tile"), "bad value 'tile' for proportions; allowed: cube, brick, plate");
     EXPECT_EQ(errorOf("up=x"), "bad value 'x' for up; allowed: y, z");
+    EXPECT_EQ(errorOf("look=shiny"), "bad value 'shiny' for look; allowed: plain, full");
     EXPECT_EQ(errorOf("fbo=8"), "bad value '8' for fbo; allowed: a whole number of pixels, 16 to 8192");
     EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; allowed: a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; allowed: a number of cells, 0.0625 to 4");

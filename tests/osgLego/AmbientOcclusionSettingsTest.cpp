@@ -1,0 +1,97 @@
+#include <osgLego/AmbientOcclusionSettings.h>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+AmbientOcclusionSettings parsed(const std::string& text)
+{
+    AmbientOcclusionSettings settings;
+    std::string error;
+    EXPECT_TRUE(AmbientOcclusionSettings::parse(text, settings, error)) << text << ": " << error;
+    return settings;
+}
+
+std::string errorOf(const std::string& text)
+{
+    AmbientOcclusionSettings settings;
+    std::string error;
+    EXPECT_FALSE(AmbientOcclusionSettings::parse(text, settings, error)) << text;
+    EXPECT_EQ(settings, AmbientOcclusionSettings()) << "a failed parse changed the settings";
+    return error;
+}
+
+TEST(AmbientOcclusionSettings, AQualityNeedsNoKey)
+{
+    EXPECT_EQ(parsed("high").quality, AmbientOcclusionQuality::HIGH);
+    EXPECT_EQ(parsed("low").quality, AmbientOcclusionQuality::LOW);
+    EXPECT_EQ(parsed("quality=medium").quality, AmbientOcclusionQuality::MEDIUM);
+}
+
+TEST(AmbientOcclusionSettings, EveryKeyIsRead)
+{
+    const AmbientOcclusionSettings settings = parsed("quality = low, radius=0.5,show=bent-normals");
+    EXPECT_EQ(settings.quality, AmbientOcclusionQuality::LOW);
+    EXPECT_EQ(settings.radius, 0.5);
+    EXPECT_EQ(settings.output, AmbientOcclusionOutput::BENT_NORMALS);
+}
+
+TEST(AmbientOcclusionSettings, TheTextFormComesBackAsItWas)
+{
+    for (const char* text : {"low", "medium", "high", "medium,radius=0.125", "low,show=occlusion",
+                             "high,radius=1e-05,show=bent-normals", "medium,show=irradiance", "medium,show=normals"})
+    {
+        EXPECT_EQ(parsed(text).toString(), text);
+        EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
+    }
+    EXPECT_EQ(AmbientOcclusionSettings().toString(), "medium");
+    EXPECT_EQ(parsed("medium,show=picture").toString(), "medium");
+}
+
+TEST(AmbientOcclusionSettings, KeysThatAreNotNamedKeepTheirValues)
+{
+    AmbientOcclusionSettings settings = parsed("high,radius=2");
+    std::string error;
+    ASSERT_TRUE(AmbientOcclusionSettings::parse("show=normals", settings, error));
+    EXPECT_EQ(settings.toString(), "high,radius=2,show=normals");
+}
+
+TEST(AmbientOcclusionSettings, AMistakeIsNamedWithWhatIsAllowed)
+{
+    EXPECT_EQ(errorOf("quality=best"), "bad value 'best' for quality; allowed: low, medium, high");
+    EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; allowed: low, medium, high");
+    EXPECT_EQ(errorOf("show=depth"),
+              "bad value 'depth' for show; allowed: picture, occlusion, bent-normals, irradiance, normals");
+    EXPECT_EQ(errorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, show");
+    EXPECT_EQ(errorOf("low,high"), "'quality' is given twice");
+    EXPECT_NE(errorOf("").find("is neither a quality"), std::string::npos);
+    EXPECT_NE(errorOf("low,").find("is neither a quality"), std::string::npos);
+    for (const char* radius : {"0", "-1", "nan", "inf", "-inf", "two", "", "1x"})
+        EXPECT_EQ(errorOf(std::string("radius=") + radius), std::string("bad value '") + radius +
+                                                                "' for radius; allowed: a number above 0, in units of "
+                                                                "the world");
+}
+
+TEST(AmbientOcclusionSettings, ARadiusThatIsNoneIsRefused)
+{
+    AmbientOcclusionSettings settings;
+    EXPECT_TRUE(settings.check().empty());
+    for (const double radius :
+         {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    {
+        settings.radius = radius;
+        EXPECT_FALSE(settings.check().empty()) << radius;
+    }
+    settings.radius = std::numeric_limits<double>::min();
+    EXPECT_TRUE(settings.check().empty());
+}
+
+} // namespace
+
+} // namespace osgLego

@@ -1,0 +1,269 @@
+#include <LookTest.h>
+#include <Probes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <osg/Fog>
+#include <osg/Material>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+const osg::Vec4 GREY(0.6f, 0.6f, 0.6f, 1.0f);
+
+// A wall of bricks in y = 0, seen from the front: 15 pixels each, a joint in the middle of the picture.
+constexpr int PIXELS = 15;
+const osg::Vec3 WALL_SIZE(20, 1, 20);
+const Viewpoint WALL_VIEW{{10, -30, 10}, {10, 0, 10}, {0, 0, 1}, static_cast<double>(GlTest::HEIGHT) / PIXELS};
+
+double brightnessAt(const osg::Image& image, int column, int row)
+{
+    const osg::Vec3d color = readColor(image, column, row);
+    return (color.x() + color.y() + color.z()) / 3.0;
+}
+
+double meanOf(const osg::Image& image)
+{
+    double sum = 0.0;
+    for (int row = 0; row < image.t(); ++row)
+        for (int column = 0; column < image.s(); ++column)
+            sum += brightnessAt(image, column, row);
+    return sum / (image.s() * image.t());
+}
+
+class BrickLook : public LookTest
+{
+protected:
+    static osg::ref_ptr<LegoNode> createWall(const BrickAppearance& appearance, const char* settings = "20")
+    {
+        osg::ref_ptr<LegoNode> wall = createBrickBox(WALL_SIZE, settings, GREY);
+        EXPECT_TRUE(wall->setAppearance(appearance));
+        return wall;
+    }
+};
+
+TEST_F(BrickLook, JointsMakeAGridOfDarkLines)
+{
+    BrickAppearance appearance;
+    appearance.variation = 0.0;
+    const osg::ref_ptr<LegoNode> wall = createWall(appearance);
+    for (const bool isOccluded : {false, true})
+    {
+        const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", wall);
+        group->setEnabled(isOccluded);
+        wall->setAppearance(appearance);
+        const osg::ref_ptr<osg::Image> image = draw(*group, WALL_VIEW);
+        // The means of columns, and of rows, by their place in a brick.
+        std::vector<double> columns(PIXELS);
+        std::vector<double> rows(PIXELS);
+        constexpr int ALL = WIDTH / PIXELS * PIXELS;
+        for (int row = 0; row < HEIGHT; ++row)
+            for (int column = 0; column < ALL; ++column)
+            {
+                const double value = brightnessAt(*image, column, row);
+                columns[static_cast<std::size_t>((column + 5 * PIXELS - WIDTH / 2 % PIXELS) % PIXELS)] += value;
+                rows[static_cast<std::size_t>(row % PIXELS)] += value;
+            }
+        for (const std::vector<double>& profile : {columns, rows})
+        {
+            std::vector<double> sorted = profile;
+            std::sort(sorted.begin(), sorted.end());
+            const double median = sorted[PIXELS / 2];
+            EXPECT_LT(std::min(profile.front(), profile.back()), 0.97 * median) << "the joint";
+            for (int place = 3; place < PIXELS - 3; ++place)
+                EXPECT_NEAR(profile[static_cast<std::size_t>(place)], median, 0.02 * median) << place;
+        }
+        BrickAppearance smooth = appearance;
+        smooth.joints = false;
+        wall->setAppearance(smooth);
+        const osg::ref_ptr<osg::Image> flat = draw(*group, WALL_VIEW);
+        double least = 1.0;
+        double most = 0.0;
+        for (int column = 5; column < WIDTH - 5; ++column)
+            for (int row = 5; row < HEIGHT - 5; ++row)
+            {
+                const int step = row + 1 < HEIGHT ? 1 : 0;
+                const double difference = brightnessAt(*flat, column, row + step) - brightnessAt(*flat, column, row);
+                least = std::min(least, difference);
+                most = std::max(most, difference);
+            }
+        EXPECT_LT(most - least, 4.0 / 255.0) << "without joints there are no lines";
+    }
+}
+
+TEST_F(BrickLook, TheReliefIsOnTheDiskOfTheStudAlone)
+{
+    BrickAppearance appearance;
+    appearance.reliefHeight = 0.0;
+    const osg::ref_ptr<LegoNode> plate = createBrickBox({10, 10, 1}, "10", GREY);
+    plate->setAppearance(appearance);
+    // One stud, from above, 100 pixels wide.
+    const Viewpoint above{{4.5, 4.5, 20}, {4.5, 4.5, 0}, {0, 1, 0}, 1.5};
+    const osg::ref_ptr<osg::Image> without = draw(*plate, above);
+    appearance.reliefHeight = 0.1;
+    plate->setAppearance(appearance);
+    const osg::ref_ptr<osg::Image> with = draw(*plate, above);
+    int count = 0;
+    for (int row = 0; row < HEIGHT; ++row)
+        for (int column = 0; column < WIDTH; ++column)
+        {
+            const double difference = brightnessAt(*with, column, row) - brightnessAt(*without, column, row);
+            if (std::abs(difference) < 3.0 / 255.0) continue;
+            ++count;
+            const double x = std::fmod((column + 0.5 - WIDTH / 2) / 100.0 + 4.5, 1.0) - 0.5;
+            const double y = std::fmod((row + 0.5 - HEIGHT / 2) / 100.0 + 4.5, 1.0) - 0.5;
+            ASSERT_LT(std::hypot(x, y), 0.31) << column << " " << row;
+        }
+    EXPECT_GT(count, 300);
+}
+
+TEST_F(BrickLook, BricksDifferAsMuchAsIsAskedForAndAlwaysInTheSameWay)
+{
+    BrickAppearance appearance;
+    appearance.joints = false;
+    const auto spread = [&](double variation)
+    {
+        appearance.variation = variation;
+        const osg::ref_ptr<osg::Image> image = draw(*createWall(appearance), WALL_VIEW);
+        // Neighbouring bricks, so that what changes slowly over the wall has no part.
+        double sum = 0.0;
+        int count = 0;
+        for (int row = PIXELS / 2; row < HEIGHT; row += PIXELS)
+            for (int column = PIXELS; column + PIXELS < WIDTH; column += PIXELS, ++count)
+                sum += std::abs(brightnessAt(*image, column, row) - brightnessAt(*image, column + PIXELS, row));
+        return sum / count;
+    };
+    EXPECT_LT(spread(0.0), 1.0 / 255.0);
+    EXPECT_GT(spread(1.0), 2.0 / 255.0);
+    EXPECT_GT(spread(3.0), 2.0 * spread(1.0));
+    const osg::ref_ptr<osg::Image> first = draw(*createWall(appearance), WALL_VIEW);
+    EXPECT_EQ(countDifferent(*first, *draw(*createWall(appearance), WALL_VIEW), 0), 0u);
+}
+
+TEST_F(BrickLook, BricksSmallerThanAPixelDoNotSparkle)
+{
+    // 300 x 300 bricks, each of 0.7 pixels.
+    const osg::ref_ptr<LegoNode> wall = createBrickBox({300, 1, 300}, "300", GREY);
+    for (const bool isOccluded : {false, true})
+    {
+        const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", wall);
+        group->setEnabled(isOccluded);
+        const double pixel = 1.0 / 0.7;
+        Viewpoint far{{150, -400, 150}, {150, 0, 150}, {0, 0, 1}, HEIGHT * pixel};
+        const osg::ref_ptr<osg::Image> image = draw(*group, far);
+        double squares = 0.0;
+        for (int row = 0; row < HEIGHT; ++row)
+            for (int column = 5; column < WIDTH - 5; ++column)
+            {
+                const double step = brightnessAt(*image, column, row) - brightnessAt(*image, column - 1, row);
+                squares += step * step;
+            }
+        EXPECT_LT(std::sqrt(squares / (HEIGHT * (WIDTH - 10))), 3.0 / 255.0) << isOccluded;
+        for (osg::Vec3d* place : {&far.eye, &far.target})
+            *place += osg::Vec3d(0.5 * pixel, 0, 0.5 * pixel);
+        EXPECT_NEAR(meanOf(*draw(*group, far)), meanOf(*image), 1.0 / 255.0) << isOccluded;
+    }
+}
+
+TEST_F(BrickLook, FogHidesTheBricksInBothLooks)
+{
+    osg::ref_ptr<osg::Fog> fog = new osg::Fog;
+    fog->setMode(osg::Fog::LINEAR);
+    fog->setStart(0.0f);
+    fog->setColor(osg::Vec4(1.0f, 0.5f, 0.0f, 1.0f));
+    for (const char* look : {"20,look=full", "20,look=plain"})
+        for (const bool isOccluded : {false, true})
+        {
+            const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", createWall({}, look));
+            group->setEnabled(isOccluded);
+            const osg::Vec3d clear = readColor(*draw(*group, WALL_VIEW), 53, 53);
+            group->getOrCreateStateSet()->setAttributeAndModes(fog);
+            fog->setEnd(60.0f); // the wall is halfway
+            const osg::Vec3d half = readColor(*draw(*group, WALL_VIEW), 53, 53);
+            EXPECT_LT((half - (clear + osg::Vec3d(1.0, 0.5, 0.0)) * 0.5).length(), 0.05) << look << isOccluded;
+            fog->setEnd(20.0f);
+            const osg::Vec3d all = readColor(*draw(*group, WALL_VIEW), 53, 53);
+            // What is none of a group's bricks of the full look may be occluded by a little.
+            EXPECT_LT((all - osg::Vec3d(1.0, 0.5, 0.0)).length(), 0.03) << look << isOccluded;
+        }
+}
+
+TEST_F(BrickLook, ThePlainLookIsDrawnInAGroup)
+{
+    const osg::ref_ptr<AmbientOcclusionScene> group =
+        createGroup("medium", createBrickBox({8, 8, 3}, "8,look=plain", GREY));
+    const Viewpoint viewpoint{{12, -18, 14}, {4, 4, 1}};
+    const osg::ref_ptr<osg::Image> with = draw(*group, viewpoint);
+    group->setEnabled(false);
+    const osg::ref_ptr<osg::Image> without = draw(*group, viewpoint);
+    EXPECT_GT(countDrawn(*with), 3000u);
+    EXPECT_EQ(countDrawn(*with), countDrawn(*without));
+    EXPECT_LT(meanOf(*with), meanOf(*without));
+    EXPECT_GT(meanOf(*with), 0.7 * meanOf(*without));
+}
+
+TEST_F(BrickLook, AnotherLookCostsNoLegolization)
+{
+    const osg::ref_ptr<LegoNode> wall = createWall({});
+    const unsigned int contextID = _context->getState()->getContextID();
+    const auto countLegolizations = [&] { return wall->getStatistics(contextID).numLegolizations; };
+    const osg::ref_ptr<osg::Image> full = draw(*wall, WALL_VIEW);
+    EXPECT_EQ(countLegolizations(), 1u);
+    EXPECT_TRUE(wall->setSettings(parseSettings("20,look=plain")));
+    EXPECT_GT(countDifferent(*full, *draw(*wall, WALL_VIEW), 4), 1000u);
+    EXPECT_TRUE(wall->setSettings(parseSettings("20")));
+    EXPECT_EQ(countDifferent(*full, *draw(*wall, WALL_VIEW), 0), 0u);
+    BrickAppearance appearance;
+    appearance.joints = false;
+    EXPECT_TRUE(wall->setAppearance(appearance));
+    EXPECT_GT(countDifferent(*full, *draw(*wall, WALL_VIEW), 4), 1000u);
+    wall->setLightProbe(createDarkProbe());
+    draw(*wall, WALL_VIEW);
+    EXPECT_EQ(countLegolizations(), 1u);
+    EXPECT_TRUE(wall->setSettings(parseSettings("10")));
+    draw(*wall, WALL_VIEW);
+    EXPECT_EQ(countLegolizations(), 2u);
+}
+
+TEST_F(BrickLook, ABadAppearanceIsRefused)
+{
+    const osg::ref_ptr<LegoNode> wall = createWall({});
+    BrickAppearance appearance;
+    appearance.roughness = 0.0;
+    EXPECT_FALSE(wall->setAppearance(appearance));
+    EXPECT_EQ(wall->getAppearance(), BrickAppearance());
+}
+
+TEST_F(BrickLook, HighlightsAreTheMaterialsWhereThatIsAskedFor)
+{
+    osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setSpecular(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 0, 0, 1));
+    material->setShininess(osg::Material::FRONT_AND_BACK, 20.0f);
+    for (const bool isOccluded : {false, true})
+    {
+        const osg::ref_ptr<LegoNode> wall = createBrickBox(WALL_SIZE, "20", osg::Vec4(0.1f, 0.1f, 0.1f, 1.0f));
+        wall->setLightProbe(createDarkProbe());
+        const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", wall);
+        group->setLightProbe(createDarkProbe());
+        group->setEnabled(isOccluded);
+        group->getOrCreateStateSet()->setAttributeAndModes(material);
+        // The headlight shines straight upon the wall.
+        const osg::Vec3d plastic = readColor(*draw(*group, WALL_VIEW), WIDTH / 2 + 7, HEIGHT / 2 + 7);
+        EXPECT_NEAR(plastic.x(), plastic.y(), 0.02) << isOccluded;
+        BrickAppearance appearance;
+        appearance.materialSpecular = true;
+        wall->setAppearance(appearance);
+        const osg::Vec3d red = readColor(*draw(*group, WALL_VIEW), WIDTH / 2 + 7, HEIGHT / 2 + 7);
+        EXPECT_GT(red.x(), 0.7) << isOccluded;
+        EXPECT_LT(red.y(), 0.3) << isOccluded;
+    }
+}
+
+} // namespace
+
+} // namespace osgLego::test
