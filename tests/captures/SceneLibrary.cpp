@@ -9,6 +9,7 @@
 #include <map>
 
 #include <osg/BlendFunc>
+#include <osg/Camera>
 #include <osg/ClipNode>
 #include <osg/Fog>
 #include <osg/Geode>
@@ -16,10 +17,10 @@
 #include <osg/LightSource>
 #include <osg/Material>
 #include <osg/MatrixTransform>
+#include <osg/Program>
 #include <osg/ShapeDrawable>
 #include <osg/Texture2D>
-#include <osgShadow/ShadowMap>
-#include <osgShadow/ShadowedScene>
+#include <osg/Uniform>
 
 namespace osgLego::test
 {
@@ -125,28 +126,64 @@ osg::ref_ptr<osg::Node> createTransparent()
                    createPane(0.7f, osg::Vec4(0.1f, 0.3f, 0.9f, 0.5f)));
 }
 
-/** Without it, the program of osgShadow::ShadowMap takes what it draws for black. */
-osg::ref_ptr<osg::Texture2D> createWhiteTexture()
+const char* const RECEIVER_VERTEX = R"(
+uniform mat4 toShadow;
+varying vec4 place;
+void main()
 {
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(1, 1, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE);
-    *image->data() = 255;
-    return new osg::Texture2D(image);
+    place = toShadow * gl_Vertex;
+    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+})";
+
+const char* const RECEIVER_FRAGMENT = R"(
+uniform sampler2DShadow depths;
+varying vec4 place;
+void main()
+{
+    gl_FragColor = vec4(vec3(0.35 + 0.4 * shadow2DProj(depths, place).r), 1.0);
+})";
+
+/** A camera of depths alone, which looks along the light's way; as osgShadow's techniques have it, which themselves
+ * find no lights below a camera that renders to a texture. */
+osg::ref_ptr<osg::Camera> createShadowCamera(osg::Texture2D& depths, const osg::Vec3& toLight)
+{
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setRenderOrder(osg::Camera::PRE_RENDER);
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->attach(osg::Camera::DEPTH_BUFFER, &depths);
+    camera->setViewport(0, 0, depths.getTextureWidth(), depths.getTextureHeight());
+    camera->setClearMask(GL_DEPTH_BUFFER_BIT);
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setProjectionMatrixAsOrtho(-4, 4, -4, 4, 1, 20);
+    camera->setViewMatrixAsLookAt(toLight * 10.0f, osg::Vec3(), osg::Vec3(0, 0, 1));
+    return camera;
 }
 
 osg::ref_ptr<osg::Node> createShadow()
 {
-    const osg::ref_ptr<osg::LightSource> sun = createLight(0, osg::Vec4(-0.4f, 0.5f, 1.0f, 0), osg::Vec4(1, 1, 1, 1));
-    osg::ref_ptr<osgShadow::ShadowMap> technique = new osgShadow::ShadowMap;
-    technique->setTextureSize(osg::Vec2s(512, 512));
-    technique->setLight(sun);
-    osg::ref_ptr<osgShadow::ShadowedScene> scene = new osgShadow::ShadowedScene(technique);
-    scene->addChild(occlusionOf(createLego()));
+    constexpr int SIZE = 512;
+    osg::ref_ptr<osg::Texture2D> depths = new osg::Texture2D;
+    depths->setTextureSize(SIZE, SIZE);
+    depths->setInternalFormat(GL_DEPTH_COMPONENT);
+    depths->setShadowComparison(true);
+    depths->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    const osg::ref_ptr<osg::Node> bricks = occlusionOf(createLego());
+    const osg::ref_ptr<osg::Camera> camera = createShadowCamera(*depths, osg::Vec3(-0.4f, 0.5f, 0.7f));
+    camera->addChild(bricks);
+
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, RECEIVER_VERTEX));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, RECEIVER_FRAGMENT));
+    const osg::Matrix toShadow = camera->getViewMatrix() * camera->getProjectionMatrix() *
+                                 osg::Matrix::translate(1, 1, 1) * osg::Matrix::scale(0.5, 0.5, 0.5);
     const osg::ref_ptr<osg::Node> ground = createGround();
-    ground->getOrCreateStateSet()->setTextureAttributeAndModes(0, createWhiteTexture());
-    scene->addChild(ground);
-    scene->addChild(sun);
-    return scene;
+    osg::StateSet* state = ground->getOrCreateStateSet();
+    state->setAttributeAndModes(program);
+    state->setTextureAttributeAndModes(0, depths);
+    state->addUniform(new osg::Uniform("depths", 0));
+    state->addUniform(new osg::Uniform("toShadow", osg::Matrixf(toShadow)));
+    return groupOf(camera, bricks, ground);
 }
 
 osg::ref_ptr<osg::Node> createLights()
