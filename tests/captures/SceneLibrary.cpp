@@ -281,7 +281,7 @@ osg::ref_ptr<osg::Node> createReliefImage()
 osg::ref_ptr<osg::Node> createOneStud(int cells)
 {
     constexpr float CELL = 4.35f / RESOLUTION; // from the nose to the pipes' ends
-    const osg::Vec3 place(-1.35f + CELL * static_cast<float>(cells), 0.0f, 0.62f);
+    const osg::Vec3 place(-1.35f + CELL * static_cast<float>(cells), 0.0f, 0.71f);
     const osg::Vec3 size(0.02f, 0.02f, 0.02f);
     return occlusionOf(
         createLego(groupOf(createRacingCar(), createBox(place, size, osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f)))));
