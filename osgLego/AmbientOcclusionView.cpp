@@ -216,6 +216,7 @@ void AmbientOcclusionView::createPasses(const LightProbe& probe)
                               {{"occlusion", rough}, {"depthImage", depthImage}, {"normalBuffer", normals}});
     _denoise->setTargets({smooth}, osg::Vec4());
     _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
+    _denoise->getStateSet()->addUniform(_radius);
 
     _composite = new ScreenPass(*createProgram("occlusion_composite", ""), {{"lightBuffer", light},
                                                                             {"albedoBuffer", albedo},

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 
-#include <osg/Fog>
 #include <osg/RenderInfo>
 
 namespace osgLego
@@ -17,14 +16,6 @@ namespace
 
 constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
 constexpr int NUM_LIGHTS = 8;
-
-/** The number that shaders/lighting.glsl has for a fog; 0 for none. */
-int getFogMode(const osg::State& state)
-{
-    const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));
-    if (!fog || !state.getLastAppliedMode(GL_FOG)) return 0;
-    return fog->getMode() == osg::Fog::LINEAR ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3;
-}
 
 /** Tell the program which lights the state has switched on. */
 void setLights(const ProgramUniforms& uniforms, const osg::State& state)
@@ -75,7 +66,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("upAxis", up);
     uniforms.set("studHeight", static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
     uniforms.set("cellProportions", glm::vec3(grid.cellSize / grid.getPitch()));
-    uniforms.set("fogMode", getFogMode(state));
+    setFog(uniforms, state);
     setLights(uniforms, state);
 
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();

@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <osg/Fog>
 #include <osg/GLExtensions>
 #include <osg/Matrixd>
 #include <osg/Program>
@@ -79,6 +80,15 @@ inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
     osg::Matrix3 result;
     std::copy_n(&rotation[0].x, 9, result.ptr());
     return result;
+}
+
+/** Tell shaders/fog.glsl what fog the state has applied; the colour and the rest are GL's own. */
+inline void setFog(const ProgramUniforms& uniforms, const osg::State& state)
+{
+    const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));
+    const bool isOn = fog && state.getLastAppliedMode(GL_FOG);
+    const bool isLinear = isOn && fog->getMode() == osg::Fog::LINEAR;
+    uniforms.set("fogMode", !isOn ? 0 : isLinear ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3);
 }
 
 /** Set what shaders/addressing.glsl needs to find the cells of a slab in a voxel image. */

@@ -64,6 +64,7 @@ void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("pixelSize", 2.0f / glm::vec2(_size));
     uniforms.set("origin", _origin);
     uniforms.set("eyeToWorld", _eyeToWorld);
+    setFog(uniforms, state);
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     glDrawArrays(GL_TRIANGLES, 0, 3);

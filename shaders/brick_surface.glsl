@@ -57,11 +57,18 @@ float sumOfSquares(float place)
     return sign(place) * EDGE_SLOPE * EDGE_SLOPE * (t - t * t / EDGE + t * t * t / (3.0 * EDGE * EDGE));
 }
 
-// The mean slope of one edge, its variance, and how much of the gap behind it is seen, over a pixel of some width.
+// The mean slope of one edge, its variance, and how much of the gap behind it is seen, over a pixel of some width. Behind
+// an edge that is a brick's last there is nothing of this side; at a silhouette the pixel's middle may lie there.
 vec3 edgeAt(float place, float width, bool isFilled)
 {
     float first = place - 0.5 * width;
     float last = place + 0.5 * width;
+    if (!isFilled)
+    {
+        first = max(first, 0.0);
+        last = max(last, first + 0.25 * width);
+        width = last - first;
+    }
     float slope = (sumOfSlopes(last) - sumOfSlopes(first)) / width;
     float square = (sumOfSquares(last) - sumOfSquares(first)) / width;
     float gap = isFilled ? (clamp(last, -GAP, GAP) - clamp(first, -GAP, GAP)) / width : 0.0;

@@ -1,8 +1,7 @@
-// The scene's lights, as osg::Light describes them, and its fog.
+// The scene's lights, as osg::Light describes them.
 
 uniform int numLights;       // below 0: lighting is off, and colours show as they are
 uniform int lightNumbers[8]; // of the lights that are on
-uniform int fogMode;         // 0: none, 1: linear, 2: exponential, 3: exponential of the square
 
 // How much of a light comes to a place, by distance and spot.
 float attenuationOf(int number, vec3 toLight)
@@ -26,14 +25,4 @@ vec3 towardsLight(int number, vec3 eyePosition)
 vec3 towardsEye(vec3 eyePosition)
 {
     return gl_ProjectionMatrix[3][3] == 0.0 ? normalize(-eyePosition) : vec3(0.0, 0.0, 1.0);
-}
-
-// The part of a surface's light that comes through the fog.
-float transmittanceAt(vec3 eyePosition)
-{
-    float depth = abs(eyePosition.z);
-    float density = gl_Fog.density * depth;
-    if (fogMode == 1) return clamp((gl_Fog.end - depth) * gl_Fog.scale, 0.0, 1.0);
-    if (fogMode == 2) return exp(-density);
-    return fogMode == 3 ? exp(-density * density) : 1.0;
 }

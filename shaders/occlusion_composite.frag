@@ -6,6 +6,7 @@
 #include "geometry_buffer.glsl"
 #include "color_space.glsl"
 #include "ambient_light.glsl"
+#include "fog.glsl"
 
 uniform sampler2D lightBuffer;
 uniform sampler2D albedoBuffer;
@@ -41,7 +42,9 @@ void main()
     float visibility = bentAndVisibility.w;
     vec3 toEye = towardsEyeFrom(eyePositionOf(vec2(pixel) + 0.5, depth.r));
 
-    vec3 color = isUnlit(normals) ? light.rgb : light.rgb * visibility;
+    // What is no brick has its fog already, which nothing hides.
+    float hidden = isUnlit(normals) ? 0.0 : (1.0 - visibility) * transmittanceAt(depth.r);
+    vec3 color = light.rgb * (1.0 - hidden);
     vec3 surface = bent;
     if (isBrick(normals))
     {

@@ -6,10 +6,13 @@ uniform sampler2D occlusion; // bent normal, visibility
 uniform sampler2D depthImage;
 uniform sampler2D normalBuffer;
 
-uniform float power; // of visibility
+uniform float radius; // in the eye's units
+uniform float power;  // of visibility
 
 // How far a neighbour may lie off this pixel's plane, in widths of a pixel there.
 const float THICKNESS = 2.0;
+// For each so many pixels of the radius, the mean is one pixel wider.
+const float REACH = 30.0;
 
 void main()
 {
@@ -29,15 +32,19 @@ void main()
                       abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
     float width = abs(spreadAt(depth)) * pixelSize.x / sceneProjection[0][0];
 
+    // As wide as the noise is coarse: where the radius is many pixels wide, steps lie far from each other.
+    float reach = radius / (width * REACH);
+    float spread = 1.0 / clamp(reach * reach, 2.0, 10.0);
+
     vec4 sum = here;
     float weights = 1.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x)
         {
             ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
             float away = abs(texelFetch(depthImage, other, 0).r - depth - dot(slope, vec2(x, y)));
             vec2 turned = abs(texelFetch(normalBuffer, other, 0).xy - normal);
-            float weight = clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0) *
+            float weight = exp(-spread * float(x * x + y * y)) * clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0) *
                            clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
             sum += weight * texelFetch(occlusion, other, 0);
             weights += weight;

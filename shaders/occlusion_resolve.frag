@@ -1,6 +1,6 @@
 // Ambient occlusion, the first pass: from the geometry buffer to one depth a pixel, in the eye's coordinates, and how much
-// of the pixel is covered. Of several samples (#define SAMPLES) the nearest speaks for the pixel's shape, and all of them
-// for its light.
+// of the pixel is covered. Of several samples (#define SAMPLES) the first that is covered speaks for the pixel's shape: the
+// same place in each pixel, or nearly, so that neighbours fit together; and all of them for its light.
 
 #include "view_position.glsl"
 
@@ -17,22 +17,20 @@ uniform sampler2DMS depthBuffer;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float nearest = 1.0;
-    int nearestSample = 0;
+    float depth = 1.0;
+    int chosen = 0;
     int count = 0;
-    for (int index = 0; index < SAMPLES; ++index)
+    for (int index = SAMPLES - 1; index >= 0; --index)
     {
-        float depth = texelFetch(depthBuffer, pixel, index).r;
-        if (depth < 1.0) ++count;
-        if (depth < nearest)
-        {
-            nearest = depth;
-            nearestSample = index;
-        }
+        float sampled = texelFetch(depthBuffer, pixel, index).r;
+        if (sampled >= 1.0) continue;
+        ++count;
+        depth = sampled;
+        chosen = index;
     }
     if (count == 0) discard;
 
-    vec4 normals = texelFetch(normalBuffer, pixel, nearestSample);
+    vec4 normals = texelFetch(normalBuffer, pixel, chosen);
     bool inLight = isBrick(normals);
     vec3 light = vec3(0.0);
     vec4 albedo = vec4(0.0);
@@ -41,15 +39,15 @@ void main()
         if (texelFetch(depthBuffer, pixel, index).r >= 1.0) continue;
         vec4 color = texelFetch(lightBuffer, pixel, index);
         bool isLight = isBrick(texelFetch(normalBuffer, pixel, index));
-        // What is shown and what is light are brought to what the nearest is.
+        // What is shown and what is light are brought to what the chosen one is.
         if (inLight && !isLight) color.rgb = toLight(color.rgb);
         if (!inLight && isLight) color.rgb = toColor(color.rgb);
         light += color.rgb;
         // Only bricks have an albedo that is of use; others wrote their colour.
         albedo += isLight ? texelFetch(albedoBuffer, pixel, index) : vec4(0.0, 0.0, 0.0, 1.0);
     }
-    gl_FragData[0] = vec4(eyeDepthOf(nearest), float(count) / float(SAMPLES), 0.0, 0.0);
-    gl_FragData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, nearestSample).a);
+    gl_FragData[0] = vec4(eyeDepthOf(depth), float(count) / float(SAMPLES), 0.0, 0.0);
+    gl_FragData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, chosen).a);
     gl_FragData[2] = albedo / float(count);
     gl_FragData[3] = normals;
 }

@@ -1,6 +1,7 @@
 // Polygonization, the plain look: Phong's model with the scene's lights, all by pixel.
 
 #include "lighting.glsl"
+#include "fog.glsl"
 
 in vec3 eyePosition;
 in vec3 eyeNormal;
@@ -33,5 +34,5 @@ vec3 shade(vec3 albedo)
 void main()
 {
     vec3 shaded = shade(unpackUnorm4x8(color).rgb);
-    gl_FragColor = vec4(mix(gl_Fog.color.rgb, shaded, transmittanceAt(eyePosition)), 1.0);
+    gl_FragColor = vec4(mix(gl_Fog.color.rgb, shaded, transmittanceAt(eyePosition.z)), 1.0);
 }

@@ -2,6 +2,7 @@
 // follows (#define GEOMETRY_BUFFER), the light of the probe is left to it.
 
 #include "lighting.glsl"
+#include "fog.glsl"
 #include "color_space.glsl"
 #include "brick_surface.glsl"
 #if defined(GEOMETRY_BUFFER)
@@ -47,7 +48,7 @@ void main()
 {
     Surface surface = surfaceHere();
     vec3 albedo = toLight(surface.color);
-    float transmittance = transmittanceAt(eyePosition);
+    float transmittance = transmittanceAt(eyePosition.z);
     if (numLights < 0)
     {
         vec3 shown = mix(gl_Fog.color.rgb, unpackUnorm4x8(color).rgb, transmittance);
@@ -67,7 +68,7 @@ void main()
 void main()
 {
     Surface surface = surfaceHere();
-    float transmittance = transmittanceAt(eyePosition);
+    float transmittance = transmittanceAt(eyePosition.z);
     vec3 shown = unpackUnorm4x8(color).rgb;
     if (numLights >= 0)
     {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <osg/LightModel>
 #include <osg/LightSource>
@@ -27,7 +28,7 @@ constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 
-/** Finds the first node of a class that a scene shows. */
+/** Finds the nodes of a class that a scene shows, but for those below one of them. */
 template <typename Found>
 class Finder : public osg::NodeVisitor
 {
@@ -36,14 +37,18 @@ public:
 
     void apply(osg::Group& group) override
     {
-        if (!_found) _found = dynamic_cast<Found*>(&group);
-        if (!_found) traverse(group);
+        if (auto* found = dynamic_cast<Found*>(&group))
+            _all.push_back(found);
+        else
+            traverse(group);
     }
 
-    Found* getFound() const { return _found; }
+    /** The first one; null without any. */
+    Found* getFound() const { return _all.empty() ? nullptr : _all.front(); }
+    std::vector<Found*> getAll() const { return _all; }
 
 private:
-    Found* _found = nullptr;
+    std::vector<Found*> _all;
 };
 
 osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
@@ -73,10 +78,21 @@ CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
     const osg::Timer_t start = osg::Timer::instance()->tick();
     _source = readMesh(options.mesh);
     _readingTime = elapsed(start);
+    prepare();
+}
+
+CaptureScene::CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node) :
+    _options(options), _source(node)
+{
+    prepare();
+}
+
+void CaptureScene::prepare()
+{
     // A pseudo-loader may have put a node around the mesh, or around a part of it, already.
-    if (options.original || options.settings) unwrapSource();
+    if (_options.original || _options.settings) unwrapSource();
     _shown = _source;
-    if (options.original) return;
+    if (_options.original) return;
     legolize();
     addOcclusion();
 }
@@ -110,7 +126,8 @@ void CaptureScene::legolize()
 void CaptureScene::addOcclusion()
 {
     const osg::ref_ptr<LightProbe> probe = createProbe();
-    _lego->setLightProbe(probe);
+    for (LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+        lego->setLightProbe(probe);
     _occlusion = Finder<AmbientOcclusionScene>(*_shown).getFound();
     if (_lego->getSettings().look == Look::FULL && _options.hasOcclusion && !_occlusion)
     {
@@ -118,11 +135,13 @@ void CaptureScene::addOcclusion()
         _occlusion->addChild(_shown);
         _shown = _occlusion;
     }
-    if (!_occlusion) return;
-    _occlusion->setEnabled(_options.hasOcclusion);
-    _occlusion->setSettings(_options.occlusion);
-    _occlusion->setLightProbe(probe);
-    _occlusion->setTiming(!_options.statistics.empty());
+    for (AmbientOcclusionScene* occlusion : Finder<AmbientOcclusionScene>(*_shown).getAll())
+    {
+        occlusion->setEnabled(_options.hasOcclusion);
+        occlusion->setSettings(_options.occlusion);
+        occlusion->setLightProbe(probe);
+        occlusion->setTiming(!_options.statistics.empty());
+    }
 }
 
 osg::ref_ptr<LightProbe> CaptureScene::createProbe() const

@@ -24,6 +24,9 @@ public:
     /** Read the mesh, or make the built-in one. */
     explicit CaptureScene(const CaptureOptions& options);
 
+    /** Take a node, which may hold LegoNodes and AmbientOcclusionScenes of its own, in place of a mesh. */
+    CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node);
+
     /** Draw in a context, as often as it takes for the bricks to be there.
      * @return the picture, RGB of 8 bits, its first row at the bottom. */
     osg::ref_ptr<osg::Image> draw(osg::GraphicsContext& context);
@@ -37,6 +40,7 @@ public:
     double getDrawingTime() const { return _drawingTime; }
 
 private:
+    void prepare();
     void unwrapSource();
     void legolize();
     void addOcclusion();

@@ -10,7 +10,28 @@ namespace osgLego
 /** Read a reference, of a size that the picture must have. Throws CaptureError. */
 OIIO::ImageBuf readReference(const std::string& fileName, int width, int height);
 
-/** Compare a picture with a reference by OpenImageIO's compare, print the figures, and write the difference, made five
+/** How far a picture is from a reference, by OpenImageIO's compare. */
+struct PictureDifference
+{
+    double mean = 0.0;
+    double rootMeanSquare = 0.0;
+    double largest = 0.0;
+    int column = 0; //!< of the largest
+    int row = 0;
+    long long pixels = 0;      //!< off by more than 4/255
+    double share = 0.0;        //!< of all pixels, likewise
+    double glaringShare = 0.0; //!< off by more than 0.1
+
+    /** Whether the difference is within the tolerance of compareWithReference(). */
+    bool isTolerable() const;
+};
+
+PictureDifference measureDifference(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference);
+
+/** The difference, made five times as strong, as a picture of bytes. */
+OIIO::ImageBuf createDifferencePicture(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference);
+
+/** Compare a picture with a reference, print the figures, and write the difference, made five
  * times as strong, to `differenceName` if there is any. Throws CaptureError.
  *
  * The tolerance lets one software renderer's last bits differ from another's, and a few pixels at silhouettes, but not
