@@ -31,7 +31,8 @@ bool AmbientOcclusionScene::setSettings(const AmbientOcclusionSettings& settings
 
 void AmbientOcclusionScene::setLightProbe(const LightProbe* probe)
 {
-    _lightProbe = probe ? probe : new LightProbe;
+    // A copy, since it is read while frames are culled.
+    _lightProbe = probe ? new LightProbe(*probe) : new LightProbe;
     _views->clear();
 }
 

@@ -33,7 +33,10 @@ class AmbientOcclusionViews;
  * a warning says why. So do cameras that draw depths alone, as for shadows.
  * 2. Programs of the children write gl_FragColor, or every gl_FragData.
  * 3. Fog of the children is that of the state above the group, where there is any.
- * 4. GL objects are released while the node is in the scene of a context that closes, or by releaseGLObjects() before.
+ * 4. Projections have a near plane at depth 0 and a finite far plane at depth 1.
+ * 5. There is memory on the GPU for 48 bytes a pixel, or 140 with several samples, for each camera and cull visitor, of
+ *    which an osgViewer::View has two.
+ * 6. GL objects are released while the node is in the scene of a context that closes, or by releaseGLObjects() before.
  *
  * Works under any camera, in several views and windows, inside cameras that render to textures, and at any viewport;
  * with as many samples a pixel as the camera's target has. A group within such a group is a plain one.
@@ -62,9 +65,10 @@ public:
     bool setSettings(const AmbientOcclusionSettings& settings);
     const AmbientOcclusionSettings& getSettings() const { return _settings; }
 
-    /** Change the light from all around; null: the built-in sky. The probe is looked at here: set it again after
-     * changing it. */
+    /** Change the light from all around; null: the built-in sky. The probe is copied: set it again after changing
+     * it. */
     void setLightProbe(const LightProbe* probe);
+    /** The copy. */
     const LightProbe* getLightProbe() const { return _lightProbe; }
 
     /** Wait after each pass, so that getTimes() has its times. Off at first. */

@@ -95,7 +95,7 @@ void attach(osg::FrameBufferObject& buffer, osg::Camera::BufferComponent compone
         buffer.setAttachment(component, osg::FrameBufferAttachment(dynamic_cast<osg::Texture2DMultisample*>(&texture)));
 }
 
-osg::ref_ptr<osg::Program> createProgram(const char* pass, const std::string& definitions)
+osg::ref_ptr<osg::Program> createProgram(const char* pass, const std::string& definitions = {})
 {
     return ShaderLibrary::createProgram(pass, {"screen.vert", (std::string(pass) + ".frag").c_str()}, definitions);
 }
@@ -113,30 +113,59 @@ osgUtil::StateGraph* replaceState(osgUtil::StateGraph* graph, const osg::StateSe
     return replaceState(graph->_parent, from, to)->find_or_insert(state);
 }
 
-/** Draw in the frame around what a stage has that is transparent: nothing there needs occlusion, and all of it must
- * come after what is opaque on both sides.
- * @param inside the state of the stage.
- * @param outside what stands for it in the frame around. */
-void handOnTransparent(osgUtil::RenderStage& stage, osgUtil::RenderBin& outer, const osg::StateSet& inside,
-                       const osg::StateSet& outside)
+/** The name of the kind of a bin. */
+const char* kindOf(const osgUtil::RenderBin& bin)
 {
-    osgUtil::RenderBin::RenderBinList& bins = stage.getRenderBinList();
-    for (auto place = bins.lower_bound(osg::StateSet::TRANSPARENT_BIN); place != bins.end();)
+    if (bin.getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT) return "DepthSortedBin";
+    return bin.getSortMode() == osgUtil::RenderBin::TRAVERSAL_ORDER ? "TraversalOrderBin" : "RenderBin";
+}
+
+/** Moves what is transparent from a stage to the frame around: nothing there needs occlusion, and all of it must come
+ * after what is opaque on both sides. */
+class TransparentHandOver
+{
+public:
+    /** @param inside the state of the stage.
+     * @param outside what stands for it in the frame around. */
+    TransparentHandOver(const osg::StateSet& inside, const osg::StateSet& outside) : _inside(inside), _outside(outside)
     {
-        osgUtil::RenderBin& from = *place->second;
-        const bool isSorted = from.getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
-        osgUtil::RenderBin* to = outer.find_or_insert(place->first, isSorted ? "DepthSortedBin" : "RenderBin");
+    }
+
+    /** Move the transparent bins of a bin, and of those within it. */
+    void handOn(osgUtil::RenderBin& from, osgUtil::RenderBin& outer) const
+    {
+        osgUtil::RenderBin::RenderBinList& bins = from.getRenderBinList();
+        for (auto place = bins.begin(); place != bins.end();)
+        {
+            if (place->first < osg::StateSet::TRANSPARENT_BIN)
+            {
+                handOn(*place->second, outer);
+                ++place;
+                continue;
+            }
+            moveAll(*place->second, *outer.find_or_insert(place->first, kindOf(*place->second)));
+            place = bins.erase(place);
+        }
+    }
+
+private:
+    void moveAll(osgUtil::RenderBin& from, osgUtil::RenderBin& to) const
+    {
         for (osgUtil::StateGraph* graph : from.getStateGraphList())
         {
-            osgUtil::StateGraph* moved = replaceState(graph, inside, outside);
-            if (moved->leaves_empty()) to->addStateGraph(moved);
+            osgUtil::StateGraph* moved = replaceState(graph, _inside, _outside);
+            if (moved->leaves_empty()) to.addStateGraph(moved);
             for (const osg::ref_ptr<osgUtil::RenderLeaf>& leaf : graph->_leaves)
                 moved->addLeaf(leaf);
             graph->_leaves.clear();
         }
-        place = bins.erase(place);
+        for (const auto& [number, bin] : from.getRenderBinList())
+            moveAll(*bin, *to.find_or_insert(number, kindOf(*bin)));
     }
-}
+
+    const osg::StateSet& _inside;
+    const osg::StateSet& _outside;
+};
 
 /** Let lights and clip planes among the children act on the frame around, as those of other groups do. */
 void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& outer)
@@ -151,14 +180,29 @@ void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& ou
 
 } // namespace
 
-AmbientOcclusionView::AmbientOcclusionView(const Format& format, const LightProbe& probe) :
-    _format(format), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
+AmbientOcclusionPrograms::AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality,
+                                                   const LightProbe& probe) :
+    resolve(createProgram("occlusion_resolve", define("SAMPLES", samples))),
+    occlusion(createProgram("occlusion",
+                            define("SLICES", effortOf(quality).slices) + define("STEPS", effortOf(quality).steps))),
+    denoise(createProgram("occlusion_denoise")), composite(createProgram("occlusion_composite")),
+    noise(createOcclusionNoise()), light(new osg::StateSet)
+{
+    applyLightProbe(probe, *light);
+}
+
+AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOcclusionPrograms& programs) :
+    _format(format), _programs(&programs), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
     _childState(new osg::StateSet), _transparentState(new osg::StateSet)
 {
     // The viewport of the camera is part of the state above, and has another origin.
     _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
+    // These act on the composite, and what is in the buffer is no colour.
+    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+    _childState->setAttribute(new osg::ColorMask, OURS);
+    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OURS);
     createGeometryBuffer();
-    createPasses(probe);
+    createPasses();
 }
 
 void AmbientOcclusionView::createGeometryBuffer()
@@ -173,18 +217,17 @@ void AmbientOcclusionView::createGeometryBuffer()
     attach(*_geometryBuffer, osg::Camera::DEPTH_BUFFER, *_depth);
 }
 
-void AmbientOcclusionView::createPasses(const LightProbe& probe)
+void AmbientOcclusionView::createPasses()
 {
     const Effort effort = effortOf(_format.quality);
     const osg::Vec4 nothing(NOTHING, 0.0f, 0.0f, 0.0f);
     const osg::ref_ptr<osg::Texture2D> depthImage = createColorTexture(_format.size, GL_RG32F);
-    const osg::ref_ptr<osg::Program> resolve = createProgram("occlusion_resolve", define("SAMPLES", _format.samples));
     osg::ref_ptr<osg::Texture> light = _light;
     osg::ref_ptr<osg::Texture> albedo = _albedo;
     osg::ref_ptr<osg::Texture> normals = _normals;
     if (_format.samples == 1)
     {
-        _resolve = new ScreenPass(*resolve, {{"depthBuffer", _depth}});
+        _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light}, {"depthBuffer", _depth}});
         _resolve->setTargets({depthImage}, nothing);
     }
     else
@@ -194,7 +237,7 @@ void AmbientOcclusionView::createPasses(const LightProbe& probe)
         const osg::ref_ptr<osg::Texture2D> albedos = resolved(GL_RGBA8);
         const osg::ref_ptr<osg::Texture2D> allNormals = resolved(GL_RGBA16F_ARB);
         _resolve = new ScreenPass(
-            *resolve,
+            *_programs->resolve,
             {{"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}});
         _resolve->setTargets({depthImage, lights, albedos, allNormals}, nothing);
         light = lights;
@@ -203,33 +246,32 @@ void AmbientOcclusionView::createPasses(const LightProbe& probe)
     }
 
     const osg::ref_ptr<osg::Texture2D> rough = createColorTexture(_format.size, GL_RGBA16F_ARB);
-    _occlusion =
-        new ScreenPass(*createProgram("occlusion", define("SLICES", effort.slices) + define("STEPS", effort.steps)),
-                       {{"normalBuffer", normals}, {"depthImage", depthImage}, {"noise", createOcclusionNoise()}});
+    _occlusion = new ScreenPass(*_programs->occlusion,
+                                {{"normalBuffer", normals}, {"depthImage", depthImage}, {"noise", _programs->noise}});
     _occlusion->setTargets({rough}, osg::Vec4());
     _radius = _occlusion->getStateSet()->getOrCreateUniform("radius", osg::Uniform::FLOAT);
     _occlusion->getStateSet()->addUniform(
         new osg::Uniform("falloff", static_cast<float>(AmbientOcclusionSettings::FALLOFF)));
 
     const osg::ref_ptr<osg::Texture2D> smooth = createColorTexture(_format.size, GL_RGBA16F_ARB);
-    _denoise = new ScreenPass(*createProgram("occlusion_denoise", ""),
+    _denoise = new ScreenPass(*_programs->denoise,
                               {{"occlusion", rough}, {"depthImage", depthImage}, {"normalBuffer", normals}});
     _denoise->setTargets({smooth}, osg::Vec4());
     _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
     _denoise->getStateSet()->addUniform(_radius);
 
-    _composite = new ScreenPass(*createProgram("occlusion_composite", ""), {{"lightBuffer", light},
-                                                                            {"albedoBuffer", albedo},
-                                                                            {"normalBuffer", normals},
-                                                                            {"depthImage", depthImage},
-                                                                            {"occlusion", smooth}});
+    _composite = new ScreenPass(*_programs->composite, {{"lightBuffer", light},
+                                                        {"albedoBuffer", albedo},
+                                                        {"normalBuffer", normals},
+                                                        {"depthImage", depthImage},
+                                                        {"occlusion", smooth}});
     osg::StateSet& state = *_composite->getStateSet();
     state.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), osg::StateAttribute::ON |
                                                                                        osg::StateAttribute::OVERRIDE |
                                                                                        osg::StateAttribute::PROTECTED);
     state.setRenderBinDetails(COMPOSITE_BIN, "RenderBin");
     _shown = state.getOrCreateUniform("shown", osg::Uniform::INT);
-    applyLightProbe(probe, state);
+    state.merge(*_programs->light);
     _composite->setSource(*_stage);
 }
 
@@ -255,12 +297,15 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     cullChildren();
     visitor.popStateSet();
     visitor.setCurrentRenderBin(outerBin);
-    handOnTransparent(*_stage, *outerBin, *_childState, *_transparentState);
+    TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
+    _stage->handOnPostRenderStages(outer);
     handOnPositionalState(*_stage, outer);
-    outer.addPreRenderStage(_stage);
+    outer.addPreRenderStage(_stage, ScreenPass::RENDER_ORDER);
 
     const double pitch = _stage->getPitch();
-    const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * sceneRadius;
+    const osg::Matrixd& modelView = *visitor.getModelViewMatrix();
+    const double scale = osg::Matrixd::transform3x3(osg::Vec3d(1.0, 0.0, 0.0), modelView).length();
+    const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * scale * sceneRadius;
     _radius->set(effortOf(_format.quality).radius * static_cast<float>(settings.radius.value_or(usual)));
     _shown->set(static_cast<int>(settings.output));
     const osg::Matrixd eyeToWorld = computeEyeToWorld(visitor);

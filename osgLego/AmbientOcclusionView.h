@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 #include <osg/FrameBufferObject>
+#include <osg/Program>
 #include <osg/Referenced>
 #include <osg/Texture>
 #include <osg/ref_ptr>
@@ -16,6 +17,22 @@
 
 namespace osgLego
 {
+
+/** What views of one quality and number of samples share, whatever their size: it takes long to make. */
+struct AmbientOcclusionPrograms : public osg::Referenced
+{
+    AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality, const LightProbe& probe);
+
+    osg::ref_ptr<osg::Program> resolve;
+    osg::ref_ptr<osg::Program> occlusion;
+    osg::ref_ptr<osg::Program> denoise;
+    osg::ref_ptr<osg::Program> composite;
+    osg::ref_ptr<osg::Texture2D> noise;
+    osg::ref_ptr<osg::StateSet> light; //!< of the probe
+
+private:
+    ~AmbientOcclusionPrograms() override = default;
+};
 
 /** An AmbientOcclusionScene as one camera sees it: the buffers, and the passes over them.
  *
@@ -34,7 +51,7 @@ public:
         bool operator==(const Format&) const = default;
     };
 
-    AmbientOcclusionView(const Format& format, const LightProbe& probe);
+    AmbientOcclusionView(const Format& format, const AmbientOcclusionPrograms& programs);
 
     const Format& getFormat() const { return _format; }
 
@@ -57,10 +74,11 @@ private:
     ~AmbientOcclusionView() override = default;
 
     void createGeometryBuffer();
-    void createPasses(const LightProbe& probe);
+    void createPasses();
     void setUpStage(osgUtil::RenderStage& outer);
 
     Format _format;
+    osg::ref_ptr<const AmbientOcclusionPrograms> _programs;
     osg::ref_ptr<GeometryBufferStage> _stage;
     osg::ref_ptr<osg::FrameBufferObject> _geometryBuffer;
     osg::ref_ptr<osg::Texture> _light;

@@ -67,10 +67,18 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
     format.samples = samplesOf(*camera, state);
     format.quality = settings.quality;
     osg::ref_ptr<AmbientOcclusionView>& view = _views.find(visitor);
-    if (!view || view->getFormat() != format) view = new AmbientOcclusionView(format, probe);
+    if (!view || view->getFormat() != format) view = new AmbientOcclusionView(format, getPrograms(format, probe));
     if (!view->hasFailed()) return view;
     warn(state.getContextID(), "there is no memory on the GPU for its buffers; allowed: a smaller viewport");
     return {};
+}
+
+const AmbientOcclusionPrograms& AmbientOcclusionViews::getPrograms(const AmbientOcclusionView::Format& format,
+                                                                   const LightProbe& probe)
+{
+    osg::ref_ptr<const AmbientOcclusionPrograms>& programs = _programs[{format.samples, format.quality}];
+    if (!programs) programs = new AmbientOcclusionPrograms(format.samples, format.quality, probe);
+    return *programs;
 }
 
 void AmbientOcclusionViews::warn(unsigned int contextID, const std::string& why)
@@ -84,6 +92,7 @@ void AmbientOcclusionViews::clear()
 {
     const std::lock_guard lock(_mutex);
     _views.clear();
+    _programs.clear();
 }
 
 AmbientOcclusionTimes AmbientOcclusionViews::getTimes(unsigned int contextID) const

@@ -3,8 +3,10 @@
 #include <osgLego/AmbientOcclusionView.h>
 #include <osgLego/PerVisit.h>
 
+#include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <osg/ref_ptr>
@@ -34,10 +36,12 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
+    const AmbientOcclusionPrograms& getPrograms(const AmbientOcclusionView::Format& format, const LightProbe& probe);
     void warn(unsigned int contextID, const std::string& why);
 
     mutable std::mutex _mutex;
     PerVisit<osg::ref_ptr<AmbientOcclusionView>> _views;
+    std::map<std::pair<int, AmbientOcclusionQuality>, osg::ref_ptr<const AmbientOcclusionPrograms>> _programs;
     std::vector<unsigned int> _warned; // of contexts that lack something
 };
 

@@ -76,7 +76,7 @@ public:
 
     std::atomic<bool> hasFailed{false};
     std::atomic<bool> isTimed{false};
-    double time = 0.0;
+    std::atomic<double> time{0.0};
 };
 
 GeometryBufferStage::GeometryBufferStage() : _draw(new Draw)
@@ -93,7 +93,7 @@ void GeometryBufferStage::setTiming(bool timing)
 
 double GeometryBufferStage::getTime() const
 {
-    return _draw->isTimed ? _draw->time : 0.0;
+    return _draw->isTimed ? _draw->time.load() : 0.0;
 }
 
 bool GeometryBufferStage::hasFailed() const
@@ -111,6 +111,13 @@ void GeometryBufferStage::inheritPositionalState(osgUtil::RenderStage& outer)
 {
     setInheritedPositionalStateContainer(new StateOfStage(outer));
     setInheritedPositionalStateContainerMatrix(osg::Matrix());
+}
+
+void GeometryBufferStage::handOnPostRenderStages(osgUtil::RenderStage& outer)
+{
+    for (const auto& [order, stage] : _postRenderList)
+        outer.addPostRenderStage(stage, order);
+    _postRenderList.clear();
 }
 
 void GeometryBufferStage::noteBricks(double pitch, const osg::Matrixd& modelView)

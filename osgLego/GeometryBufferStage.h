@@ -22,6 +22,9 @@ public:
      * stages around it, as one that renders to a texture does, too. */
     void inheritPositionalState(osgUtil::RenderStage& outer);
 
+    /** Have cameras among the children that draw after the frame do so after the frame around. */
+    void handOnPostRenderStages(osgUtil::RenderStage& outer);
+
     /** Say that bricks are drawn in this frame, how wide they are in their own coordinates, and the transform from
      * these to the eye's. */
     void noteBricks(double pitch, const osg::Matrixd& modelView);

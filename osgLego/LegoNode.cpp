@@ -84,7 +84,9 @@ BrickAppearance LegoNode::getAppearance() const
 
 void LegoNode::setLightProbe(const LightProbe* probe)
 {
-    _pipeline->setLightProbe(probe ? *probe : *osg::ref_ptr<LightProbe>(new LightProbe));
+    // A copy, since it is read while frames are culled.
+    const osg::ref_ptr<LightProbe> copy = probe ? new LightProbe(*probe) : new LightProbe;
+    _pipeline->setLightProbe(*copy);
 }
 
 osg::ref_ptr<const LightProbe> LegoNode::getLightProbe() const

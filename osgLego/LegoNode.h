@@ -70,7 +70,7 @@ public:
     BrickAppearance getAppearance() const;
 
     /** Change the light from all around in the full look; null: the built-in sky. Under an AmbientOcclusionScene the
-     * probe of that counts instead. The probe is looked at here: set it again after changing it. */
+     * probe of that counts instead. The probe is copied: set it again after changing it. */
     void setLightProbe(const LightProbe* probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 

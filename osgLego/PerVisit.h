@@ -28,6 +28,7 @@ public:
         osg::observer_ptr<osg::Camera> camera;
         unsigned int contextID = 0;
         unsigned int frame = 0; //!< in which it was found last
+        osg::NodePath path;     //!< by which the visitor came
         std::unique_ptr<Item> item;
     };
 
@@ -36,20 +37,21 @@ public:
     {
         const unsigned int frame = visitor.getTraversalNumber();
         osg::Camera* camera = visitor.getCurrentCamera();
+        const osg::NodePath& path = visitor.getNodePath();
         std::erase_if(_entries,
                       [&](const Entry& entry)
                       {
                           const bool isIdle = entry.visitor == &visitor && frame - entry.frame > IDLE_FRAMES;
                           return !entry.visitor.valid() || !entry.camera.valid() || isIdle;
                       });
-        auto place =
-            std::find_if(_entries.begin(), _entries.end(),
-                         [&](const Entry& entry)
-                         { return entry.visitor == &visitor && entry.camera == camera && entry.frame != frame; });
+        auto place = std::find_if(_entries.begin(), _entries.end(),
+                                  [&](const Entry& entry) {
+                                      return entry.visitor == &visitor && entry.camera == camera && entry.path == path;
+                                  });
         if (place == _entries.end())
         {
             const unsigned int contextID = visitor.getState()->getContextID();
-            _entries.push_back(Entry{&visitor, camera, contextID, frame, std::make_unique<Item>()});
+            _entries.push_back(Entry{&visitor, camera, contextID, frame, path, std::make_unique<Item>()});
             return *_entries.back().item;
         }
         place->frame = frame;

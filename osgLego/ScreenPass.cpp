@@ -35,6 +35,7 @@ ScreenPass::ScreenPass(osg::Program& program, const std::vector<Input>& inputs)
 void ScreenPass::setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor)
 {
     _camera = new PassCamera(*this, targets, clearColor);
+    _camera->setRenderOrder(osg::Camera::PRE_RENDER, RENDER_ORDER);
     PassCamera::applyInitialState(*getStateSet());
 }
 

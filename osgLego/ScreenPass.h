@@ -3,6 +3,7 @@
 #include <osgLego/GeometryBufferStage.h>
 #include <osgLego/PassCamera.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ namespace osgLego
 class ScreenPass : public osg::Drawable
 {
 public:
+    /** Behind cameras whose textures the scene may use. */
+    static constexpr int RENDER_ORDER = 1000;
+
     struct Input
     {
         const char* name;
@@ -71,7 +75,7 @@ private:
     glm::ivec2 _origin{0};
     glm::ivec2 _size{1};
     bool _timing = false;
-    mutable double _time = 0.0;
+    mutable std::atomic<double> _time{0.0};
 };
 
 } // namespace osgLego

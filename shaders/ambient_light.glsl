@@ -16,7 +16,8 @@ const float PLASTIC = 0.04; // reflected head on, by an index of refraction of 1
 vec2 toPicture(vec3 direction)
 {
     const float PI = 3.14159265;
-    return vec2(0.5 + atan(direction.x, direction.y) / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
+    float around = abs(direction.x) + abs(direction.y) > 0.0 ? atan(direction.x, direction.y) : 0.0;
+    return vec2(0.5 + around / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
 }
 
 // The convolved map has the poles in the middle of its first and last row: the tops of bricks look right at one.

@@ -100,7 +100,8 @@ void main()
         for (int index = 0; index < STEPS; ++index)
         {
             float along = (float(index) + fract(random.y + 0.618034 * float(slice))) / float(STEPS);
-            ivec2 offset = ivec2(round(direction.xy * max(along * sqrt(along) * reach, vec2(1.0))));
+            vec2 distances = max(along * sqrt(along) * abs(reach), vec2(1.0));
+            ivec2 offset = ivec2(round(direction.xy * distances * sign(reach)));
             raise(ahead, 1.0, positionAt(pixel + offset), here, toEye, n);
             raise(behind, -1.0, positionAt(pixel - offset), here, toEye, n);
         }

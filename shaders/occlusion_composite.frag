@@ -58,5 +58,6 @@ void main()
     if (shown == 4) color = 0.5 + 0.5 * surface;
     // Not all of the pixel need be covered.
     gl_FragColor = vec4(color, 1.0) * depth.g;
-    gl_FragDepth = bufferDepthOf(depth.r);
+    // What is as far as can be is still nearer than nothing.
+    gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
 }

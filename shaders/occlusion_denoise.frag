@@ -1,6 +1,7 @@
 // Ambient occlusion, the last pass before the picture: the mean over neighbours that lie on the same surface.
 
 #include "view_position.glsl"
+#include "geometry_buffer.glsl"
 
 uniform sampler2D occlusion; // bent normal, visibility
 uniform sampler2D depthImage;
@@ -20,7 +21,7 @@ void main()
     ivec2 last = textureSize(depthImage, 0) - 1;
     float depth = texelFetch(depthImage, pixel, 0).r;
     if (depth < NOTHING) discard;
-    vec2 normal = texelFetch(normalBuffer, pixel, 0).xy;
+    vec4 normal = texelFetch(normalBuffer, pixel, 0);
     vec4 here = texelFetch(occlusion, pixel, 0);
 
     // The slope of depth across the picture: of both sides, the gentler one.
@@ -30,10 +31,12 @@ void main()
                        depth - texelFetch(depthImage, max(pixel - ivec2(0, 1), ivec2(0)), 0).r);
     vec2 slope = vec2(abs(beside.x) < abs(beside.y) ? beside.x : beside.y,
                       abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
-    float width = abs(spreadAt(depth)) * pixelSize.x / sceneProjection[0][0];
+    float width = abs(spreadAt(depth) * pixelSize.x / sceneProjection[0][0]);
 
     // As wide as the noise is coarse: where the radius is many pixels wide, steps lie far from each other.
     float reach = radius / (width * REACH);
+    // Where bricks are as small as pixels, one surface is a pixel large, and neighbours have it no better.
+    float distinct = smoothstep(4.0, 12.0, radius / width);
     float spread = 1.0 / clamp(reach * reach, 2.0, 10.0);
 
     vec4 sum = here;
@@ -42,10 +45,14 @@ void main()
         for (int x = -2; x <= 2; ++x)
         {
             ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
-            float away = abs(texelFetch(depthImage, other, 0).r - depth - dot(slope, vec2(x, y)));
-            vec2 turned = abs(texelFetch(normalBuffer, other, 0).xy - normal);
-            float weight = exp(-spread * float(x * x + y * y)) * clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0) *
-                           clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
+            float otherDepth = texelFetch(depthImage, other, 0).r;
+            if (otherDepth < NOTHING) continue;
+            float away = abs(otherDepth - depth - dot(slope, vec2(x, y)));
+            float alike = clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0);
+            vec4 otherNormal = texelFetch(normalBuffer, other, 0);
+            vec2 turned = abs(otherNormal.xy - normal.xy);
+            if (isBrick(normal) && isBrick(otherNormal)) alike *= clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
+            float weight = exp(-spread * float(x * x + y * y)) * mix(1.0, alike, distinct);
             sum += weight * texelFetch(occlusion, other, 0);
             weights += weight;
         }

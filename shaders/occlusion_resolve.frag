@@ -14,6 +14,12 @@ uniform sampler2DMS albedoBuffer;
 uniform sampler2DMS normalBuffer;
 uniform sampler2DMS depthBuffer;
 
+// What leaves no depth, as skies do, leaves its colour.
+bool isCovered(ivec2 pixel, int index)
+{
+    return texelFetch(depthBuffer, pixel, index).r < 1.0 || texelFetch(lightBuffer, pixel, index).a > 0.0;
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -22,8 +28,8 @@ void main()
     int count = 0;
     for (int index = SAMPLES - 1; index >= 0; --index)
     {
+        if (!isCovered(pixel, index)) continue;
         float sampled = texelFetch(depthBuffer, pixel, index).r;
-        if (sampled >= 1.0) continue;
         ++count;
         depth = sampled;
         chosen = index;
@@ -36,7 +42,7 @@ void main()
     vec4 albedo = vec4(0.0);
     for (int index = 0; index < SAMPLES; ++index)
     {
-        if (texelFetch(depthBuffer, pixel, index).r >= 1.0) continue;
+        if (!isCovered(pixel, index)) continue;
         vec4 color = texelFetch(lightBuffer, pixel, index);
         bool isLight = isBrick(texelFetch(normalBuffer, pixel, index));
         // What is shown and what is light are brought to what the chosen one is.
@@ -54,12 +60,15 @@ void main()
 
 #else
 
+uniform sampler2D lightBuffer;
 uniform sampler2D depthBuffer;
 
 void main()
 {
-    float depth = texelFetch(depthBuffer, ivec2(gl_FragCoord.xy), 0).r;
-    if (depth >= 1.0) discard;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depthBuffer, pixel, 0).r;
+    // What leaves no depth, as skies do, leaves its colour.
+    if (depth >= 1.0 && texelFetch(lightBuffer, pixel, 0).a == 0.0) discard;
     gl_FragData[0] = vec4(eyeDepthOf(depth), 1.0, 0.0, 0.0);
 }
 

@@ -16,7 +16,7 @@ uniform bool usesMaterial; // the specular of osg::Material in place of plastic
 const float PLASTIC_REFLECTANCE = 0.04;
 const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
 // A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
-const float HIGHLIGHT = 0.15;
+const float HIGHLIGHT = 0.07;
 
 // Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
 vec3 directLight(Surface surface, vec3 albedo)
@@ -35,7 +35,7 @@ vec3 directLight(Surface surface, vec3 albedo)
         float attenuation = attenuationOf(number, toLight) * cosine;
         float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
         diffuse += attenuation * gl_LightSource[number].diffuse.rgb;
-        specular += attenuation * pow(highlight, shininess) * gl_LightSource[number].specular.rgb;
+        specular += attenuation * pow(max(highlight, 1e-4), shininess) * gl_LightSource[number].specular.rgb;
     }
     vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
     if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;

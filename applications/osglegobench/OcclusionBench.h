@@ -15,7 +15,7 @@ struct BenchScene
     std::string name;
     std::string mesh; //!< a file; empty: the built-in car; "stair": steps of ten bricks
     LegoSettings settings;
-    double azimuth = 30.0;  //!< degrees, as osglegocapture's --view
+    double azimuth = 30.0; //!< degrees, as osglegocapture's --view
     double elevation = 25.0;
     double distance = 3.5; //!< radii of the bricks' bounding sphere
 };

@@ -58,7 +58,7 @@ std::string readOcclusion(const std::string& text, CaptureOptions& options)
     options.hasOcclusion = text != "off";
     std::string error;
     if (!options.hasOcclusion || AmbientOcclusionSettings::parse(text, options.occlusion, error)) return {};
-    return "--occlusion: " + error + "; or off";
+    return "--occlusion: " + error + " (or off alone)";
 }
 
 std::string readNumber(const char* option, const std::string& text, double minimum, const char* allowed, double& number)
