@@ -1,0 +1,135 @@
+#include <LookTest.h>
+
+#include <functional>
+
+#include <osg/AlphaFunc>
+#include <osg/BlendFunc>
+#include <osg/Camera>
+#include <osg/ColorMask>
+#include <osg/Depth>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
+const osg::Vec4 GREEN(0.0f, 1.0f, 0.0f, 1.0f);
+
+/** Bricks under a group, and what the state around and other children do to them. */
+class AmbientOcclusionState : public LookTest
+{
+protected:
+    AmbientOcclusionState() : _view{{9, -14, 9}, {4, 3, 1}}, _children(new osg::Group)
+    {
+        _children->addChild(createBrickBox({8, 6, 3}, "8"));
+        _group = createGroup("medium", _children);
+    }
+
+    osg::ref_ptr<osg::Image> drawGroup() { return draw(*_group, _view); }
+
+    osg::ref_ptr<osg::Image> drawBelow(const std::function<void(osg::StateSet&)>& change)
+    {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->addChild(_group);
+        change(*root->getOrCreateStateSet());
+        return draw(*root, _view);
+    }
+
+    /** A quad behind the bricks, or before them, that shows its colour as it is. */
+    static osg::ref_ptr<osg::Geometry> createSheet(double y, const osg::Vec4& color)
+    {
+        osg::ref_ptr<osg::Geometry> sheet =
+            createQuad(osg::Vec3(-20, static_cast<float>(y), -20), {60, 0, 0}, {0, 0, 60}, color);
+        sheet->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+        return sheet;
+    }
+
+    Viewpoint _view;
+    osg::ref_ptr<osg::Group> _children;
+    osg::ref_ptr<AmbientOcclusionScene> _group;
+};
+
+TEST_F(AmbientOcclusionState, BlendingAndAlphaTestsAboveDoNotChangeTheBricks)
+{
+    const osg::ref_ptr<osg::Image> expected = drawGroup();
+    EXPECT_LE(countDifferent(*expected,
+                             *drawBelow([](osg::StateSet& state) { state.setAttributeAndModes(new osg::BlendFunc); }),
+                             2),
+              FEW_PIXELS);
+    const auto testAlpha = [](osg::StateSet& state)
+    { state.setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, 0.5f)); };
+    EXPECT_LE(countDifferent(*expected, *drawBelow(testAlpha), 2), FEW_PIXELS);
+}
+
+TEST_F(AmbientOcclusionState, AColourMaskAboveMasksThePicture)
+{
+    const osg::ref_ptr<osg::Image> whole = drawGroup();
+    const osg::ref_ptr<osg::Image> masked =
+        drawBelow([](osg::StateSet& state) { state.setAttribute(new osg::ColorMask(false, true, true, true)); });
+    const osg::Vec3d place(4, 0, 1.5);
+    const osg::Vec3d expected = colorAt(*whole, place);
+    const osg::Vec3d color = colorAt(*masked, place);
+    EXPECT_NEAR(color.x(), 0.0, 0.01) << "the background has no red";
+    EXPECT_NEAR(color.y(), expected.y(), 0.01);
+    EXPECT_NEAR(color.z(), expected.z(), 0.01);
+}
+
+TEST_F(AmbientOcclusionState, ChildrenThatLeaveNoDepthAreSeen)
+{
+    const osg::Vec3d beside(-5, 8, 4);
+    const osg::ref_ptr<osg::Geometry> sky = createSheet(20.0, GREEN);
+    sky->getStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0));
+    _children->addChild(sky);
+    osg::ref_ptr<osg::Image> image = drawGroup();
+    EXPECT_LT((colorAt(*image, beside) - osg::Vec3d(0, 1, 0)).length(), 0.02);
+    EXPECT_GT((colorAt(*image, {4, 0, 1.5}) - osg::Vec3d(0, 1, 0)).length(), 0.2) << "the sky hides the bricks";
+
+    sky->getStateSet()->removeAttribute(osg::StateAttribute::DEPTH);
+    sky->getStateSet()->setMode(GL_DEPTH_TEST, osg::StateAttribute::OFF);
+    sky->getStateSet()->setRenderBinDetails(-1, "RenderBin");
+    image = drawGroup();
+    EXPECT_LT((colorAt(*image, beside) - osg::Vec3d(0, 1, 0)).length(), 0.02);
+}
+
+TEST_F(AmbientOcclusionState, TransparencyWithinOtherBinsIsBlended)
+{
+    const osg::Vec3d place(4, 0, 1.5);
+    const osg::Vec3d behind = colorAt(*drawGroup(), place);
+    const osg::ref_ptr<osg::Geometry> glass = createSheet(-2.0, osg::Vec4(0.0f, 1.0f, 0.0f, 0.5f));
+    glass->getStateSet()->setAttributeAndModes(new osg::BlendFunc);
+    glass->getStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+    osg::ref_ptr<osg::Group> bin = new osg::Group;
+    bin->getOrCreateStateSet()->setRenderBinDetails(1, "RenderBin");
+    bin->addChild(glass);
+    _children->insertChild(0, bin);
+    const osg::Vec3d expected = behind * 0.5 + osg::Vec3d(0.0, 0.5, 0.0);
+    EXPECT_LT((colorAt(*drawGroup(), place) - expected).length(), 0.03);
+}
+
+TEST_F(AmbientOcclusionState, ACameraThatDrawsAfterTheFrameDoesSo)
+{
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setRenderOrder(osg::Camera::POST_RENDER);
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setClearMask(GL_DEPTH_BUFFER_BIT);
+    camera->setProjectionMatrixAsOrtho2D(-1, 1, -1, 1);
+    camera->addChild(createQuad({-0.2f, -0.2f, 0}, {0.4f, 0, 0}, {0, 0.4f, 0}, GREEN));
+    camera->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    _children->addChild(camera);
+    const osg::Vec3d color = readColor(*drawGroup(), WIDTH / 2, HEIGHT / 2);
+    EXPECT_LT((color - osg::Vec3d(0, 1, 0)).length(), 0.02);
+}
+
+TEST_F(AmbientOcclusionState, FramesDrawnAgainUnderOneNumberAreTheSame)
+{
+    const osg::ref_ptr<osg::Image> first = drawGroup();
+    for (int time = 0; time < 5; ++time)
+        _viewer.renderingTraversals();
+    EXPECT_EQ(countDifferent(*first, *readPixels(*_context), 0), 0u);
+}
+
+} // namespace
+
+} // namespace osgLego::test
