@@ -75,9 +75,10 @@ BrickNodes::BrickNodes(BrickDrawable& drawable, Look look, const BrickAppearance
     _frameNode = createNode(drawable, *createFullProgram(""));
     _bufferNode = createNode(drawable, *createFullProgram("#define GEOMETRY_BUFFER\n"));
     // What is in the buffer is no colour.
+    constexpr osg::StateAttribute::OverrideValue OFF =
+        osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
-        _bufferNode->getStateSet()->setMode(static_cast<osg::StateAttribute::GLMode>(mode),
-                                            OURS & ~osg::StateAttribute::ON);
+        _bufferNode->getStateSet()->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
     const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
     for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode})
         applyAppearance(appearance, *relief, *node->getStateSet());
