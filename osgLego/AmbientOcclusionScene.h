@@ -29,8 +29,9 @@ class AmbientOcclusionViews;
  * - Transparent children (render bins from osg::StateSet::TRANSPARENT_BIN on) are drawn behind, without occlusion.
  *
  * Preconditions:
- * 1. A context has OpenGL 4.0 or later, compatibility profile; others draw the children as a plain osg::Group does, and
- * a warning says why. So do cameras that draw depths alone, as for shadows.
+ * 1. A context has OpenGL 4.0 or later, compatibility profile; others, and those with too little memory for the
+ *    buffers, draw the children as a plain osg::Group does, and a warning says why. So do cameras that draw
+ *    depths alone, as for shadows.
  * 2. Programs of the children write gl_FragColor, or every gl_FragData.
  * 3. Fog of the children is that of the state above the group, where there is any.
  * 4. Projections have a near plane at depth 0 and a finite far plane at depth 1.
@@ -39,7 +40,7 @@ class AmbientOcclusionViews;
  * 6. GL objects are released while the node is in the scene of a context that closes, or by releaseGLObjects() before.
  *
  * Works under any camera, in several views and windows, inside cameras that render to textures, and at any viewport;
- * with as many samples a pixel as the camera's target has. A group within such a group is a plain one.
+ * with four samples a pixel if the camera's target has more than one. A group within such a group is a plain one.
  *
  * Usage:
  *
