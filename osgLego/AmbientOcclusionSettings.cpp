@@ -42,18 +42,9 @@ std::string AmbientOcclusionSettings::check() const
 
 bool AmbientOcclusionSettings::parse(const std::string& text, AmbientOcclusionSettings& settings, std::string& error)
 {
-    AmbientOcclusionSettings read = settings;
-    std::string wrong = readSettings(
+    return parseSettings(
         text, [](std::string_view item) { return item.empty() ? "" : "quality"; }, "a quality (low, medium, high)",
-        KEYS, [&](std::string_view key, std::string_view value) { return readSetting(key, value, read); });
-    if (wrong.empty()) wrong = read.check();
-    if (!wrong.empty())
-    {
-        error = wrong;
-        return false;
-    }
-    settings = read;
-    return true;
+        KEYS, readSetting, settings, error);
 }
 
 std::string AmbientOcclusionSettings::toString() const

@@ -90,6 +90,19 @@ std::string LegoSettings::check() const
     return {};
 }
 
+bool LegoSettings::isKey(const std::string& name)
+{
+    constexpr std::string_view SEPARATOR = ", ";
+    std::string_view keys = KEYS;
+    while (true)
+    {
+        const auto end = keys.find(SEPARATOR);
+        if (keys.substr(0, end) == name) return true;
+        if (end == std::string_view::npos) return false;
+        keys.remove_prefix(end + SEPARATOR.size());
+    }
+}
+
 bool LegoSettings::givesSameBricks(const LegoSettings& other) const
 {
     LegoSettings alike = other;
@@ -99,18 +112,9 @@ bool LegoSettings::givesSameBricks(const LegoSettings& other) const
 
 bool LegoSettings::parse(const std::string& text, LegoSettings& settings, std::string& error)
 {
-    LegoSettings read = settings;
-    std::string wrong = readSettings(
+    return parseSettings(
         text, [](std::string_view item) { return isNumber(item) ? "resolution" : ""; }, "a resolution (1 to 1024)",
-        KEYS, [&](std::string_view key, std::string_view value) { return readSetting(key, value, read); });
-    if (wrong.empty()) wrong = read.check();
-    if (!wrong.empty())
-    {
-        error = wrong;
-        return false;
-    }
-    settings = read;
-    return true;
+        KEYS, readSetting, settings, error);
 }
 
 std::string LegoSettings::toString() const

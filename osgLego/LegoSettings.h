@@ -113,6 +113,9 @@ struct OSGLEGO_EXPORT LegoSettings
      * given twice, or values that check() refuses together. */
     static bool parse(const std::string& text, LegoSettings& settings, std::string& error);
 
+    /** Whether the text form has a key of that name. */
+    static bool isKey(const std::string& name);
+
     /** The shortest text that parse() turns into these values, beginning with the resolution. */
     std::string toString() const;
 

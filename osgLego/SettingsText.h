@@ -72,6 +72,28 @@ std::string readSettings(std::string_view text, const std::function<std::string_
                          std::string_view whatIsBare, std::string_view keys,
                          const std::function<std::string(std::string_view key, std::string_view value)>& read);
 
+/** Read the text form of settings that have a check() of their own: all of it or nothing.
+ * @param read takes a key, its value and the settings to put it into; for the rest see readSettings().
+ * @return false, with one sentence in `error` and `settings` unchanged, on a mistake. */
+template <typename Settings, typename Read>
+bool parseSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
+                   std::string_view whatIsBare, std::string_view keys, const Read& read, Settings& settings,
+                   std::string& error)
+{
+    Settings wanted = settings;
+    std::string wrong =
+        readSettings(text, bareKey, whatIsBare, keys,
+                     [&](std::string_view key, std::string_view value) { return read(key, value, wanted); });
+    if (wrong.empty()) wrong = wanted.check();
+    if (!wrong.empty())
+    {
+        error = wrong;
+        return false;
+    }
+    settings = wanted;
+    return true;
+}
+
 /** What is wrong with a key that is none of the allowed. */
 std::string unknownKey(std::string_view key, std::string_view keys);
 

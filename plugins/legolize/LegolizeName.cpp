@@ -1,7 +1,7 @@
 #include "LegolizeName.h"
 
-#include <algorithm>
-#include <array>
+#include <osgLego/LegoSettings.h>
+
 #include <sstream>
 #include <string_view>
 
@@ -9,9 +9,6 @@
 
 namespace
 {
-
-constexpr std::array<std::string_view, 8> KEYS{"resolution", "proportions", "up",   "method",
-                                               "target",     "fbo",         "edge", "look"};
 
 bool isNumber(std::string_view text)
 {
@@ -48,8 +45,7 @@ bool isSettingsOption(std::string_view option)
     const std::string_view first = option.substr(0, option.find(','));
     if (isNumber(first)) return true;
     const auto equals = first.find('=');
-    return equals != std::string_view::npos &&
-           std::find(KEYS.begin(), KEYS.end(), first.substr(0, equals)) != KEYS.end();
+    return equals != std::string_view::npos && osgLego::LegoSettings::isKey(std::string(first.substr(0, equals)));
 }
 
 void append(std::string& list, const std::string& item, char separator)

@@ -83,6 +83,14 @@ TEST(LegoSettings, OnlyTheLookHasNoPartInWhichBricksThereAre)
     }
 }
 
+TEST(LegoSettings, KnowsTheKeysOfItsTextForm)
+{
+    for (const char* key : {"resolution", "proportions", "up", "method", "target", "fbo", "edge", "look"})
+        EXPECT_TRUE(LegoSettings::isKey(key)) << key;
+    for (const char* other : {"", "res", "look ", "loo", "up, method", "noTexturesInIVEFile"})
+        EXPECT_FALSE(LegoSettings::isKey(other)) << other;
+}
+
 TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
 {
     LegoSettings settings = parsed("32,up=y");
