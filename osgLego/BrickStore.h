@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BrickBlock.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/GlObject.h>
 #include <osgLego/LegoSource.h>
@@ -77,6 +78,7 @@ public:
     std::unique_ptr<Legolization> work;
     GlBuffer buffer; //!< three unsigned ints a brick, as extraction writes them
     GLsizei numBricks = 0;
+    std::vector<BrickBlock> blocks;        //!< all of the bricks, block by block; empty: the order is not known
     osg::ref_ptr<const LegoSource> source; //!< of the bricks
     osg::ref_ptr<const BrickModel> model;  //!< every covered cell, if the source asked for a read-back
     LegoStatistics statistics;
