@@ -39,6 +39,14 @@ osg::ref_ptr<const BrickModel> BrickModel::create(const BrickGrid& grid, std::ve
     return model;
 }
 
+osg::ref_ptr<const BrickModel> BrickModel::createComplete(const BrickGrid& grid, std::vector<Brick> bricks)
+{
+    osg::ref_ptr<BrickModel> model = new BrickModel;
+    model->_grid = grid;
+    model->_bricks = std::move(bricks);
+    return model;
+}
+
 void BrickModel::findOpenSides()
 {
     for (Brick& brick : _bricks)

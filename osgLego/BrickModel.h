@@ -53,6 +53,9 @@ public:
     /** Take over covered cells, in any order, each once; their `openSides` are found here. */
     static osg::ref_ptr<const BrickModel> create(const BrickGrid& grid, std::vector<Brick> bricks);
 
+    /** Take over covered cells that are sorted, each with its open sides. */
+    static osg::ref_ptr<const BrickModel> createComplete(const BrickGrid& grid, std::vector<Brick> bricks);
+
     const BrickGrid& getGrid() const { return _grid; }
     const std::vector<Brick>& getBricks() const { return _bricks; }
     /** The bricks with at least one open side: those that are drawn. */

@@ -23,8 +23,9 @@ namespace osgLego
  *     osg::ref_ptr<const osgLego::BrickModel> model = osgLego::legolizeOnCpu(*node, settings);
  *     if (!model) ... // no triangles, or settings.check() complains
  *
- * May be called from any thread as long as no other one changes the node. Memory grows with the covered cells and the
- * triangles in them, never with the whole grid.
+ * May be called from any thread as long as no other one changes the node. Works in all threads that oneTBB gives the
+ * caller (oneapi::tbb::task_arena, oneapi::tbb::global_control); the result does not depend on how many. Memory grows
+ * with the covered cells, never with the whole grid.
  *
  * @return null, with a warning that says why, when the node shows no triangles or the settings are not allowed. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings);

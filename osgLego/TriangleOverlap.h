@@ -46,6 +46,8 @@ public:
     /** Append every overlapped cell from (0, 0, 0) to below `dimensions`; each once, in an order that depends on the
      * triangle alone. */
     void findCells(const glm::ivec3& dimensions, std::vector<glm::ivec3>& cells) const;
+    /** The same for the cells from `minimum` to `maximum`, both included. */
+    void findCells(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<glm::ivec3>& cells) const;
 
 private:
     // The triangle's normal, and each edge crossed with each axis; the three faces' axes are the bounds.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/task_arena.h>
 #include <osg/Geode>
 #include <osg/MatrixTransform>
 #include <osg/Texture2D>
@@ -127,6 +128,26 @@ TEST(CpuLegolizer, IsTheSameOnEveryRun)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     EXPECT_EQ(legolizeOnCpu(*car, settingsOf(40))->getBricks(), legolizeOnCpu(*car, settingsOf(40))->getBricks());
+}
+
+TEST(CpuLegolizer, IsTheSameWithAnyNumberOfThreads)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    const auto legolize = [&](int numThreads)
+    { return oneapi::tbb::task_arena(numThreads).execute([&] { return legolizeOnCpu(*car, settingsOf(100)); }); };
+    const osg::ref_ptr<const BrickModel> expected = legolize(1);
+    for (const int numThreads : {2, 5})
+        EXPECT_EQ(legolize(numThreads)->getBricks(), expected->getBricks()) << numThreads;
+}
+
+TEST(CpuLegolizer, TellsWhichSidesAreOpen)
+{
+    for (const unsigned int resolution : {7u, 63u, 64u, 65u, 130u})
+    {
+        const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*test::createSphere(), settingsOf(resolution));
+        EXPECT_EQ(model->getBricks(), BrickModel::create(model->getGrid(), model->getBricks())->getBricks())
+            << resolution;
+    }
 }
 
 TEST(CpuLegolizer, ASymmetricMeshGetsSymmetricBricks)

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace osgLego
+{
+
+/** The covered cells of a bundle of rows: SIDE x SIDE rows of cells along x, side by side in y and z.
+ *
+ * Rows are numbered from 0, y first. */
+struct RowBundle
+{
+    static constexpr int SIDE = 8;
+    static constexpr std::size_t NUM_ROWS = SIDE * SIDE;
+    static constexpr int WORD_BITS = 64;
+
+    std::vector<Brick> bricks;                      //!< row by row, each by rising x; openSides are not known yet
+    std::vector<std::uint64_t> occupancy;           //!< a bit a cell, the rows one after the other; empty: no bricks
+    std::array<std::uint32_t, NUM_ROWS + 1> begins; //!< the first brick of each row, and the number of all
+
+    static std::size_t rowOf(int y, int z) { return static_cast<std::size_t>(y % SIDE + SIDE * (z % SIDE)); }
+    /** How many words of occupancy a row of so many cells has. */
+    static std::size_t numWords(int width) { return static_cast<std::size_t>((width + WORD_BITS - 1) / WORD_BITS); }
+};
+
+/** Adds up what triangles say of the colours of the cells of one bundle; used again for the next.
+ *
+ * One thread. */
+class RowBundleSums
+{
+public:
+    /** @param width cells along x. */
+    explicit RowBundleSums(int width);
+
+    /** Add a colour, 0 to 1 a channel, to a cell of the bundle. @param weight above 0. */
+    void add(const glm::ivec3& cell, float weight, const glm::vec3& color)
+    {
+        const std::size_t row = RowBundle::rowOf(cell.y, cell.z);
+        const auto x = static_cast<std::size_t>(cell.x);
+        std::uint64_t& word = _occupancy[row * _numWords + x / RowBundle::WORD_BITS];
+        const std::uint64_t bit = std::uint64_t(1) << x % RowBundle::WORD_BITS;
+        glm::vec4& sum = _sums[row * _width + x];
+        const glm::vec4 addend(weight * color, weight);
+        // What a sum was in the bundle before is not cleared away, but overwritten.
+        sum = (word & bit) != 0 ? sum + addend : addend;
+        word |= bit;
+    }
+
+    /** Take the bricks out, and forget them here. @param firstRow y and z of the bundle's first row. */
+    RowBundle take(const glm::ivec2& firstRow);
+
+private:
+    void takeRow(std::size_t row, const glm::ivec2& place, RowBundle& bundle);
+
+    std::size_t _width;
+    std::size_t _numWords;
+    std::vector<glm::vec4> _sums; // weighted colours, and weights
+    std::vector<std::uint64_t> _occupancy;
+};
+
+/** The bricks of all bundles of a grid, each knowing which of its sides are open, sorted as in a BrickModel.
+ * @param bundles along y first, then z, SIDE rows each. */
+std::vector<Brick> joinBundles(const std::vector<RowBundle>& bundles, const glm::ivec3& dimensions);
+
+} // namespace osgLego

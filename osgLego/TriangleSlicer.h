@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** The part of a triangle that lies in one cell. */
+struct CellPart
+{
+    glm::ivec3 cell{0};
+    double area = 0.0; //!< in cell units squared
+};
+
+/** Cuts a triangle along the planes between cells: which cells it overlaps, and the area in each, at the cost of one
+ * cut for each further cell.
+ *
+ * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
+ * numbers are so near to each other that cutting could come to another end, nothing is decided here, and
+ * TriangleOverlap is to be asked. That is so for corners and cuts within NEARNESS of the plane between two cells, and
+ * for triangles that are nearly, but not quite, parallel to an axis: cuts of any others lie within 1e-8 cells of where
+ * they ought to, since coordinates of at most 4096 cells come as floats and are reckoned with in double precision.
+ *
+ * Usage:
+ *
+ *     if (!osgLego::TriangleSlicer(a, b, c).slice(minimum, maximum, parts)) ... // TriangleOverlap(a, b, c)
+ *
+ * Immutable, free of GL; every function may be called from any thread.
+ */
+class TriangleSlicer
+{
+public:
+    static constexpr double NEARNESS = 1e-6; //!< in cells
+
+    /** @param a, b, c corners in cell units, 0 to 4096. */
+    TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+    /** Append the parts in the cells from `minimum` to `maximum`, both included, ordered by z, then y, then x.
+     * @return false, with nothing appended, when TriangleOverlap is to be asked. */
+    bool slice(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const;
+
+private:
+    std::array<glm::dvec3, 3> _corners;
+    glm::dvec3 _minimum;
+    glm::dvec3 _maximum;
+    std::size_t _axis = 0;         // along which the triangle's projection is largest
+    double _areaOfProjected = 0.0; // half the area over that of the projection
+    bool _isDelicate = false;
+};
+
+} // namespace osgLego
