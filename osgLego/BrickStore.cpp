@@ -29,11 +29,14 @@ void ContextBricks::finish()
 {
     buffer = std::move(work->bricks);
     numBricks = static_cast<GLsizei>(work->numBricks);
+    blocks = std::move(work->blocks);
     source = work->source;
     work->statistics.numLegolizations = statistics.numLegolizations + 1;
     work->statistics.numDrawnBricks = work->numBricks;
     statistics = work->statistics;
-    model = source->readBack ? BrickModel::create(source->triangles->getGrid(), std::move(work->readBack)) : nullptr;
+    model = nullptr;
+    if (source->readBack)
+        model = work->model ? work->model : BrickModel::create(source->triangles->getGrid(), std::move(work->readBack));
     failure.clear();
     work.reset();
     _revision = source->revision;
@@ -68,6 +71,7 @@ void ContextBricks::release()
     work.reset();
     buffer = GlBuffer();
     numBricks = 0;
+    blocks.clear();
     source = nullptr;
     model = nullptr;
     failure.clear();
@@ -100,11 +104,20 @@ osg::ref_ptr<ContextBricks> BrickStore::getContext(unsigned int contextID) const
 
 osg::ref_ptr<const BrickModel> BrickStore::getModel() const
 {
-    const osg::ref_ptr<const LegoSource> wanted = getSource();
+    if (const osg::ref_ptr<const LegoSource> wanted = getSource()) return getModel(*wanted);
     const std::lock_guard lock(_modelMutex);
-    if (_modelSource == wanted) return _model;
-    _modelSource = wanted;
-    _model = wanted ? legolizeOnCpu(*wanted->triangles) : nullptr;
+    _modelSource = nullptr;
+    _model = nullptr;
+    return nullptr;
+}
+
+osg::ref_ptr<const BrickModel> BrickStore::getModel(const LegoSource& source) const
+{
+    const std::lock_guard lock(_modelMutex);
+    if (_modelSource == &source) return _model;
+    _modelSource = nullptr;
+    _model = legolizeOnCpu(*source.triangles);
+    _modelSource = &source;
     return _model;
 }
 

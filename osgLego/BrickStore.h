@@ -44,6 +44,8 @@ struct Legolization
     GlBuffer bricks;
     std::size_t brickCapacity = 0;
     std::size_t numBricks = 0;
+    osg::ref_ptr<const BrickModel> model; //!< on the CPU, what voxelization found
+    std::vector<BrickBlock> blocks;
     std::vector<Brick> readBack;
     LegoStatistics statistics;
 };
@@ -109,6 +111,8 @@ public:
     /** The bricks of the source on the CPU, made when first asked for and kept as long as the source is; null without
      * source. */
     osg::ref_ptr<const BrickModel> getModel() const;
+    /** The same of a source that may not be the wanted one any more. */
+    osg::ref_ptr<const BrickModel> getModel(const LegoSource& source) const;
 
     /** The texture of a surface, for any context; one and the same until releaseTextures(), or another source. */
     osg::ref_ptr<osg::Texture2D> getTexture(const SurfaceTexture& surface) const;

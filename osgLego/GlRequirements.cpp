@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <map>
+#include <mutex>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <osg/ContextData>
@@ -31,6 +34,44 @@ std::string joined(const std::vector<std::string>& items)
     for (const std::string& item : items)
         result += (result.empty() ? "" : ", ") + item;
     return result;
+}
+
+/** What draws in the current context: Mesa's and other systems' software renderers are known by their names. */
+Renderer findRenderer()
+{
+    const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view name = text ? text : "";
+    for (const char* software : {"llvmpipe", "softpipe", "Software", "SWR", "swrast", "SwiftShader", "GDI Generic"})
+        if (name.find(software) != std::string_view::npos) return Renderer::SOFTWARE;
+    return Renderer::HARDWARE;
+}
+
+/** The renderers of all contexts. */
+class Renderers
+{
+public:
+    void set(unsigned int contextID, Renderer renderer)
+    {
+        const std::lock_guard lock(_mutex);
+        _renderers[contextID] = renderer;
+    }
+
+    Renderer get(unsigned int contextID) const
+    {
+        const std::lock_guard lock(_mutex);
+        const auto found = _renderers.find(contextID);
+        return found == _renderers.end() ? Renderer::UNKNOWN : found->second;
+    }
+
+private:
+    mutable std::mutex _mutex;
+    std::map<unsigned int, Renderer> _renderers;
+};
+
+Renderers& getRenderers()
+{
+    static Renderers renderers;
+    return renderers;
 }
 
 std::string findMissing(const osg::GLExtensions& extensions)
@@ -73,8 +114,14 @@ const std::string& GlRequirements::getMissing(const osg::State& state)
     {
         requirements->_checked = true;
         requirements->_missing = findMissing(*state.get<osg::GLExtensions>());
+        getRenderers().set(state.getContextID(), findRenderer());
     }
     return requirements->_missing;
+}
+
+Renderer GlRequirements::getRenderer(unsigned int contextID)
+{
+    return getRenderers().get(contextID);
 }
 
 std::string GlRequirements::getMissingVersion(const osg::GLExtensions& extensions)

@@ -11,6 +11,14 @@
 namespace osgLego
 {
 
+/** What draws in a context. */
+enum class Renderer
+{
+    UNKNOWN, //!< the context has not been asked yet
+    SOFTWARE,
+    HARDWARE
+};
+
 /** What the passes need of a GL context, checked once for each context ID.
  *
  * OpenGL 4.0 in the compatibility profile (OSG's fixed-function state and geometry shaders side by side), GLSL 4.00,
@@ -29,6 +37,9 @@ public:
 
     /** The same as far as it can be told by the version alone, for which the context need not be current. */
     static std::string getMissingVersion(const osg::GLExtensions& extensions);
+
+    /** What draws in a context, as it was found by the last getMissing() in it. May be called from any thread. */
+    static Renderer getRenderer(unsigned int contextID);
 
 private:
     ~GlRequirements() override = default;

@@ -225,7 +225,7 @@ void LegoPipeline::cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& s
 {
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;
-    const PassPlan plan = PassPlan::create(source);
+    const PassPlan plan = PassPlan::create(source, GlRequirements::getRenderer(visitor.getState()->getContextID()));
     if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_store, plan);
     _passes->cull(visitor);
     _idleFrames = 0;

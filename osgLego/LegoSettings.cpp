@@ -20,8 +20,10 @@ constexpr std::array METHOD_NAMES{SettingName<VoxelizationMethod>{"points", Voxe
                                   SettingName<VoxelizationMethod>{"exact", VoxelizationMethod::EXACT}};
 constexpr std::array TARGET_NAMES{SettingName<VoxelizationTarget>{"projected", VoxelizationTarget::PROJECTED},
                                   SettingName<VoxelizationTarget>{"addressed", VoxelizationTarget::ADDRESSED}};
+constexpr std::array DEVICE_NAMES{SettingName<Device>{"auto", Device::AUTO}, SettingName<Device>{"gpu", Device::GPU},
+                                  SettingName<Device>{"cpu", Device::CPU}};
 constexpr std::array LOOK_NAMES{SettingName<Look>{"plain", Look::PLAIN}, SettingName<Look>{"full", Look::FULL}};
-constexpr std::string_view KEYS = "resolution, proportions, up, method, target, fbo, edge, look";
+constexpr std::string_view KEYS = "resolution, proportions, up, method, target, fbo, edge, device, look";
 
 bool isNumber(std::string_view text)
 {
@@ -38,6 +40,7 @@ std::string readSetting(std::string_view key, std::string_view value, LegoSettin
     if (key == "target") return readName(key, value, TARGET_NAMES, settings.target.emplace());
     if (key == "fbo") return readNumber(key, value, "a whole number of pixels, 16 to 8192", settings.fboSize);
     if (key == "edge") return readNumber(key, value, "a number of cells, 0.0625 to 4", settings.edgeLimit.emplace());
+    if (key == "device") return readName(key, value, DEVICE_NAMES, settings.device);
     if (key == "look") return readName(key, value, LOOK_NAMES, settings.look);
     return unknownKey(key, KEYS);
 }
@@ -87,6 +90,8 @@ std::string LegoSettings::check() const
         return rangeError("edge", edge, "a number of cells", MINIMUM_EDGE_LIMIT, MAXIMUM_EDGE_LIMIT);
     if (method == VoxelizationMethod::EXACT && getTarget() != VoxelizationTarget::ADDRESSED)
         return "bad value 'projected' for target; allowed with method=exact: addressed";
+    if (method == VoxelizationMethod::POINTS && device == Device::CPU)
+        return "bad value 'cpu' for device; allowed with method=points: auto, gpu";
     return {};
 }
 
@@ -128,6 +133,7 @@ std::string LegoSettings::toString() const
     if (target) text << ",target=" << nameOf(TARGET_NAMES, *target);
     if (fboSize != defaults.fboSize) text << ",fbo=" << fboSize;
     if (edgeLimit) text << ",edge=" << toText(*edgeLimit);
+    if (device != defaults.device) text << ",device=" << nameOf(DEVICE_NAMES, device);
     if (look != defaults.look) text << ",look=" << nameOf(LOOK_NAMES, look);
     return text.str();
 }

@@ -37,6 +37,14 @@ enum class VoxelizationTarget
     ADDRESSED  //!< one cell of the grid (the paper's future work)
 };
 
+/** What finds the bricks. */
+enum class Device
+{
+    AUTO, //!< the CPU where a software renderer draws and the method is EXACT, else the GPU
+    GPU,  //!< the passes of the method
+    CPU   //!< legolizeOnCpu, for EXACT alone
+};
+
 /** How bricks are drawn. */
 enum class Look
 {
@@ -64,6 +72,7 @@ enum class Look
  * | target      | projected, addressed (exact: addressed)    | projected (points), addressed (exact) |
  * | fbo         | 16 to 8192, the side of a projected target | 1024                                |
  * | edge        | 0.0625 to 4                                | 1 (points), 2 (exact)               |
+ * | device      | auto, gpu, cpu (points: auto, gpu)         | auto                                |
  * | look        | plain, full                                | full                                |
  *
  * Usage:
@@ -93,6 +102,8 @@ struct OSGLEGO_EXPORT LegoSettings
     unsigned int fboSize = 1024;
     /** The longest edge that subdivision leaves, in cells; unset: what getEdgeLimit() answers. */
     std::optional<double> edgeLimit;
+    /** Both find the same cells; colours may differ by what rounding does. */
+    Device device = Device::AUTO;
     /** The only one of these that has no part in which bricks there are. */
     Look look = Look::FULL;
 

@@ -31,7 +31,7 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     osg::ref_ptr<const LegoSource> source = bricks->work->source;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     std::string failure;
-    if (!state.getLastAppliedProgramObject())
+    if (hasProgram() && !state.getLastAppliedProgramObject())
         failure = std::string("the shaders of ") + className() + " do not compile";
     else
     {
@@ -54,6 +54,23 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 bool LegolizationPass::begin(osg::State& state, ContextBricks& bricks) const
 {
     return bricks.work && bricks.work->owner == state.getGraphicsContext() && bricks.work->nextStep == _step;
+}
+
+bool LegolizationPass::start(osg::State& state, ContextBricks& bricks, const PassPlan& plan) const
+{
+    const osg::ref_ptr<const LegoSource> source = _store->getSource();
+    if (!source || bricks.getFailedRevision() == source->revision || bricks.isOf(*source)) return false;
+    // The source may have changed since the frame was culled: then the next frame has passes that fit.
+    if (!plan.fits(*source)) return false;
+    const bool isOthers = bricks.work && bricks.work->owner != state.getGraphicsContext();
+    if (isOthers) return false;
+
+    bricks.work = std::make_unique<Legolization>();
+    bricks.work->source = source;
+    bricks.work->owner = state.getGraphicsContext();
+    bricks.work->statistics.numTriangles = source->triangles->getNumTriangles();
+    bricks.work->statistics.flattening = source->flattening;
+    return true;
 }
 
 void LegolizationPass::releaseGLObjects(osg::State* state) const

@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickStore.h>
 #include <osgLego/PassCamera.h>
+#include <osgLego/PassPlan.h>
 
 #include <string>
 
@@ -43,6 +44,12 @@ protected:
 
     void setCamera(PassCamera* camera) { _camera = camera; }
     const BrickStore& getStore() const { return *_store; }
+
+    /** Whether this pass draws, and so has a program. */
+    virtual bool hasProgram() const { return true; }
+    /** Start the legolization of the wanted source, unless the context has it, or can't, or another one is at it.
+     * For begin() of a first pass. */
+    bool start(osg::State& state, ContextBricks& bricks, const PassPlan& plan) const;
 
     /** Whether there is something to do; the first pass starts the legolization here. Called as run() is. */
     virtual bool begin(osg::State& state, ContextBricks& bricks) const;

@@ -1,6 +1,8 @@
 #include <osgLego/LegolizationPasses.h>
 
 #include <osgLego/BrickExtractionPass.h>
+#include <osgLego/BrickUploadPass.h>
+#include <osgLego/CpuVoxelizationPass.h>
 #include <osgLego/ProjectionPass.h>
 #include <osgLego/SubdivisionPass.h>
 #include <osgLego/VoxelizationPass.h>
@@ -10,6 +12,17 @@ namespace osgLego
 
 LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) : _plan(plan)
 {
+    if (plan.device != Device::GPU)
+    {
+        _passes.emplace_back(new CpuVoxelizationPass(store, plan));
+        _passes.emplace_back(new BrickUploadPass(store));
+    }
+    if (plan.device != Device::CPU) addGpuPasses(store);
+}
+
+void LegolizationPasses::addGpuPasses(BrickStore& store)
+{
+    const PassPlan& plan = _plan;
     unsigned int step = 0;
     _passes.emplace_back(new SubdivisionPass(store, plan));
     osg::ref_ptr<osg::Texture2D> picture;

@@ -11,8 +11,9 @@
 namespace osgLego
 {
 
-/** The passes of a plan in their order: subdivision, the picture of a projected target, and for each slab of the grid
- * voxelization and extraction, all slabs sharing one voxel image. */
+/** The passes of a plan in their order. On the GPU: subdivision, the picture of a projected target, and for each slab
+ * of the grid voxelization and extraction, all slabs sharing one voxel image. On the CPU: voxelization, and the upload.
+ */
 class LegolizationPasses : public osg::Referenced
 {
 public:
@@ -29,6 +30,8 @@ public:
 
 private:
     ~LegolizationPasses() override = default;
+
+    void addGpuPasses(BrickStore& store);
 
     PassPlan _plan;
     std::vector<osg::ref_ptr<LegolizationPass>> _passes;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/GlRequirements.h>
 #include <osgLego/LegoSource.h>
 #include <osgLego/SlabPlan.h>
 
@@ -15,6 +16,7 @@ struct PassPlan
     /** Cells of a grid that a projected target can number: whole numbers that a float holds. */
     static constexpr std::size_t MAXIMUM_PROJECTED_CELLS = std::size_t(1) << 24;
 
+    Device device = Device::GPU; //!< AUTO: both, one of which does the work once the renderer is known
     VoxelizationMethod method = VoxelizationMethod::EXACT;
     VoxelizationTarget target = VoxelizationTarget::ADDRESSED;
     int pictureSize = 0;      //!< the side of a projected target, in pixels; else 0
@@ -22,7 +24,10 @@ struct PassPlan
     glm::ivec2 imageSize{0};  //!< of the voxel image
     std::size_t numSlabs = 0;
 
-    static PassPlan create(const LegoSource& source);
+    static PassPlan create(const LegoSource& source, Renderer renderer);
+
+    /** Whether the passes of this plan can legolize a source. */
+    bool fits(const LegoSource& source) const;
 
     /** Why no passes can legolize a source, and what is allowed, in one sentence; empty when they can. */
     static std::string findObstacle(const LegoSource& source);

@@ -181,20 +181,7 @@ SubdivisionPass::SubdivisionPass(BrickStore& store, const PassPlan& plan) : Lego
 
 bool SubdivisionPass::begin(osg::State& state, ContextBricks& bricks) const
 {
-    const osg::ref_ptr<const LegoSource> source = getStore().getSource();
-    if (!source || bricks.getFailedRevision() == source->revision) return false;
-    if (bricks.isOf(*source)) return false;
-    // The source may have changed since the frame was culled: then the next frame has passes that fit.
-    if (PassPlan::create(*source) != _plan) return false;
-    const bool isOthers = bricks.work && bricks.work->owner != state.getGraphicsContext();
-    if (isOthers) return false;
-
-    bricks.work = std::make_unique<Legolization>();
-    bricks.work->source = source;
-    bricks.work->owner = state.getGraphicsContext();
-    bricks.work->statistics.numTriangles = source->triangles->getNumTriangles();
-    bricks.work->statistics.flattening = source->flattening;
-    return true;
+    return start(state, bricks, _plan);
 }
 
 std::string SubdivisionPass::run(osg::State& state, ContextBricks& bricks) const

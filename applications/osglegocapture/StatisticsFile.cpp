@@ -46,6 +46,7 @@ void writeStatistics(const std::string& fileName, const CaptureScene& scene, osg
         const osg::ref_ptr<const BrickModel> model = lego->getBricks(contextID);
         const BrickGrid& grid = model->getGrid();
         json["settings"] = lego->getSettings().toString();
+        json["device"] = statistics.isFromCpu ? "cpu" : "gpu";
         json["triangles"] = statistics.numTriangles;
         json["passes"] = statistics.numSubdivisionPasses;
         json["fineTriangles"] = statistics.numFineTriangles;
