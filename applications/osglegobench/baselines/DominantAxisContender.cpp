@@ -54,6 +54,7 @@ std::string DominantAxisContender::createObjects(osg::State& state)
     createFramebuffer(state);
     allocate(state, _counters, sizeof(Counters));
     reserve(state, getTriangles().estimateCoveredCells());
+    _numCells = 0;
     return {};
 }
 
@@ -95,9 +96,9 @@ void DominantAxisContender::createFramebuffer(osg::State& state)
 
 void DominantAxisContender::reserve(const osg::State& state, std::size_t numCells)
 {
-    _capacity = numCells;
-    allocate(state, _cells, numCells * sizeof(std::uint32_t));
-    allocate(state, _points, numCells * sizeof(BrickPoint));
+    _capacity = std::max(numCells, std::size_t(1)); // GL binds no buffer without bytes
+    allocate(state, _cells, _capacity * sizeof(std::uint32_t));
+    allocate(state, _points, _capacity * sizeof(BrickPoint));
 }
 
 void DominantAxisContender::findBricks(osg::State& state)

@@ -20,11 +20,13 @@ flat out vec3 lowest; // of the triangle's bounds, the last component along the 
 flat out vec3 highest;
 flat out vec2 slope;  // by which the place changes from pixel to pixel
 
-// A line in the plane, moved outwards by half a pixel as a square pixel sees it.
+// A line in the plane, moved outwards by half a pixel as a square pixel sees it; and by a little more, since GL rounds
+// vertices to fractions of a pixel, and leaves out centres that lie on an edge.
 vec3 outwardLine(vec2 from, vec2 to, float side)
 {
     vec3 line = side * cross(vec3(from, 1.0), vec3(to, 1.0));
-    line.z += 0.5 * (abs(line.x) + abs(line.y));
+    const float REACH = 0.5 + 1.0 / 128.0;
+    line.z += REACH * (abs(line.x) + abs(line.y));
     return line;
 }
 #endif
