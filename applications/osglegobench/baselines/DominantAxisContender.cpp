@@ -8,7 +8,6 @@
 
 #include <algorithm>
 
-#include <glm/gtx/component_wise.hpp>
 #include <osg/GLExtensions>
 #include <osg/Shader>
 
@@ -31,6 +30,11 @@ osg::ref_ptr<osg::Program> createExtraction()
     program->addShader(new osg::Shader(osg::Shader::COMPUTE,
                                        "#version 430\n" + ShaderLibrary::getSource("dominant_axis_extraction.comp")));
     return program;
+}
+
+int longestSideOf(const BrickGrid& grid)
+{
+    return std::max({grid.dimensions.x, grid.dimensions.y, grid.dimensions.z});
 }
 
 void allocate(const osg::State& state, GlBuffer& buffer, std::size_t numBytes)
@@ -72,9 +76,10 @@ std::string DominantAxisContender::createVolume(osg::State& state)
 {
     const glm::ivec3& dimensions = getGrid().dimensions;
     const int limit = getGlInteger(GL_MAX_3D_TEXTURE_SIZE);
-    if (glm::compMax(dimensions) > limit)
-        return "a side of " + std::to_string(glm::compMax(dimensions)) + " cells is beyond the " +
-               std::to_string(limit) + " texels of a 3D texture";
+    const int longest = longestSideOf(getGrid());
+    if (longest > limit)
+        return "a side of " + std::to_string(longest) + " cells is beyond the " + std::to_string(limit) +
+               " texels of a 3D texture";
     takeOutOfMemoryError();
     _volume = GlTexture(state);
     glBindTexture(GL_TEXTURE_3D, _volume.get());
@@ -87,7 +92,7 @@ std::string DominantAxisContender::createVolume(osg::State& state)
 void DominantAxisContender::createFramebuffer(osg::State& state)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    const int size = glm::compMax(getGrid().dimensions);
+    const int size = longestSideOf(getGrid());
     _framebuffer = GlFramebuffer(state);
     extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, _framebuffer.get());
     extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
@@ -155,7 +160,7 @@ DominantAxisContender::Counters DominantAxisContender::readCounters(const osg::S
 void DominantAxisContender::draw(osg::State& state) const
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    const int size = glm::compMax(getGrid().dimensions);
+    const int size = longestSideOf(getGrid());
     _clearTexture(_volume.get(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     setCounters(state, {});
     extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, _framebuffer.get());

@@ -22,7 +22,8 @@ namespace osgLego
  * The thin kind takes the cell at each pixel's centre, so that walls leak where they slip between centres. The
  * conservative one enlarges triangles by half a pixel (Hasselgren, Akenine-Moller, Ohlsson, "Conservative
  * Rasterization", 2005), within their bounds, and takes all cells that the triangle's plane passes in a pixel; it finds
- * cells too many, as neither the outline nor the plane is tested against the cell itself.
+ * cells too many, as neither the outline nor the plane is tested against the cell itself, and loses some along needles
+ * so thin that their plane drowns in rounding.
  */
 class DominantAxisContender : public GlContender
 {

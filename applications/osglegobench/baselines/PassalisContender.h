@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** Layers of depth: Passalis, Theoharis, Toderici, Kakadiaris, "General Voxelization Algorithm with Scalable GPU
+/** Layers of depth: Passalis, Toderici, Theoharis, Kakadiaris, "General Voxelization Algorithm with Scalable GPU
  * Implementation", 2007.
  *
  * Along each of x, y and z the mesh is peeled: every layer is the nearest surface behind the last one, until an
