@@ -1,0 +1,73 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/BrickModel.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** A brick as the renderer draws it: x | y << 16, z | open sides << 16, red | green << 8 | blue << 16 | 255 << 24. */
+struct BrickPoint
+{
+    std::uint32_t column = 0;
+    std::uint32_t layer = 0;
+    std::uint32_t color = 0;
+};
+static_assert(sizeof(BrickPoint) == 12, "the layout of the renderer's buffer");
+
+/** The cells that a contender finds, gathered on the CPU in any order, each as often as it likes.
+ *
+ * One bit a cell tells what has been found, so that neither gathering nor the search for open sides walks the whole
+ * grid; emptying the bits is all that does. */
+class CellSet
+{
+public:
+    /** Empty the set, for a grid of so many cells along each axis. */
+    void reset(const glm::ivec3& dimensions);
+
+    /** Add a cell. The first colour that it is given stays. @param color as in BrickPoint. */
+    void add(const glm::ivec3& cell, std::uint32_t color)
+    {
+        const std::size_t number = numberOf(cell);
+        std::uint64_t& word = _words[number / 64];
+        const std::uint64_t bit = std::uint64_t(1) << number % 64;
+        if (word & bit) return;
+        word |= bit;
+        _bricks.push_back(
+            {static_cast<std::uint32_t>(cell.x | cell.y << 16), static_cast<std::uint32_t>(cell.z), color});
+    }
+
+    /** The cells with an empty neighbour, in the order they were added. */
+    const std::vector<BrickPoint>& findVisible();
+
+    /** All of the cells. */
+    osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid) const;
+
+private:
+    // A border of empty cells around the grid spares the question whether a cell has a neighbour.
+    std::size_t numberOf(const glm::ivec3& cell) const
+    {
+        return static_cast<std::size_t>(cell.x + 1) + static_cast<std::size_t>(cell.y + 1) * _rowLength +
+               static_cast<std::size_t>(cell.z + 1) * _layerLength;
+    }
+    bool isEmpty(std::size_t number) const { return !(_words[number / 64] >> number % 64 & 1); }
+    std::uint32_t findOpenSides(const BrickPoint& brick) const;
+
+    std::size_t _rowLength = 0;
+    std::size_t _layerLength = 0;
+    std::vector<std::uint64_t> _words;
+    std::vector<BrickPoint> _bricks;
+    std::vector<BrickPoint> _visible;
+};
+
+/** Turn points into the bricks of a model; their open sides are found anew. */
+osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points);
+
+} // namespace osgLego

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "CellSet.h"
+#include "GlRestoration.h"
+
+#include <osgLego/ProgramUniforms.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** An orthographic picture of a grid along one of its axes, one pixel a column of cells: depths, and colours with an
+ * alpha of 1 where there is a surface.
+ *
+ * Depth is the place along the axis over a power of two, of either direction of view: thus the numbers of cells come
+ * back from it without rounding.
+ */
+class DepthPicture
+{
+public:
+    /** @param numDepths depth textures, of which one is drawn to at a time.
+     * @return why there can be none, in one sentence; empty when there is one. */
+    std::string create(const osg::State& state, const glm::ivec3& dimensions, int axis, std::size_t numDepths);
+
+    /** Draw to this picture from here on, empty as yet. @param depth how far off an empty pixel is, 0 or 1. */
+    void begin(const osg::State& state, std::size_t depthTexture, double depth) const;
+    /** Set what depth_picture.vert needs. */
+    void setUniforms(const ProgramUniforms& uniforms) const;
+    GLuint getDepthTexture(std::size_t number) const { return _targets[number].depth.get(); }
+
+    /** Read back what was drawn last, and add the cells of all pixels that are not empty. */
+    void readCells(CellSet& cells);
+
+private:
+    // A frame buffer for each, since to attach another texture costs more than to bind another frame buffer.
+    struct Target
+    {
+        GlTexture depth;
+        GlFramebuffer framebuffer;
+    };
+
+    bool createTarget(const osg::State& state);
+
+    glm::ivec3 _dimensions{0};
+    int _axis = 0;
+    glm::ivec2 _size{0};
+    float _depthRange = 1.0f; // cells
+    GlTexture _color;
+    std::vector<Target> _targets;
+    std::vector<std::uint32_t> _readColors;
+    std::vector<float> _readDepths;
+};
+
+/** Those along x, y and z. */
+using DepthPictures = std::array<DepthPicture, 3>;
+
+/** Create all three. @return why they can't be, in one sentence; empty when they are. */
+std::string createDepthPictures(const osg::State& state, const glm::ivec3& dimensions, std::size_t numDepths,
+                                DepthPictures& pictures);
+
+/** How many cells the depths from 0 to 1 stand for, along a side of so many: the next power of two. */
+float getDepthRange(int numCells);
+
+} // namespace osgLego

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "GlContender.h"
+#include "GlRestoration.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <osg/Program>
+
+namespace osgLego
+{
+
+/** Rasterization along each triangle's dominant axis: Crassin, Green, "Octree-Based Sparse Voxelization Using the GPU
+ * Hardware Rasterizer", 2012, up to the list of voxels from which an octree would be built.
+ *
+ * A geometry shader turns every triangle to the axis along which it covers most pixels; fragments write to a texture of
+ * the grid's size, colours as a running mean (compare and swap), and the first in a cell appends it to a list. The
+ * points of visible bricks are made from that list by a compute shader: nothing is read back but counters.
+ *
+ * The thin kind takes the cell at each pixel's centre, so that walls leak where they slip between centres. The
+ * conservative one enlarges triangles by half a pixel (Hasselgren, Akenine-Moller, Ohlsson, "Conservative
+ * Rasterization", 2005), within their bounds, and takes all cells that the triangle's plane passes in a pixel; it finds
+ * cells too many, as neither the outline nor the plane is tested against the cell itself, and loses some along needles
+ * so thin that their plane drowns in rounding.
+ */
+class DominantAxisContender : public GlContender
+{
+public:
+    enum class Coverage
+    {
+        THIN,
+        CONSERVATIVE
+    };
+
+    explicit DominantAxisContender(Coverage coverage = Coverage::THIN) : _coverage(coverage) {}
+
+    std::string getName() const override
+    {
+        return _coverage == Coverage::THIN ? "dominant axis" : "dominant axis, conservative";
+    }
+    bool hasColors() const override { return true; }
+
+protected:
+    std::string createObjects(osg::State& state) override;
+    void findBricks(osg::State& state) override;
+    osg::ref_ptr<const BrickModel> readBricks(osg::State& state) override;
+    void releaseObjects() override;
+
+private:
+    using ClearTexture = void(GL_APIENTRY*)(GLuint texture, GLint level, GLenum format, GLenum type, const void* data);
+    using Counters = std::array<std::uint32_t, 2>; // cells, points
+
+    std::string createPrograms(osg::State& state);
+    std::string createVolume(osg::State& state);
+    void createFramebuffer(osg::State& state);
+    void reserve(const osg::State& state, std::size_t numCells);
+    void bind(const osg::State& state) const;
+    void unbind(const osg::State& state) const;
+    void setCounters(const osg::State& state, const Counters& counters) const;
+    Counters readCounters(const osg::State& state) const;
+    void draw(osg::State& state) const;
+    void extract(osg::State& state, std::uint32_t numCells, bool takesHidden) const;
+
+    Coverage _coverage;
+    std::size_t _capacity = 0; // cells
+    std::uint32_t _numCells = 0;
+    ClearTexture _clearTexture = nullptr;
+    GlTexture _volume;
+    GlFramebuffer _framebuffer;
+    GlBuffer _counters;
+    GlBuffer _cells;
+    GlBuffer _points;
+    osg::ref_ptr<osg::Program> _drawing;
+    osg::ref_ptr<osg::Program> _extraction;
+};
+
+} // namespace osgLego

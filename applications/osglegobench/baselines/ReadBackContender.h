@@ -1,0 +1,28 @@
+#pragma once
+
+#include "CellSet.h"
+#include "GlContender.h"
+
+#include <osgLego/GlObject.h>
+
+namespace osgLego
+{
+
+/** A contender that reads pictures of the mesh back, gathers their cells on the CPU, and uploads points of bricks. */
+class ReadBackContender : public GlContender
+{
+protected:
+    std::string createObjects(osg::State& state) override;
+    void findBricks(osg::State& state) final;
+    osg::ref_ptr<const BrickModel> readBricks(osg::State& state) final;
+    void releaseObjects() override;
+
+    /** Draw the mesh and add the cells that it covers. */
+    virtual void gatherCells(osg::State& state, CellSet& cells) = 0;
+
+private:
+    CellSet _cells;
+    GlBuffer _points;
+};
+
+} // namespace osgLego
