@@ -68,7 +68,7 @@ class VertexReader
 public:
     VertexReader(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state) :
         _positions(*geometry.getVertexArray()), _colors(state.usesColorArray() ? colorsOf(geometry) : nullptr),
-        _coordinates(geometry.getTexCoordArray(0)), _toRoot(toRoot), _stateColor(state.getColor()),
+        _coordinates(geometry.getTexCoordArray(state.getTextureUnit())), _toRoot(toRoot), _stateColor(state.getColor()),
         _textureMatrix(state.getTextureMatrix())
     {
     }
@@ -163,7 +163,7 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
                                              const SurfaceState& state)
 {
     if (!geometry.getVertexArray()) return;
-    SceneBatch& batch = findOrMakeBatch(state, geometry.getTexCoordArray(0) != nullptr);
+    SceneBatch& batch = findOrMakeBatch(state, geometry.getTexCoordArray(state.getTextureUnit()) != nullptr);
     const VertexReader reader(geometry, toRoot, state);
     for (unsigned int set = 0; set < geometry.getNumPrimitiveSets(); ++set)
     {

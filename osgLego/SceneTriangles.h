@@ -36,12 +36,12 @@ struct SceneBatch
 
 /** The triangles of any OSG subgraph, flattened: transforms applied, state resolved to plain colours and textures.
  *
- * Takes nested transforms, shared children, Switch and LOD (the finest level there is), every primitive type of
- * triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials,
- * Texture2D of unit 0 with wrap mode, matrix and environment, and inherited state with OVERRIDE and PROTECTED. A
- * triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points are passed
- * over, as are triangles with no area and, with a warning, triangles with a coordinate that is not finite or beyond
- * MAXIMUM_COORDINATE, and sources smaller than MINIMUM_SIZE.
+ * Takes nested transforms, shared children, Switch, Sequence and LOD (the finest level there is), every primitive type
+ * of triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials, the
+ * Texture2D of the first unit with one, with wrap mode, matrix and environment, and inherited state with OVERRIDE and
+ * PROTECTED. A triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points
+ * are passed over, as are triangles with no area and, with a warning, triangles with a coordinate that is not finite
+ * or beyond MAXIMUM_COORDINATE, and sources smaller than MINIMUM_SIZE.
  *
  * Usage:
  *

@@ -73,8 +73,9 @@ protected:
     {
         _signature.add(static_cast<const osg::Referenced*>(&drawable));
         _signature.add(toRoot);
-        addState(SurfaceState(stateSets));
-        if (const osg::Geometry* geometry = drawable.asGeometry()) addGeometry(*geometry);
+        const SurfaceState state(stateSets);
+        addState(state);
+        if (const osg::Geometry* geometry = drawable.asGeometry()) addGeometry(*geometry, state.getTextureUnit());
     }
 
 private:
@@ -95,12 +96,12 @@ private:
         if (state.getTextureMatrix()) _signature.add(osg::Matrixd(state.getTextureMatrix()->getMatrix()));
     }
 
-    void addGeometry(const osg::Geometry& geometry)
+    void addGeometry(const osg::Geometry& geometry, unsigned int textureUnit)
     {
         const bool byContents = geometry.getDataVariance() == osg::Object::DYNAMIC;
         addData(geometry.getVertexArray(), byContents);
         addData(geometry.getColorArray(), byContents);
-        addData(geometry.getTexCoordArray(0), byContents);
+        addData(geometry.getTexCoordArray(textureUnit), byContents);
         if (geometry.getColorArray()) _signature.add(std::uint64_t(geometry.getColorArray()->getBinding()));
         for (const osg::ref_ptr<osg::PrimitiveSet>& set : geometry.getPrimitiveSetList())
         {

@@ -45,6 +45,25 @@ void SourceVisitor::apply(osg::LOD& lod)
     if (pushed) _stateSets.pop_back();
 }
 
+void SourceVisitor::apply(osg::Sequence& sequence)
+{
+    const bool begins = sequence.getValue() < 0 && sequence.getMode() == osg::Sequence::START;
+    if (!begins || sequence.getNumChildren() == 0)
+    {
+        traverseWithState(sequence);
+        return;
+    }
+    osg::Sequence::LoopMode mode = osg::Sequence::LOOP;
+    int first = 0;
+    int last = 0;
+    sequence.getInterval(mode, first, last);
+    const int end = static_cast<int>(sequence.getNumChildren()) - 1;
+    first = std::clamp(first < 0 ? end : first, 0, end); // -1 is the last child
+    const bool pushed = pushState(sequence);
+    sequence.getChild(static_cast<unsigned int>(first))->accept(*this);
+    if (pushed) _stateSets.pop_back();
+}
+
 void SourceVisitor::apply(osg::Drawable& drawable)
 {
     const bool pushed = pushState(drawable);

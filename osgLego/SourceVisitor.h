@@ -7,6 +7,7 @@
 #include <osg/LOD>
 #include <osg/Matrixd>
 #include <osg/NodeVisitor>
+#include <osg/Sequence>
 #include <osg/StateSet>
 #include <osg/Transform>
 
@@ -15,8 +16,9 @@ namespace osgLego
 
 /** Walks over what of a subgraph would be shown, and hands on each drawable with its transform and state sets.
  *
- * Of a Switch the children that are on, of an LOD the most detailed ones that are there; cameras that draw elsewhere
- * (before, after, to a texture) are passed over. Reads only; one thread at a time.
+ * Of a Switch the children that are on, of an LOD the most detailed ones that are there, of a Sequence the one that is
+ * its turn, or, before the first update, will be; cameras that draw elsewhere (before, after, to a texture) are passed
+ * over. Reads only; one thread at a time.
  */
 class SourceVisitor : public osg::NodeVisitor
 {
@@ -29,6 +31,7 @@ public:
     void apply(osg::Transform& transform) override;
     void apply(osg::Camera& camera) override;
     void apply(osg::LOD& lod) override;
+    void apply(osg::Sequence& sequence) override;
     void apply(osg::Drawable& drawable) override;
 
 protected:

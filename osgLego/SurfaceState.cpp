@@ -81,33 +81,66 @@ TextureEnvironment environmentOf(const osg::TexEnv* environment)
     }
 }
 
+/** What is inherited of one texture unit. */
+class InheritedUnit
+{
+public:
+    void push(const osg::StateSet& stateSet, unsigned int unit)
+    {
+        _texture.push(stateSet.getTextureAttributePair(unit, osg::StateAttribute::TEXTURE));
+        _matrix.push(stateSet.getTextureAttributePair(unit, osg::StateAttribute::TEXMAT));
+        _environment.push(stateSet.getTextureAttributePair(unit, osg::StateAttribute::TEXENV));
+        _texturing.push(stateSet.getTextureMode(unit, GL_TEXTURE_2D));
+        _generated.push(stateSet.getTextureMode(unit, GL_TEXTURE_GEN_S));
+    }
+
+    /** Null when there is none to be seen. */
+    const osg::Texture2D* getTexture() const
+    {
+        return _texturing.get(false) && !_generated.get(false) ? _texture.get<osg::Texture2D>() : nullptr;
+    }
+    const osg::TexMat* getMatrix() const { return _matrix.get<osg::TexMat>(); }
+    const osg::TexEnv* getEnvironment() const { return _environment.get<osg::TexEnv>(); }
+
+private:
+    InheritedAttribute _texture;
+    InheritedAttribute _matrix;
+    InheritedAttribute _environment;
+    InheritedMode _texturing;
+    InheritedMode _generated;
+};
+
+unsigned int countTextureUnits(const std::vector<const osg::StateSet*>& stateSets)
+{
+    std::size_t count = 0;
+    for (const osg::StateSet* stateSet : stateSets)
+        count = std::max({count, stateSet->getTextureAttributeList().size(), stateSet->getTextureModeList().size()});
+    return static_cast<unsigned int>(count);
+}
+
 } // namespace
 
 SurfaceState::SurfaceState(const std::vector<const osg::StateSet*>& stateSets)
 {
     InheritedAttribute material;
-    InheritedAttribute texture;
-    InheritedAttribute textureMatrix;
-    InheritedAttribute environment;
     InheritedMode lighting;
-    InheritedMode texturing;
-    InheritedMode generated;
+    std::vector<InheritedUnit> units(countTextureUnits(stateSets));
     for (const osg::StateSet* stateSet : stateSets)
     {
         material.push(stateSet->getAttributePair(osg::StateAttribute::MATERIAL));
         lighting.push(stateSet->getMode(GL_LIGHTING));
-        texture.push(stateSet->getTextureAttributePair(0, osg::StateAttribute::TEXTURE));
-        textureMatrix.push(stateSet->getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
-        environment.push(stateSet->getTextureAttributePair(0, osg::StateAttribute::TEXENV));
-        texturing.push(stateSet->getTextureMode(0, GL_TEXTURE_2D));
-        generated.push(stateSet->getTextureMode(0, GL_TEXTURE_GEN_S));
+        for (unsigned int unit = 0; unit < units.size(); ++unit)
+            units[unit].push(*stateSet, unit);
     }
 
     _material = material.get<osg::Material>();
     _lit = lighting.get(true);
-    if (texturing.get(false) && !generated.get(false)) _texture = texture.get<osg::Texture2D>();
-    _environment = environmentOf(environment.get<osg::TexEnv>());
-    _textureMatrix = textureMatrix.get<osg::TexMat>();
+    const auto shown = std::find_if(units.begin(), units.end(), [](const auto& unit) { return unit.getTexture(); });
+    if (shown == units.end()) return;
+    _textureUnit = static_cast<unsigned int>(shown - units.begin());
+    _texture = shown->getTexture();
+    _environment = environmentOf(shown->getEnvironment());
+    _textureMatrix = shown->getMatrix();
     if (_textureMatrix && _textureMatrix->getMatrix().isIdentity()) _textureMatrix = nullptr;
 }
 

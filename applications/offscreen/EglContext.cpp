@@ -50,18 +50,13 @@ std::vector<EGLDisplay> findDisplays()
     return displays;
 }
 
-EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext shared)
-{
-    // clang-format off
-    constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,       4,
-                                    EGL_CONTEXT_MINOR_VERSION,       0,
-                                    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
-                                    EGL_NONE};
-    // clang-format on
-    EGLContext context = eglCreateContext(display, config, shared, COMPATIBLE.data());
-    // What is older still has a context to give, of whose version the library can complain better than EGL does.
-    return context != EGL_NO_CONTEXT ? context : eglCreateContext(display, config, shared, nullptr);
-}
+// clang-format off
+constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                EGL_CONTEXT_MINOR_VERSION,       0,
+                                EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                EGL_NONE};
+constexpr std::array ANY{EGL_NONE};
+// clang-format on
 
 } // namespace
 
@@ -91,12 +86,16 @@ bool EglContext::realizeImplementation()
     // A viewer realizes its contexts again.
     if (isRealizedImplementation()) return true;
     _error = "there is no EGL display that gives an OpenGL context";
-    for (EGLDisplay display : findDisplays())
-        if (display != EGL_NO_DISPLAY && realizeOn(display)) return true;
+    const std::vector<EGLDisplay> displays = findDisplays();
+    // What is older still has a context to give, of whose version the library can complain better than EGL does; but
+    // not while another has what is wanted.
+    for (const EGLint* attributes : {COMPATIBLE.data(), ANY.data()})
+        for (EGLDisplay display : displays)
+            if (display != EGL_NO_DISPLAY && realizeOn(display, attributes)) return true;
     return false;
 }
 
-bool EglContext::realizeOn(EGLDisplay display)
+bool EglContext::realizeOn(EGLDisplay display, const EGLint* attributes)
 {
     if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) return false;
 
@@ -118,7 +117,7 @@ bool EglContext::realizeOn(EGLDisplay display)
     const auto* shared = dynamic_cast<EglContext*>(_traits->sharedContext.get());
     const std::array size{EGL_WIDTH, _traits->width, EGL_HEIGHT, _traits->height, EGL_NONE};
     _surface = eglCreatePbufferSurface(display, config, size.data());
-    _context = createContext(display, config, shared ? shared->_context : EGL_NO_CONTEXT);
+    _context = eglCreateContext(display, config, shared ? shared->_context : EGL_NO_CONTEXT, attributes);
     _display = display;
     if (_surface != EGL_NO_SURFACE && _context != EGL_NO_CONTEXT) return true;
     closeImplementation();

@@ -37,7 +37,8 @@ public:
 private:
     ~EglContext() override;
 
-    bool realizeOn(EGLDisplay display);
+    /** @param attributes of the context, as eglCreateContext takes them. */
+    bool realizeOn(EGLDisplay display, const EGLint* attributes);
 
     EGLDisplay _display = EGL_NO_DISPLAY;
     EGLContext _context = EGL_NO_CONTEXT;

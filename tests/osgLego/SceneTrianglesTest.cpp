@@ -12,6 +12,7 @@
 #include <osg/LOD>
 #include <osg/Material>
 #include <osg/MatrixTransform>
+#include <osg/Sequence>
 #include <osg/ShapeDrawable>
 #include <osg/Switch>
 #include <osg/TexMat>
@@ -178,6 +179,21 @@ TEST(SceneTriangles, TheFinestLevelOfDetailCounts)
         lod->addChild(fine, byDistance ? 10.0f : 50.0f, byDistance ? 100.0f : 1e9f);
         EXPECT_EQ(SceneTriangles::create(*lod)->getNumTriangles(), 6u);
     }
+}
+
+TEST(SceneTriangles, ASequenceThatHasNotBegunCountsAsItsFirstChild)
+{
+    osg::ref_ptr<osg::Sequence> sequence = new osg::Sequence;
+    sequence->addChild(createUnitTriangle(), 1.0);
+    sequence->addChild(createPolygon(8, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 8)), 1.0);
+    const auto countTriangles = [&] { return SceneTriangles::create(*sequence)->getNumTriangles(); };
+    EXPECT_EQ(countTriangles(), 0u) << "before it is started";
+    sequence->setMode(osg::Sequence::START);
+    EXPECT_EQ(countTriangles(), 1u);
+    sequence->setInterval(osg::Sequence::LOOP, -1, 0);
+    EXPECT_EQ(countTriangles(), 6u);
+    sequence->setValue(0);
+    EXPECT_EQ(countTriangles(), 1u);
 }
 
 TEST(SceneTriangles, CamerasThatDrawElsewhereDoNotCount)
@@ -367,6 +383,23 @@ TEST(SceneTriangles, ATextureThatIsSwitchedOffDoesNotCount)
     osg::ref_ptr<osg::Geometry> geometry = createTextured();
     geometry->getStateSet()->setTextureMode(0, GL_TEXTURE_2D, osg::StateAttribute::OFF);
     EXPECT_FALSE(SceneTriangles::create(*geometry)->getBatches().front().texture);
+}
+
+TEST(SceneTriangles, TheTextureOfTheFirstUnitWithOneCounts)
+{
+    osg::ref_ptr<osg::Geometry> geometry = createTextured();
+    osg::StateSet& state = *geometry->getStateSet();
+    osg::ref_ptr<osg::StateAttribute> texture = state.getTextureAttribute(0, osg::StateAttribute::TEXTURE);
+    state.removeTextureAttribute(0, texture);
+    state.setTextureAttributeAndModes(2, texture);
+    EXPECT_FALSE(SceneTriangles::create(*geometry)->getBatches().front().texture) << "without coordinates";
+
+    geometry->setTexCoordArray(2, geometry->getTexCoordArray(0));
+    geometry->setTexCoordArray(0, nullptr);
+    state.setTextureAttribute(2, new osg::TexMat(osg::Matrix::scale(2, 4, 1)));
+    osg::ref_ptr<const SceneTriangles> triangles = SceneTriangles::create(*geometry);
+    ASSERT_TRUE(triangles->getBatches().front().texture);
+    EXPECT_EQ(triangles->getBatches().front().vertices[1].coordinate, glm::vec2(1.0f, 1.0f));
 }
 
 TEST(SceneTriangles, ALegoNodeInASourceCountsAsItsBricks)
