@@ -53,8 +53,9 @@ TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
 
 TEST(LegoSettings, TheTextFormComesBackAsItWas)
 {
-    for (const char* text : {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain",
-                             "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,look=plain"})
+    for (const char* text :
+         {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
+          "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
         EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
@@ -85,7 +86,7 @@ TEST(LegoSettings, OnlyTheLookHasNoPartInWhichBricksThereAre)
 
 TEST(LegoSettings, KnowsTheKeysOfItsTextForm)
 {
-    for (const char* key : {"resolution", "proportions", "up", "method", "target", "fbo", "edge", "look"})
+    for (const char* key : {"resolution", "proportions", "up", "method", "target", "fbo", "edge", "device", "look"})
         EXPECT_TRUE(LegoSettings::isKey(key)) << key;
     for (const char* other : {"", "res", "look ", "loo", "up, method", "noTexturesInIVEFile"})
         EXPECT_FALSE(LegoSettings::isKey(other)) << other;
@@ -101,8 +102,9 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
 
 TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
 {
-    EXPECT_EQ(errorOf("64,colour=red"),
-              "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge, look");
+    EXPECT_EQ(
+        errorOf("64,colour=red"),
+        "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge, device, look");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");
@@ -115,6 +117,7 @@ TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
     EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; allowed: a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("64,32"), "'resolution' is given twice");
     EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; allowed with method=exact: addressed");
+    EXPECT_EQ(errorOf("method=points,device=cpu"), "bad value 'cpu' for device; allowed with method=points: auto, gpu");
     EXPECT_NE(errorOf("").find("is neither a resolution"), std::string::npos);
     EXPECT_NE(errorOf("64,").find("is neither a resolution"), std::string::npos);
     EXPECT_NE(errorOf("bunny").find("'bunny' is neither a resolution"), std::string::npos);

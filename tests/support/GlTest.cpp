@@ -85,6 +85,7 @@ LegoSettings GlTest::parseSettings(const std::string& text)
 {
     LegoSettings settings;
     std::string error;
+    EXPECT_TRUE(LegoSettings::parse("device=gpu", settings, error)) << error;
     EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
     return settings;
 }

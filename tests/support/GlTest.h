@@ -36,6 +36,7 @@ protected:
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,
                                                         LegoStatistics* statistics = nullptr);
 
+    /** By the passes of the GPU, a software renderer's too, unless the text names a device. */
     static LegoSettings parseSettings(const std::string& text);
 };
 
