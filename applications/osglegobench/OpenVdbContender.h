@@ -7,7 +7,7 @@ namespace osgLego
 {
 
 /** OpenVDB's meshToVolume, a distance field without colours, on two threads: a cell is covered when its centre is no
- * further than half a cell from the mesh. That is sound and has no tunnels, but misses what only grazes a cell. */
+ * further than half a cell from the mesh. That has no tunnels, but misses what only grazes a cell. */
 class OpenVdbContender : public Contender
 {
 public:

@@ -5,6 +5,7 @@
 #include <osgLego/CompleteFile.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
@@ -33,28 +34,47 @@ std::string formatFootnote(const BenchEnvironment& environment)
                        environment.processor, environment.numThreads, environment.commit, environment.date);
 }
 
-/** A mark at every place that was measured, and none between. */
-std::string formatTics(const Plot& plot)
+std::string joined(const std::set<double>& numbers)
 {
-    std::set<double> places;
+    std::string text;
+    for (const double number : numbers)
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+    return text;
+}
+
+std::set<double> collect(const Plot& plot, double std::pair<double, double>::*coordinate)
+{
+    std::set<double> values;
     for (const Plot::Curve& curve : plot.curves)
         for (const auto& point : curve.points)
-            places.insert(point.first);
-    std::string text;
-    for (const double place : places)
-        text += fmt::format("{}{}", text.empty() ? "" : ", ", place);
-    return text;
+            values.insert(point.*coordinate);
+    return values;
+}
+
+/** Range and marks of both axes: a mark at every x that was measured, and at 1, 2 and 5 of every power of ten of y. */
+std::string formatAxes(const Plot& plot)
+{
+    constexpr double MARGIN = 1.2;
+    const std::set<double> places = collect(plot, &std::pair<double, double>::first);
+    const std::set<double> values = collect(plot, &std::pair<double, double>::second);
+    const double top = MARGIN * *values.rbegin();
+    std::set<double> marks;
+    for (double exponent = std::floor(std::log10(*values.begin())); exponent <= std::log10(top); exponent += 1.0)
+        for (const double factor : {1.0, 2.0, 5.0})
+            marks.insert(factor * std::pow(10.0, exponent));
+    return fmt::format("set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\nset xtics ({})\nset ytics ({})\n",
+                       *places.begin() / MARGIN, *places.rbegin() * MARGIN, *values.begin() / MARGIN, top,
+                       joined(places), joined(marks));
 }
 
 std::string formatScript(const Plot& plot, const BenchEnvironment& environment, const std::string& fileName)
 {
-    std::string text =
-        fmt::format("set terminal pngcairo noenhanced size 1200,800 font 'Sans,12'\n"
-                    "set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n"
-                    "set logscale xy\nset xtics ({})\nset grid\nset key outside right top\n"
-                    "set bmargin 7\n",
-                    quoted(fileName), quoted(plot.title), quoted(plot.xLabel), quoted(plot.yLabel), formatTics(plot));
-    std::string footnote = formatFootnote(environment);
+    std::string text = fmt::format("set terminal pngcairo noenhanced size 1200,800 font 'Sans,12'\n"
+                                   "set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n"
+                                   "set grid\nset key at screen 0.98,0.08 bottom right maxrows {}\nset bmargin {}\n{}",
+                                   quoted(fileName), quoted(plot.title), quoted(plot.xLabel), quoted(plot.yLabel),
+                                   (plot.curves.size() + 1) / 2, 8 + (plot.curves.size() + 1) / 2, formatAxes(plot));
+    const std::string footnote = formatFootnote(environment);
     const auto end = footnote.find('\n');
     text +=
         fmt::format("set label 1 {} at screen 0.02,0.055 font ',9'\nset label 2 {} at screen 0.02,0.025 font ',9'\n",

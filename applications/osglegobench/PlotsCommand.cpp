@@ -28,7 +28,7 @@ struct PlotsOptions
     bool wants(const char* figure) const { return std::find(figures.begin(), figures.end(), figure) != figures.end(); }
 };
 
-/** @param quick instead of up to `maximum`, in doublings. */
+/** What was given, or what is usual. */
 std::vector<unsigned int> choose(const std::vector<unsigned int>& given, bool isQuick,
                                  const std::vector<unsigned int>& quick, const std::vector<unsigned int>& usual)
 {
