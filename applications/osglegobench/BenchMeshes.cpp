@@ -33,10 +33,11 @@ public:
         for (const osg::Vec3& position : *positions)
         {
             osg::Vec4 color(0.0f, 0.0f, 0.0f, 1.0f);
-            for (unsigned int axis = 0; axis < 3; ++axis)
+            for (int axis = 0; axis < 3; ++axis)
             {
                 const float side = std::max(bounds._max[axis] - bounds._min[axis], 1e-30f);
-                color[axis] = std::clamp((position[axis] - bounds._min[axis]) / side, 0.0f, 1.0f);
+                color[static_cast<unsigned int>(axis)] =
+                    std::clamp((position[axis] - bounds._min[axis]) / side, 0.0f, 1.0f);
             }
             colors->push_back(color);
         }

@@ -18,6 +18,12 @@ public:
     {
     }
 
+    bool isInside(const glm::ivec3& cell) const
+    {
+        return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < _dimensions.x && cell.y < _dimensions.y &&
+               cell.z < _dimensions.z;
+    }
+
     /** Cells outside the grid are never in it. */
     bool contains(const glm::ivec3& cell) const { return isInside(cell) && _bits[numberOf(cell)]; }
 
@@ -35,12 +41,6 @@ public:
     const glm::ivec3& getDimensions() const { return _dimensions; }
 
 private:
-    bool isInside(const glm::ivec3& cell) const
-    {
-        return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < _dimensions.x && cell.y < _dimensions.y &&
-               cell.z < _dimensions.z;
-    }
-
     std::size_t numberOf(const glm::ivec3& cell) const
     {
         const auto row = static_cast<std::size_t>(cell.y) +

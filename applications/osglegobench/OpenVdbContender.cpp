@@ -47,14 +47,18 @@ private:
     std::vector<std::size_t> _ends; // the number of triangles up to the end of each batch
 };
 
-std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances)
+/** Cells beside the grid may be as near to a mesh on its bounds as those within. */
+std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm::ivec3& dimensions)
 {
     constexpr float HALF_A_CELL = 0.5f;
+    const openvdb::CoordBBox inside(openvdb::Coord(0),
+                                    openvdb::Coord(dimensions.x - 1, dimensions.y - 1, dimensions.z - 1));
     std::vector<Brick> bricks;
     for (auto value = distances.cbeginValueOn(); value; ++value)
     {
         if (*value > HALF_A_CELL) continue;
         const openvdb::Coord cell = value.getCoord();
+        if (!inside.isInside(cell)) continue;
         bricks.push_back({{static_cast<std::uint16_t>(cell.x()), static_cast<std::uint16_t>(cell.y()),
                            static_cast<std::uint16_t>(cell.z())},
                           GREY,
@@ -81,7 +85,8 @@ double OpenVdbContender::run()
     constexpr float BAND = 1.0f; // cells: the least that OpenVDB makes
     const openvdb::FloatGrid::Ptr distances = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
         TriangleAdapter(*_triangles), openvdb::math::Transform(), BAND, BAND, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
-    _bricks = BrickModel::create(_triangles->getGrid(), collectBricks(*distances));
+    const BrickGrid& grid = _triangles->getGrid();
+    _bricks = BrickModel::create(grid, collectBricks(*distances, grid.dimensions));
     _buffer.upload(packVisibleBricks(*_bricks));
     return timer.delta_m(start, timer.tick());
 }

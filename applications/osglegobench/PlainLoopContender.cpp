@@ -67,9 +67,9 @@ unsigned int PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
     {
         glm::ivec3 step(0);
         step[axis] = 1;
-        const auto bit = 2 * static_cast<unsigned int>(axis);
-        if (cell[axis] == 0 || _cells[numberOf(cell - step)] == 0) sides |= SIDE_LEFT << bit;
-        if (cell[axis] + 1 == _dimensions[axis] || _cells[numberOf(cell + step)] == 0) sides |= SIDE_RIGHT << bit;
+        const auto bit = 2 * static_cast<unsigned int>(axis); // of SIDE_LEFT and its like
+        if (cell[axis] == 0 || _cells[numberOf(cell - step)] == 0) sides |= 1u << bit;
+        if (cell[axis] + 1 == _dimensions[axis] || _cells[numberOf(cell + step)] == 0) sides |= 2u << bit;
     }
     return sides;
 }

@@ -50,11 +50,15 @@ VoxelQuality VoxelTruth::compare(const BrickModel& found, bool hasColors) const
 {
     CellSet cells(_cells.getDimensions());
     std::size_t numRight = 0;
+    std::size_t numOutside = 0; // of the grid: as wrong as can be
     for (const Brick& brick : found.getBricks())
-        if (cells.insert(cellOf(brick)) && _cells.contains(cellOf(brick))) ++numRight;
+        if (!cells.isInside(cellOf(brick)))
+            ++numOutside;
+        else if (cells.insert(cellOf(brick)) && _cells.contains(cellOf(brick)))
+            ++numRight;
     VoxelQuality quality;
-    quality.numCells = cells.getSize();
-    quality.precision = ratio(numRight, cells.getSize());
+    quality.numCells = cells.getSize() + numOutside;
+    quality.precision = ratio(numRight, quality.numCells);
     quality.recall = ratio(numRight, _cells.getSize());
     quality.numTunnels = countTunnels(*_triangles, cells);
     if (hasColors) quality.colorError = computeColorError(found);
