@@ -48,7 +48,7 @@ osg::ref_ptr<osg::Node> createMesh(const std::string& name)
 
 } // namespace
 
-BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size) :
+BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, PictureUse use) :
     _size(size), _lego(new LegoNode(scene.settings)), _scene(new AmbientOcclusionScene), _camera(new osg::Camera),
     _image(new osg::Image)
 {
@@ -63,12 +63,10 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size) :
     _viewer.getCamera()->setViewport(0, 0, 16, 16);
     _viewer.getCamera()->setDrawBuffer(GL_FRONT);
     _viewer.getCamera()->setReadBuffer(GL_FRONT);
-    _image->allocateImage(size.x, size.y, 1, GL_RGBA, GL_FLOAT);
-    _image->setInternalTextureFormat(GL_RGBA32F_ARB);
     _camera->setRenderOrder(osg::Camera::PRE_RENDER);
     _camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     _camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-    _camera->attach(osg::Camera::COLOR_BUFFER, _image);
+    attachTarget(use);
     _camera->setViewport(0, 0, size.x, size.y);
     _camera->setClearColor(osg::Vec4());
     _camera->setCullingMode(osg::CullSettings::NO_CULLING);
@@ -79,6 +77,18 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size) :
     _viewer.setReleaseContextAtEndOfFrameHint(false);
     _viewer.setSceneData(_camera);
     _viewer.realize();
+}
+
+void BenchView::attachTarget(PictureUse use)
+{
+    if (use == PictureUse::DISCARD)
+    {
+        _camera->attach(osg::Camera::COLOR_BUFFER, static_cast<GLenum>(GL_RGBA32F_ARB));
+        return;
+    }
+    _image->allocateImage(_size.x, _size.y, 1, GL_RGBA, GL_FLOAT);
+    _image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    _camera->attach(osg::Camera::COLOR_BUFFER, _image);
 }
 
 void BenchView::placeCamera(const BenchScene& scene)
@@ -97,13 +107,19 @@ void BenchView::placeCamera(const BenchScene& scene)
     _camera->setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * distance, bound.center(), up);
 }
 
-osg::ref_ptr<osg::Image> BenchView::draw(const AmbientOcclusionSettings& settings)
+void BenchView::drawFrame(const AmbientOcclusionSettings& settings)
 {
     _scene->setSettings(settings);
     _viewer.frame();
+    glFinish();
     const osg::GraphicsContext& context = *_viewer.getCamera()->getGraphicsContext();
     const std::string failure = _lego->getFailure(context.getState()->getContextID());
     if (!failure.empty()) throw std::runtime_error(failure);
+}
+
+osg::ref_ptr<osg::Image> BenchView::draw(const AmbientOcclusionSettings& settings)
+{
+    drawFrame(settings);
     return new osg::Image(*_image, osg::CopyOp::DEEP_COPY_ALL);
 }
 

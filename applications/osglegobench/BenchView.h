@@ -16,13 +16,22 @@
 namespace osgLego
 {
 
+/** What becomes of the pictures that a BenchView draws. */
+enum class PictureUse
+{
+    BRING_BACK, //!< to main memory, which takes time that drawing alone does not
+    DISCARD
+};
+
 /** A scene of the bench before a camera that draws pictures of floats. Throws std::runtime_error. One thread. */
 class BenchView
 {
 public:
-    BenchView(const BenchScene& scene, const glm::ivec2& size);
+    BenchView(const BenchScene& scene, const glm::ivec2& size, PictureUse use = PictureUse::BRING_BACK);
 
-    /** Draw, and bring the picture back: RGBA of floats, its first row at the bottom. */
+    /** Draw, and wait until that is done. */
+    void drawFrame(const AmbientOcclusionSettings& settings);
+    /** Draw, and bring the picture back, as PictureUse must say: RGBA of floats, its first row at the bottom. */
     osg::ref_ptr<osg::Image> draw(const AmbientOcclusionSettings& settings);
 
     /** The point on a pixel's near plane, and the direction from there, in the coordinates of the model. */
@@ -35,6 +44,7 @@ public:
     AmbientOcclusionTimes getTimes() const;
 
 private:
+    void attachTarget(PictureUse use);
     void placeCamera(const BenchScene& scene);
 
     osgViewer::Viewer _viewer; // closes the context when it goes

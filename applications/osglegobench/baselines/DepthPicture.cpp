@@ -70,7 +70,7 @@ void DepthPicture::setUniforms(const ProgramUniforms& uniforms) const
     uniforms.set("depthRange", _depthRange);
 }
 
-void DepthPicture::readCells(CellSet& cells)
+void DepthPicture::readCells(GatheredCells& cells)
 {
     const auto numPixels = static_cast<std::size_t>(_size.x) * static_cast<std::size_t>(_size.y);
     _readColors.resize(numPixels);

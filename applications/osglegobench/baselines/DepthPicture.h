@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CellSet.h"
+#include "GatheredCells.h"
 #include "GlRestoration.h"
 
 #include <osgLego/ProgramUniforms.h>
@@ -36,7 +36,7 @@ public:
     GLuint getDepthTexture(std::size_t number) const { return _targets[number].depth.get(); }
 
     /** Read back what was drawn last, and add the cells of all pixels that are not empty. */
-    void readCells(CellSet& cells);
+    void readCells(GatheredCells& cells);
 
 private:
     // A frame buffer for each, since to attach another texture costs more than to bind another frame buffer.

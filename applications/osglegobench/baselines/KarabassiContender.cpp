@@ -14,7 +14,7 @@ std::string KarabassiContender::createObjects(osg::State& state)
     return ReadBackContender::createObjects(state);
 }
 
-void KarabassiContender::gatherCells(osg::State& state, CellSet& cells)
+void KarabassiContender::gatherCells(osg::State& state, GatheredCells& cells)
 {
     _program->apply(state);
     const ProgramUniforms uniforms(state);

@@ -23,7 +23,7 @@ public:
 
 protected:
     std::string createObjects(osg::State& state) override;
-    void gatherCells(osg::State& state, CellSet& cells) override;
+    void gatherCells(osg::State& state, GatheredCells& cells) override;
     void releaseObjects() override;
 
 private:

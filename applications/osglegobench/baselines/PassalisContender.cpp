@@ -23,7 +23,7 @@ std::string PassalisContender::createObjects(osg::State& state)
     return ReadBackContender::createObjects(state);
 }
 
-void PassalisContender::gatherCells(osg::State& state, CellSet& cells)
+void PassalisContender::gatherCells(osg::State& state, GatheredCells& cells)
 {
     _program->apply(state);
     ProgramUniforms(state).set("previousDepth", PREVIOUS_DEPTH_UNIT);
@@ -33,7 +33,7 @@ void PassalisContender::gatherCells(osg::State& state, CellSet& cells)
         peel(state, picture, cells);
 }
 
-void PassalisContender::peel(osg::State& state, DepthPicture& picture, CellSet& cells) const
+void PassalisContender::peel(osg::State& state, DepthPicture& picture, GatheredCells& cells) const
 {
     picture.setUniforms(ProgramUniforms(state));
     // No pixel has more layers than there are triangles: an end even where GL should round the depth that it keeps

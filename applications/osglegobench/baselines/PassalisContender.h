@@ -23,11 +23,11 @@ public:
 
 protected:
     std::string createObjects(osg::State& state) override;
-    void gatherCells(osg::State& state, CellSet& cells) override;
+    void gatherCells(osg::State& state, GatheredCells& cells) override;
     void releaseObjects() override;
 
 private:
-    void peel(osg::State& state, DepthPicture& picture, CellSet& cells) const;
+    void peel(osg::State& state, DepthPicture& picture, GatheredCells& cells) const;
     bool drawLayer(osg::State& state, const DepthPicture& picture, std::size_t layer) const;
 
     DepthPictures _pictures;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CellSet.h"
+#include "GatheredCells.h"
 #include "GlContender.h"
 
 #include <osgLego/GlObject.h>
@@ -18,10 +18,10 @@ protected:
     void releaseObjects() override;
 
     /** Draw the mesh and add the cells that it covers. */
-    virtual void gatherCells(osg::State& state, CellSet& cells) = 0;
+    virtual void gatherCells(osg::State& state, GatheredCells& cells) = 0;
 
 private:
-    CellSet _cells;
+    GatheredCells _cells;
     GlBuffer _points;
 };
 

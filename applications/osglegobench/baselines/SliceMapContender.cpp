@@ -79,7 +79,7 @@ void SliceMapContender::clear() const
         _clearBuffer(GL_COLOR, target, NOTHING);
 }
 
-void SliceMapContender::gatherCells(osg::State& state, CellSet& cells)
+void SliceMapContender::gatherCells(osg::State& state, GatheredCells& cells)
 {
     const glm::ivec3& dimensions = getGrid().dimensions;
     _program->apply(state);
@@ -100,7 +100,7 @@ void SliceMapContender::gatherCells(osg::State& state, CellSet& cells)
     }
 }
 
-void SliceMapContender::readTarget(int target, int firstLayer, CellSet& cells)
+void SliceMapContender::readTarget(int target, int firstLayer, GatheredCells& cells)
 {
     const glm::ivec3& dimensions = getGrid().dimensions;
     _readBits.resize(WORDS_PER_TEXEL * static_cast<std::size_t>(dimensions.x) * static_cast<std::size_t>(dimensions.y));

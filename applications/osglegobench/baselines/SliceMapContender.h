@@ -27,14 +27,14 @@ public:
 
 protected:
     std::string createObjects(osg::State& state) override;
-    void gatherCells(osg::State& state, CellSet& cells) override;
+    void gatherCells(osg::State& state, GatheredCells& cells) override;
     void releaseObjects() override;
 
 private:
     using ClearBuffer = void(GL_APIENTRY*)(GLenum buffer, GLint drawBuffer, const GLuint* value);
 
     void clear() const;
-    void readTarget(int target, int firstLayer, CellSet& cells);
+    void readTarget(int target, int firstLayer, GatheredCells& cells);
 
     int _numTargets = 0;
     ClearBuffer _clearBuffer = nullptr;

@@ -1,4 +1,4 @@
-#include "CellSet.h"
+#include "GatheredCells.h"
 
 namespace osgLego
 {
@@ -8,7 +8,7 @@ namespace
 
 constexpr std::uint32_t LOW_HALF = 0xffff;
 
-glm::ivec3 cellOf(const BrickPoint& point)
+glm::ivec3 cellOf(const GatheredPoint& point)
 {
     return {static_cast<int>(point.column & LOW_HALF), static_cast<int>(point.column >> 16),
             static_cast<int>(point.layer & LOW_HALF)};
@@ -16,7 +16,7 @@ glm::ivec3 cellOf(const BrickPoint& point)
 
 } // namespace
 
-void CellSet::reset(const glm::ivec3& dimensions)
+void GatheredCells::reset(const glm::ivec3& dimensions)
 {
     _rowLength = static_cast<std::size_t>(dimensions.x + 2);
     _layerLength = _rowLength * static_cast<std::size_t>(dimensions.y + 2);
@@ -24,7 +24,7 @@ void CellSet::reset(const glm::ivec3& dimensions)
     _bricks.clear();
 }
 
-std::uint32_t CellSet::findOpenSides(const BrickPoint& brick) const
+std::uint32_t GatheredCells::findOpenSides(const GatheredPoint& brick) const
 {
     const std::size_t number = numberOf(cellOf(brick));
     std::uint32_t sides = 0;
@@ -37,26 +37,26 @@ std::uint32_t CellSet::findOpenSides(const BrickPoint& brick) const
     return sides;
 }
 
-const std::vector<BrickPoint>& CellSet::findVisible()
+const std::vector<GatheredPoint>& GatheredCells::findVisible()
 {
     _visible.clear();
     _visible.reserve(_bricks.size());
-    for (const BrickPoint& brick : _bricks)
+    for (const GatheredPoint& brick : _bricks)
         if (const std::uint32_t sides = findOpenSides(brick))
             _visible.push_back({brick.column, brick.layer | sides << 16, brick.color});
     return _visible;
 }
 
-osg::ref_ptr<const BrickModel> CellSet::createModel(const BrickGrid& grid) const
+osg::ref_ptr<const BrickModel> GatheredCells::createModel(const BrickGrid& grid) const
 {
     return osgLego::createModel(grid, _bricks);
 }
 
-osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points)
+osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<GatheredPoint>& points)
 {
     std::vector<Brick> bricks;
     bricks.reserve(points.size());
-    for (const BrickPoint& point : points)
+    for (const GatheredPoint& point : points)
     {
         const glm::ivec3 cell = cellOf(point);
         Brick brick;

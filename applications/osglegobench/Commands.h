@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace osgLego
+{
+
+// Each of these adds a subcommand, which runs as its callback and throws std::runtime_error where it can't go on.
+
+void addOcclusionCommand(CLI::App& app);
+void addVoxelizeCommand(CLI::App& app);
+void addPlotsCommand(CLI::App& app);
+/** What the plots of memory call in a process of its own; not for users. */
+void addFootprintCommand(CLI::App& app);
+
+} // namespace osgLego

@@ -1,0 +1,66 @@
+#include "Contenders.h"
+
+#include "CpuContender.h"
+#include "LegoNodeContender.h"
+#include "PlainLoopContender.h"
+#include "baselines/DominantAxisContender.h"
+#include "baselines/KarabassiContender.h"
+#include "baselines/PassalisContender.h"
+#include "baselines/SliceMapContender.h"
+#ifdef OSGLEGO_HAS_OPENVDB
+#include "OpenVdbContender.h"
+#endif
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr const char* ON_GPU = ",device=gpu";
+
+} // namespace
+
+ContenderList createContenders()
+{
+    const std::string onGpu(ON_GPU);
+    ContenderList contenders;
+    contenders.push_back(std::make_unique<LegoNodeContender>(POINTS_PROJECTED,
+                                                             "method=points,target=projected,edge=1,fbo=1024" + onGpu));
+    contenders.push_back(
+        std::make_unique<LegoNodeContender>(POINTS_ADDRESSED, "method=points,target=addressed,edge=1" + onGpu));
+    contenders.push_back(std::make_unique<LegoNodeContender>(EXACT_PASSES, "method=exact" + onGpu));
+    contenders.push_back(std::make_unique<LegoNodeContender>(EXACT_NODE, "method=exact,device=auto"));
+    contenders.push_back(std::make_unique<CpuContender>());
+    contenders.push_back(std::make_unique<KarabassiContender>());
+    contenders.push_back(std::make_unique<PassalisContender>());
+    contenders.push_back(std::make_unique<SliceMapContender>());
+    contenders.push_back(std::make_unique<DominantAxisContender>());
+    contenders.push_back(std::make_unique<DominantAxisContender>(DominantAxisContender::Coverage::CONSERVATIVE));
+    contenders.push_back(std::make_unique<PlainLoopContender>());
+#ifdef OSGLEGO_HAS_OPENVDB
+    contenders.push_back(std::make_unique<OpenVdbContender>());
+#endif
+    return contenders;
+}
+
+ContenderList createContenders(const std::vector<std::string>& names)
+{
+    ContenderList contenders = createContenders();
+    std::string all;
+    for (const auto& contender : contenders)
+        all += (all.empty() ? "'" : ", '") + contender->getName() + "'";
+    for (const std::string& name : names)
+        if (std::none_of(contenders.begin(), contenders.end(),
+                         [&name](const auto& contender) { return contender->getName() == name; }))
+            throw std::runtime_error("there is no contender '" + name + "'; allowed: " + all);
+    if (!names.empty())
+        std::erase_if(contenders, [&names](const auto& contender)
+                      { return std::find(names.begin(), names.end(), contender->getName()) == names.end(); });
+    return contenders;
+}
+
+} // namespace osgLego

@@ -1,0 +1,120 @@
+#include "LegoNodeContender.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include <osg/Camera>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int VIEW_SIZE = 16; // pixels; nothing is seen in it
+
+} // namespace
+
+LegoNodeContender::LegoNodeContender(std::string name, std::string settings) :
+    _name(std::move(name)), _settings(std::move(settings))
+{
+}
+
+std::string LegoNodeContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& context)
+{
+    LegoSettings settings = mesh.settings;
+    std::string error;
+    if (!LegoSettings::parse(_settings, settings, error)) return error;
+    if (error = settings.check(); !error.empty()) return error;
+    _context = &context;
+    _stopwatch.prepare(context);
+    _lego = new LegoNode(settings);
+    _lego->setTiming(true);
+    _lego->setCullingActive(false);
+    _lego->addChild(mesh.node);
+    createView();
+    return drawFrame();
+}
+
+/** A view of the context that is drawn only when this contender says so, which cameras of a viewer are not: those all
+ * draw whenever one does. */
+void LegoNodeContender::createView()
+{
+    _frameStamp = new osg::FrameStamp;
+    _view = new osgUtil::SceneView;
+    _view->setDefaults();
+    _view->setState(_context->getState());
+    _view->setFrameStamp(_frameStamp);
+    _view->setViewport(0, 0, VIEW_SIZE, VIEW_SIZE);
+    _view->getCamera()->setDrawBuffer(GL_FRONT);
+    _view->getCamera()->setReadBuffer(GL_FRONT);
+    _view->setProjectionMatrixAsPerspective(30.0, 1.0, 0.1, 100.0);
+    _view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    // All bricks together are too small to be drawn; the passes, which nothing culls, still run.
+    _view->setCullingMode(osg::CullSettings::SMALL_FEATURE_CULLING);
+    _view->setSmallFeatureCullingPixelSize(1e9f);
+    _view->setSceneData(_lego);
+}
+
+/** @return why there are no bricks now; empty when there are. */
+std::string LegoNodeContender::drawFrame()
+{
+    _context->makeCurrent();
+    _frameStamp->setFrameNumber(_frameStamp->getFrameNumber() + 1);
+    _view->update();
+    _view->cull();
+    _stopwatch.start();
+    _view->draw();
+    _stopwatch.stop();
+    _view->flushAllDeletedGLObjects();
+    const unsigned int contextID = _context->getState()->getContextID();
+    if (_lego->isLegolized(contextID)) return {};
+    const std::string failure = _lego->getFailure(contextID);
+    return failure.empty() ? "the passes did not run" : failure;
+}
+
+double LegoNodeContender::run()
+{
+    _lego->dirty();
+    if (const std::string failure = drawFrame(); !failure.empty()) throw std::runtime_error(_name + ": " + failure);
+    const LegoStatistics statistics = _lego->getStatistics(_context->getState()->getContextID());
+    return statistics.subdivision + statistics.voxelization + statistics.extraction;
+}
+
+osg::ref_ptr<const BrickModel> LegoNodeContender::getBricks()
+{
+    // Off in runs, since it takes time that a program does not spend.
+    _lego->setReadBack(true);
+    const std::string failure = drawFrame();
+    osg::ref_ptr<const BrickModel> bricks = _lego->getBricks(_context->getState()->getContextID());
+    _lego->setReadBack(false);
+    if (!bricks) throw std::runtime_error(_name + ": " + (failure.empty() ? "no bricks came back" : failure));
+    return bricks;
+}
+
+void LegoNodeContender::release()
+{
+    if (_lego)
+    {
+        _context->makeCurrent();
+        _lego->releaseGLObjects(_context->getState());
+        _view->releaseAllGLObjects();
+        _view->flushAllDeletedGLObjects();
+        _stopwatch.release();
+    }
+    _view = nullptr;
+    _lego = nullptr;
+    _context = nullptr;
+}
+
+std::vector<std::pair<std::string, double>> LegoNodeContender::getStageTimes() const
+{
+    const LegoStatistics statistics = _lego->getStatistics(_context->getState()->getContextID());
+    std::vector<std::pair<std::string, double>> times{{"subdivision", statistics.subdivision},
+                                                      {"voxelization", statistics.voxelization},
+                                                      {"extraction", statistics.extraction}};
+    if (const auto time = _stopwatch.getTime()) times.emplace_back("gpu", *time);
+    return times;
+}
+
+} // namespace osgLego

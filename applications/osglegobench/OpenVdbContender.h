@@ -1,0 +1,27 @@
+#pragma once
+
+#include "BrickPointBuffer.h"
+#include "Contender.h"
+
+namespace osgLego
+{
+
+/** OpenVDB's meshToVolume, a distance field without colours, on two threads: a cell is covered when its centre is no
+ * further than half a cell from the mesh. That has no tunnels, but misses what only grazes a cell. */
+class OpenVdbContender : public Contender
+{
+public:
+    std::string getName() const override { return "openvdb"; }
+    bool hasColors() const override { return false; }
+    std::string prepare(const BenchMesh& mesh, osg::GraphicsContext& context) override;
+    double run() override;
+    osg::ref_ptr<const BrickModel> getBricks() override { return _bricks; }
+    void release() override;
+
+private:
+    osg::ref_ptr<const GridTriangles> _triangles;
+    osg::ref_ptr<const BrickModel> _bricks;
+    BrickPointBuffer _buffer;
+};
+
+} // namespace osgLego

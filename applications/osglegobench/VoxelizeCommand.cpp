@@ -1,0 +1,60 @@
+#include "BenchFiles.h"
+#include "Commands.h"
+#include "MeasureOptions.h"
+#include "VoxelizeBench.h"
+#include "VoxelizeReport.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+struct VoxelizeCommandOptions
+{
+    MeasureOptions measure;
+    std::vector<unsigned int> resolutions;
+    std::vector<std::string> contenders;
+    std::string jsonFile;
+    std::string csvFile;
+};
+
+void runVoxelize(const VoxelizeCommandOptions& options)
+{
+    checkPlace(options.jsonFile);
+    checkPlace(options.csvFile);
+    VoxelizeOptions measured{options.measure.getMeshes(), options.resolutions, options.measure.getRuns(),
+                             options.contenders};
+    if (measured.resolutions.empty())
+        measured.resolutions =
+            options.measure.isQuick ? std::vector<unsigned int>{32} : std::vector<unsigned int>{64, 128};
+    const VoxelizeResults results = measureVoxelization(measured);
+    fmt::print("{}", formatTables(results));
+    if (!options.jsonFile.empty()) writeTextFile(options.jsonFile, formatJson(results));
+    if (!options.csvFile.empty()) writeTextFile(options.csvFile, formatCsv(results));
+}
+
+} // namespace
+
+void addVoxelizeCommand(CLI::App& app)
+{
+    CLI::App* command = app.add_subcommand(
+        "voxelize", "Finding bricks: times, exactness and colours of this project's methods and of others");
+    const auto options = std::make_shared<VoxelizeCommandOptions>();
+    options->measure.addTo(*command);
+    command->add_option("--resolution", options->resolutions, "Cells along the longest side (64,128)")
+        ->delimiter(',')
+        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
+        ->type_name("N,...");
+    command->add_option("--contenders", options->contenders, "Only these, by their names in the table")
+        ->type_name("NAME...");
+    command->add_option("--json", options->jsonFile, "Write everything that was measured")->type_name("FILE");
+    command->add_option("--csv", options->csvFile, "Write a line for each time")->type_name("FILE");
+    command->callback([options] { runVoxelize(*options); });
+}
+
+} // namespace osgLego

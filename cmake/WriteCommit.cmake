@@ -1,0 +1,8 @@
+# Writes a header with the commit that a folder is at, at every build, and touches it only when that is another.
+# Usage: cmake -D SOURCE=FOLDER -D OUTPUT=FILE -P WriteCommit.cmake
+execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY ${SOURCE}
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+    set(commit "unknown")
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once\n\n#define OSGLEGO_COMMIT \"@commit@\"\n" @ONLY)
