@@ -19,14 +19,6 @@ constexpr unsigned int RELIEF_UNIT = 0;
 constexpr osg::StateAttribute::OverrideValue OURS =
     osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
-osg::ref_ptr<osg::Geode> createNode(BrickDrawable& drawable, osg::Program& program)
-{
-    osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(&drawable);
-    node->getOrCreateStateSet()->setAttributeAndModes(&program, OURS);
-    return node;
-}
-
 void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, osg::StateSet& stateSet)
 {
     stateSet.addUniform(new osg::Uniform("hasJoints", appearance.joints));
@@ -50,39 +42,64 @@ osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearan
     return texture;
 }
 
-osg::ref_ptr<osg::Program> createPlainProgram()
+/** A state for each way to draw: by the geometry shader, and as splats. */
+struct WayStates
 {
-    return ShaderLibrary::createProgram("polygonization",
-                                        {"polygonization.vert", "polygonization.geom", "polygonization.frag"});
-}
+    osg::ref_ptr<osg::StateSet> geometry = new osg::StateSet;
+    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet;
 
-osg::ref_ptr<osg::Program> createFullProgram(const char* definitions)
-{
-    return ShaderLibrary::createProgram(
-        "polygonization_full", {"polygonization.vert", "polygonization.geom", "polygonization_full.frag"}, definitions);
-}
+    /** @param fragments the file of the fragment shader that both share. */
+    WayStates(const std::string& name, const char* fragments, const std::string& definitions = {})
+    {
+        const osg::ref_ptr<osg::Program> triangles =
+            ShaderLibrary::createProgram(name, {"polygonization.vert", "polygonization.geom", fragments}, definitions);
+        const osg::ref_ptr<osg::Program> shading =
+            ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions + "#define SPLATS\n");
+        geometry->setAttributeAndModes(triangles, OURS);
+        splats->setAttributeAndModes(shading, OURS);
+    }
+
+    osg::ref_ptr<osg::Geode> createNode(BrickStore& store) const
+    {
+        osg::ref_ptr<osg::Geode> node = new osg::Geode;
+        node->addDrawable(new BrickDrawable(store, *geometry, *splats));
+        node->setStateSet(geometry);
+        return node;
+    }
+};
 
 } // namespace
 
-BrickNodes::BrickNodes(BrickDrawable& drawable, Look look, const BrickAppearance& appearance, const LightProbe& probe)
+BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe)
 {
     if (look == Look::PLAIN)
     {
-        _frameNode = createNode(drawable, *createPlainProgram());
+        _frameNode = WayStates("polygonization", "polygonization.frag").createNode(store);
         _bufferNode = _frameNode;
         return;
     }
-    _frameNode = createNode(drawable, *createFullProgram(""));
-    _bufferNode = createNode(drawable, *createFullProgram("#define GEOMETRY_BUFFER\n"));
+    const WayStates frame("polygonization_full", "polygonization_full.frag");
+    const WayStates buffer("polygonization_full", "polygonization_full.frag", "#define GEOMETRY_BUFFER\n");
+    const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
+    for (osg::StateSet* stateSet :
+         {frame.geometry.get(), frame.splats.get(), buffer.geometry.get(), buffer.splats.get()})
+        applyAppearance(appearance, *relief, *stateSet);
+    for (osg::StateSet* stateSet : {frame.geometry.get(), frame.splats.get()})
+        applyLightProbe(probe, *stateSet);
     // What is in the buffer is no colour.
     constexpr osg::StateAttribute::OverrideValue OFF =
         osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
-        _bufferNode->getStateSet()->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
+    for (osg::StateSet* stateSet : {buffer.geometry.get(), buffer.splats.get()})
+        for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
+            stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+    _frameNode = frame.createNode(store);
+    _bufferNode = buffer.createNode(store);
+}
+
+void BrickNodes::dirtyBound() const
+{
     for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode})
-        applyAppearance(appearance, *relief, *node->getStateSet());
-    applyLightProbe(probe, *_frameNode->getStateSet());
+        node->getDrawable(0)->dirtyBound();
 }
 
 void BrickNodes::getBound() const

@@ -106,7 +106,6 @@ private:
     SurfaceTextureCache _textures;
 
     osg::ref_ptr<BrickStore> _store;
-    osg::ref_ptr<BrickDrawable> _drawable;
     BrickAppearance _appearance;
     osg::ref_ptr<const LightProbe> _lightProbe;
     PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;

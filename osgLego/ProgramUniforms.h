@@ -43,6 +43,7 @@ public:
     void set(const char* name, const glm::ivec2& value) const { _extensions.glUniform2iv(find(name), 1, &value.x); }
     void set(const char* name, const glm::vec2& value) const { _extensions.glUniform2fv(find(name), 1, &value.x); }
     void set(const char* name, const glm::vec3& value) const { _extensions.glUniform3fv(find(name), 1, &value.x); }
+    void set(const char* name, const glm::vec4& value) const { _extensions.glUniform4fv(find(name), 1, &value.x); }
     void set(const char* name, const glm::ivec3& value) const { _extensions.glUniform3iv(find(name), 1, &value.x); }
     void set(const char* name, const glm::mat3& value) const
     {

@@ -1,3 +1,4 @@
+#include "FrameBench.h"
 #include "OcclusionBench.h"
 
 #include <cstdio>
@@ -75,7 +76,18 @@ int run(int argc, char** argv)
     occlusion->add_option("--stride", stride, "Compare every so many pixels along both axes (3)")
         ->check(CLI::Range(1, 100));
     occlusion->add_option("--frames", numFrames, "Frames that are timed; 0: none (5)")->check(CLI::Range(0, 1000));
+    CLI::App* frame = app.add_subcommand(
+        "frame", "Drawing: the time of a frame, and its picture, beside every face and every stud drawn");
+    std::string pictures;
+    frame->add_option("--models", models, "The folder of bunny.ply (build/models)")->type_name("FOLDER");
+    frame->add_option("--frames", numFrames, "Frames of each kind (5)")->check(CLI::Range(1, 1000));
+    frame->add_option("--pictures", pictures, "A folder to write the pictures to")->type_name("FOLDER");
     CLI11_PARSE(app, argc, argv);
+    if (frame->parsed())
+    {
+        printFrames(models, numFrames, pictures);
+        return 0;
+    }
 
     const std::vector<BenchScene> scenes = createOcclusionScenes(models);
     printErrors(scenes, numRays, stride);
