@@ -25,8 +25,8 @@ const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Typ
  * nothing is seen but their outer sides. */
 bool showsNearestOnly(const osg::State& state, bool isMirrored)
 {
-    for (const auto mode : {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_CLIP_PLANE0,
-                            GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
+    for (const auto mode : {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1,
+                            GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
         if (state.getLastAppliedMode(static_cast<osg::StateAttribute::GLMode>(mode))) return false;
     if (!state.getLastAppliedMode(GL_DEPTH_TEST)) return false;
     const auto* depth = findAttribute<osg::Depth>(state, osg::StateAttribute::DEPTH);
@@ -77,29 +77,34 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
     // origin of their coordinates do not shake.
     const BrickGrid& grid = bricks->source->triangles->getGrid();
-    const osg::ref_ptr<const osg::RefMatrix> modelView = new osg::RefMatrix(state.getModelViewMatrix());
-    const osg::ref_ptr<osg::RefMatrix> cellsToEye = new osg::RefMatrix(grid.getCellsToModel() * *modelView);
-    state.applyModelViewMatrix(cellsToEye);
+    // The state holds its matrices as osg::RefMatrix and nothing else.
+    const osg::ref_ptr<const osg::RefMatrix> modelView =
+        static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
+    Workspace& workspace = _workspaces[state.getContextID()];
+    if (!workspace.cellsToEye) workspace.cellsToEye = new osg::RefMatrix;
+    workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
+    state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    drawBricks(state, *bricks, *cellsToEye);
+    drawBricks(state, *bricks, workspace);
     state.applyModelViewMatrix(modelView.get());
 }
 
-void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, const osg::Matrixd& cellsToEye) const
+void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const
 {
     const BrickGrid& grid = bricks.source->triangles->getGrid();
-    CellView view(grid, cellsToEye, state.getProjectionMatrix());
+    CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
     view.isMirrored = view.isMirrored != isClockwise(state);
-    const bool showsNearest = showsNearestOnly(state, view.isMirrored);
-    if (showsNearest && _splats.draw(state, bricks, view))
+    const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
+    workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
+    // An offset goes by the slope of triangles.
+    const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
+    if (!showsInsides && !isOffset && _splats.draw(state, bricks, workspace.ranges, view))
     {
         state.apply(_geometryState);
         return;
     }
-    // What shows insides needs the faces that are turned away, too.
-    if (!showsNearest) view.nearPlane = glm::vec4(0.0f, 0.0f, 0.0f, -1.0f);
-    setBrickUniforms(state, grid, view);
-    drawBrickPoints(state, bricks);
+    setBrickUniforms(state, grid, view, showsInsides);
+    drawBrickPoints(state, bricks, workspace.ranges);
 }
 
 void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
@@ -110,6 +115,7 @@ void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
 void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
 {
     osg::Drawable::resizeGLObjectBuffers(maxSize);
+    _workspaces.resize(maxSize);
     _splats.resizeGLObjectBuffers(maxSize);
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <osgLego/BrickRanges.h>
 #include <osgLego/BrickSplats.h>
 #include <osgLego/BrickStore.h>
 #include <osgLego/CellView.h>
 
 #include <osg/Drawable>
+#include <osg/StateSet>
+#include <osg/buffered_value>
 
 namespace osgLego
 {
@@ -46,10 +49,18 @@ public:
 private:
     ~BrickDrawable() override = default;
 
-    void drawBricks(osg::State& state, const ContextBricks& bricks, const osg::Matrixd& cellsToEye) const;
+    /** What each frame of a context uses again, so that it allocates no memory. */
+    struct Workspace
+    {
+        osg::ref_ptr<osg::RefMatrix> cellsToEye;
+        BrickRanges ranges;
+    };
+
+    void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const;
 
     osg::ref_ptr<BrickStore> _store;
     osg::ref_ptr<osg::StateSet> _geometryState;
+    mutable osg::buffered_object<Workspace> _workspaces;
     BrickSplats _splats;
 };
 

@@ -112,6 +112,7 @@ public:
     {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &_frameBuffer);
         glGetIntegerv(GL_VIEWPORT, _viewport.data());
+        glGetIntegerv(GL_SCISSOR_BOX, _scissor.data());
         glGetIntegerv(GL_SAMPLE_BUFFERS, &_sampleBuffers);
     }
 
@@ -123,12 +124,14 @@ public:
     {
         _extensions.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(_frameBuffer));
         glViewport(_viewport[0], _viewport[1], _viewport[2], _viewport[3]);
+        glScissor(_scissor[0], _scissor[1], _scissor[2], _scissor[3]);
     }
 
 private:
     const osg::GLExtensions& _extensions;
     GLint _frameBuffer = 0;
     std::array<GLint, 4> _viewport{};
+    std::array<GLint, 4> _scissor{};
     GLint _sampleBuffers = 0;
 };
 
@@ -166,7 +169,8 @@ BrickSplats::BrickSplats(osg::StateSet& shading) : _points(createPointState()), 
     _shading->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
 }
 
-bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const CellView& view) const
+bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                       const CellView& view) const
 {
     SplatTarget& target = *osg::get<SplatTarget>(state.getContextID());
     if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
@@ -182,9 +186,9 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Cel
     {
         glViewport(0, 0, size.x, size.y);
         clearDepths(view, size);
-        setBrickUniforms(state, grid, view);
+        setBrickUniforms(state, grid, view, false);
         setRays(state, view, size);
-        drawBrickPoints(state, bricks);
+        drawBrickPoints(state, bricks, ranges);
     }
     destination.restore();
     if (!isBound) return false;
@@ -192,10 +196,12 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Cel
     state.apply(_shading);
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
-    setBrickUniforms(state, grid, view);
+    setBrickUniforms(state, grid, view, false);
     setRays(state, view, size);
-    ProgramUniforms(state).set("origin", destination.getOrigin());
-    ProgramUniforms(state).set("area", view.area);
+    static const UniformName ORIGIN("origin");
+    static const UniformName AREA("area");
+    ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
+    ProgramUniforms(state).set(AREA, view.area);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     return true;
 }

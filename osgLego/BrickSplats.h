@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BrickRanges.h>
 #include <osgLego/BrickStore.h>
 #include <osgLego/CellView.h>
 
@@ -26,7 +27,7 @@ public:
     /** Draw; leaves a state set of this class applied. Needs the context of the state current.
      * @return false, and nothing is drawn, when the renderer is none in software, or the bricks or the frame buffer
      * that is bound are not for this way. */
-    bool draw(osg::State& state, const ContextBricks& bricks, const CellView& view) const;
+    bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize) const;
     void releaseGLObjects(osg::State* state) const;

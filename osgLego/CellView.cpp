@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <osg/BoundingBox>
 #include <osg/Vec4d>
 
 namespace osgLego
@@ -32,6 +33,12 @@ glm::dvec3 sizeOfBrick(const BrickGrid& grid)
     return size;
 }
 
+/** The size of all that bricks may lie in, in cells. */
+glm::dvec3 sizeOfAll(const BrickGrid& grid)
+{
+    return glm::dvec3(grid.dimensions) + sizeOfBrick(grid) - 1.0;
+}
+
 /** The least value that a linear function has in a box from the origin. */
 double leastOf(const glm::dvec4& function, const glm::dvec3& size)
 {
@@ -55,25 +62,33 @@ CellView::CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const 
     const glm::dvec3 y(cellsToEye(1, 0), cellsToEye(1, 1), cellsToEye(1, 2));
     const glm::dvec3 z(cellsToEye(2, 0), cellsToEye(2, 1), cellsToEye(2, 2));
     isMirrored = glm::dot(glm::cross(x, y), z) < 0.0;
-    setNearPlane(grid);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        const glm::dvec4 row = rowOf(_toClip, static_cast<int>(axis));
+        planes[2 * axis] = glm::vec4(rowOf(_toClip, 3) + row);
+        planes[2 * axis + 1] = glm::vec4(rowOf(_toClip, 3) - row);
+    }
+    findCut(grid);
     if (isAllBehindNearPlane) setArea(grid);
 }
 
-void CellView::setNearPlane(const BrickGrid& grid)
+void CellView::findCut(const BrickGrid& grid)
 {
-    const glm::dvec4 plane = rowOf(_toClip, 2) + rowOf(_toClip, 3);
-    const glm::dvec3 brick = sizeOfBrick(grid);
-    const glm::dvec3 all = glm::dvec3(grid.dimensions) + brick - 1.0;
-    // The plane is for the middles of cells: it is moved by what the rest of the brick is nearer.
-    const double nearest = leastOf(plane, brick) - glm::dot(plane, glm::dvec4(0.5, 0.5, 0.5, 1.0));
-    nearPlane = glm::vec4(plane + glm::dvec4(0.0, 0.0, 0.0, nearest));
-    isAllBehindNearPlane = leastOf(plane, all) > 0.0 && leastOf(rowOf(_toClip, 3), all) > 0.0;
+    const glm::dvec3 all = sizeOfAll(grid);
+    isAllBehindNearPlane =
+        leastOf(rowOf(_toClip, 2) + rowOf(_toClip, 3), all) > 0.0 && leastOf(rowOf(_toClip, 3), all) > 0.0;
+    if (isAllBehindNearPlane) return;
+    // The part of the near plane that is in the picture, and the box around it.
+    osg::BoundingBoxd cut;
+    for (int corner = 0; corner < 4; ++corner)
+        cut.expandBy(osg::Vec3d(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0) * _toCells);
+    isCutOpen = cut.intersects(osg::BoundingBoxd(0.0, 0.0, 0.0, all.x, all.y, all.z));
 }
 
 void CellView::setArea(const BrickGrid& grid)
 {
     const glm::dvec3 brick = sizeOfBrick(grid);
-    const glm::dvec3 all = glm::dvec3(grid.dimensions) + brick - 1.0;
+    const glm::dvec3 all = sizeOfAll(grid);
     area = glm::vec4(1.0f, 1.0f, -1.0f, -1.0f);
     for (int corner = 0; corner < 8; ++corner)
     {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <osgLego/BrickGrid.h>
+#include <osgLego/Export.h>
+
+#include <array>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -15,7 +18,7 @@ namespace osgLego
  *
  * A plain value without GL. For any projection that can be inverted, in perspective or not.
  */
-struct CellView
+struct OSGLEGO_EXPORT CellView
 {
     /** @param cellsToEye, projection as osg::State has them. */
     CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const osg::Matrixd& projection);
@@ -33,11 +36,12 @@ struct CellView
 
     /** The eye's place in cells; where the last number is 0, the direction towards it. */
     glm::vec4 eye{0.0f};
-    /** Of a brick whose middle lies on the side below 0 of this plane a part may be cut off, so that its insides are
-     * seen. */
-    glm::vec4 nearPlane{0.0f};
+    /** The sides of the room that is seen, above 0 inside of it, in cells. */
+    std::array<glm::vec4, 6> planes{};
     /** Whether what winds counter-clockwise seen from outside does not so in the picture. */
     bool isMirrored = false;
+    /** Whether the near plane may lie within bricks, so that they are seen from inside. */
+    bool isCutOpen = false;
     /** Whether all bricks, studs included, lie behind the near plane. */
     bool isAllBehindNearPlane = false;
     /** What part of the picture they lie in: left, lower, right, upper, from -1 to 1; if isAllBehindNearPlane. */
@@ -46,7 +50,7 @@ struct CellView
     glm::vec2 largestBrick{0.0f};
 
 private:
-    void setNearPlane(const BrickGrid& grid);
+    void findCut(const BrickGrid& grid);
     void setArea(const BrickGrid& grid);
 
     osg::Matrixd _toClip;

@@ -119,7 +119,7 @@ void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
     const bool wasDirty = _isDirty.exchange(false);
-    SourceSignature signature = computeSourceSignature(source);
+    const SourceSignature& signature = _signatures.compute(source);
     if (!wasDirty && signature == _signature) return;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
@@ -141,7 +141,7 @@ void LegoPipeline::refresh(const osg::Node& source)
         _nodes->dirtyBound();
         _nodes->getBound(); // here, or several cull threads would compute it at once
     }
-    _signature = std::move(signature);
+    _signature = signature;
     _isBoundDirty = true;
 }
 

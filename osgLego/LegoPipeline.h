@@ -103,6 +103,7 @@ private:
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _isBoundDirty{false};
     SourceSignature _signature;
+    SourceSignatures _signatures;
     SurfaceTextureCache _textures;
 
     osg::ref_ptr<BrickStore> _store;

@@ -12,7 +12,7 @@ flat in uvec3 brick[];
 uniform int upAxis;       // 1 or 2
 uniform float studHeight; // in cells; the radius lies across, where a cell is as wide as the pitch
 uniform vec4 eye;         // in cells: a place, or, where the last is 0, the direction towards it
-uniform vec4 nearPlane;   // in cells: what lies on its side below 0 may be cut open, so that its insides are seen
+uniform bool showsInsides; // whether sides that are turned away from the eye are seen, too
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
@@ -113,7 +113,7 @@ bool isStudSeen(vec3 center)
     return studHeight * (length(toEye) + STUD_RADIUS * eye.w) > 0.2 * below;
 }
 
-void emitStud(vec3 center, vec3 up, bool showsInside)
+void emitStud(vec3 center, vec3 up)
 {
     Place foot = placeOf(vec4(center, 1.0));
     Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
@@ -132,7 +132,7 @@ void emitStud(vec3 center, vec3 up, bool showsInside)
         vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
         // The seam's two edges are the same edge, to the last digit.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
-        bool isSeen = side < STUD_SIDES && (showsInside || isWallSeen(center, 0.5 * (direction + next)));
+        bool isSeen = side < STUD_SIDES && (showsInsides || isWallSeen(center, 0.5 * (direction + next)));
         if (isSeen || wasSeen)
         {
             vec3 normal = direction.x * normalU + direction.y * normalV;
@@ -144,7 +144,7 @@ void emitStud(vec3 center, vec3 up, bool showsInside)
         wasSeen = isSeen;
     }
 
-    if (!showsInside && !isTurnedToEye(center[upAxis] + studHeight, upAxis, true)) return;
+    if (!showsInsides && !isTurnedToEye(center[upAxis] + studHeight, upAxis, true)) return;
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
@@ -159,7 +159,6 @@ void main()
 {
     vec3 cell = vec3(brick[0].x & 0xffffu, brick[0].x >> 16, brick[0].y & 0xffffu);
     uint open = brick[0].y >> 16;
-    bool showsInside = dot(nearPlane, vec4(cell + 0.5, 1.0)) < 0.0;
     if (gl_InvocationID == 0)
     {
         for (int side = 0; side < 6; ++side)
@@ -167,7 +166,7 @@ void main()
             int axis = side / 2;
             bool upper = side % 2 == 1;
             if ((open & (1u << side)) == 0u) continue;
-            if (showsInside || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper, open);
+            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper, open);
         }
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)
@@ -175,6 +174,6 @@ void main()
         vec3 up = vec3(0.0);
         up[upAxis] = 1.0;
         vec3 center = cell + across(0.5, 0.5) + up;
-        if (showsInside || isStudSeen(center)) emitStud(center, up, showsInside);
+        if (showsInsides || isStudSeen(center)) emitStud(center, up);
     }
 }

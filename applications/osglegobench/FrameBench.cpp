@@ -32,7 +32,7 @@ constexpr const char* SHADER_PATH = "OSGLEGO_SHADER_PATH";
 class FramePair
 {
 public:
-    FramePair(const BenchScene& scene, FrameLook look)
+    FramePair(const BenchScene& scene, FrameLook look) : _look(look)
     {
         std::string error;
         _context = createOffscreenContext(WIDTH, HEIGHT, error);
@@ -67,6 +67,10 @@ public:
         const osg::Timer_t start = osg::Timer::instance()->tick();
         _viewer.frame();
         glFinish();
+        if (_look == FrameLook::BUFFER)
+            return dynamic_cast<AmbientOcclusionScene&>(*_ways[way])
+                .getTimes(_context->getState()->getContextID())
+                .geometry;
         return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     }
 
@@ -83,9 +87,11 @@ private:
         settings.look = look == FrameLook::PLAIN ? Look::PLAIN : Look::FULL;
         osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
         lego->addChild(&mesh);
-        osg::ref_ptr<osg::Group> group = look == FrameLook::OCCLUSION ? new AmbientOcclusionScene : new osg::Group;
-        group->addChild(lego);
-        return group;
+        if (look == FrameLook::PLAIN || look == FrameLook::FULL) return lego;
+        osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+        scene->setTiming(look == FrameLook::BUFFER);
+        scene->addChild(lego);
+        return scene;
     }
 
     /** Programs are made in the first frame: those of the reference from its own shaders. */
@@ -102,6 +108,7 @@ private:
         draw(1);
     }
 
+    FrameLook _look;
     osgViewer::Viewer _viewer; // closes the context when it goes
     osg::ref_ptr<osg::GraphicsContext> _context;
     osg::ref_ptr<osg::Group> _root = new osg::Group;
@@ -178,8 +185,10 @@ std::vector<BenchScene> createViews(const std::string& modelFolder, int resoluti
     return views;
 }
 
-constexpr std::array<std::pair<FrameLook, const char*>, 3> LOOKS{
-    {{FrameLook::PLAIN, "plain"}, {FrameLook::FULL, "full"}, {FrameLook::OCCLUSION, "occlusion"}}};
+constexpr std::array<std::pair<FrameLook, const char*>, 4> LOOKS{{{FrameLook::PLAIN, "plain"},
+                                                                  {FrameLook::FULL, "full"},
+                                                                  {FrameLook::BUFFER, "buffer"},
+                                                                  {FrameLook::OCCLUSION, "occlusion"}}};
 
 } // namespace
 

@@ -14,7 +14,8 @@ enum class FrameLook
 {
     PLAIN,
     FULL,
-    OCCLUSION //!< the full look under an AmbientOcclusionScene
+    OCCLUSION, //!< the full look under an AmbientOcclusionScene
+    BUFFER     //!< of that only the bricks, without the passes behind them
 };
 
 /** Milliseconds of many frames. */
