@@ -42,31 +42,28 @@ osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearan
     return texture;
 }
 
-/** A state for each way to draw: by the geometry shader, and as splats. */
-struct WayStates
+osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fragments,
+                                        const std::string& definitions = {})
 {
-    osg::ref_ptr<osg::StateSet> geometry = new osg::StateSet;
-    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet;
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(
+        ShaderLibrary::createProgram(name, {"polygonization.vert", "polygonization.geom", fragments}, definitions),
+        OURS);
+    return stateSet;
+}
 
-    /** @param fragments the file of the fragment shader that both share. */
-    WayStates(const std::string& name, const char* fragments, const std::string& definitions = {})
-    {
-        const osg::ref_ptr<osg::Program> triangles =
-            ShaderLibrary::createProgram(name, {"polygonization.vert", "polygonization.geom", fragments}, definitions);
-        const osg::ref_ptr<osg::Program> shading =
-            ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions + "#define SPLATS\n");
-        geometry->setAttributeAndModes(triangles, OURS);
-        splats->setAttributeAndModes(shading, OURS);
-    }
-
-    osg::ref_ptr<osg::Geode> createNode(BrickStore& store) const
-    {
-        osg::ref_ptr<osg::Geode> node = new osg::Geode;
-        node->addDrawable(new BrickDrawable(store, *geometry, *splats));
-        node->setStateSet(geometry);
-        return node;
-    }
-};
+/** A node under a state for triangles; for splats there is another, which differs in its program. */
+osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
+                                    const char* fragments, const std::string& definitions = {})
+{
+    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
+    splats->setAttributeAndModes(
+        ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions + "#define SPLATS\n"), OURS);
+    osg::ref_ptr<osg::Geode> node = new osg::Geode;
+    node->addDrawable(new BrickDrawable(store, triangles, *splats));
+    node->setStateSet(&triangles);
+    return node;
+}
 
 } // namespace
 
@@ -74,26 +71,27 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appe
 {
     if (look == Look::PLAIN)
     {
-        _frameNode = WayStates("polygonization", "polygonization.frag").createNode(store);
+        constexpr const char* FRAGMENTS = "polygonization.frag";
+        _frameNode = createNode(store, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
         _bufferNode = _frameNode;
         return;
     }
-    const WayStates frame("polygonization_full", "polygonization_full.frag");
-    const WayStates buffer("polygonization_full", "polygonization_full.frag", "#define GEOMETRY_BUFFER\n");
+    constexpr const char* NAME = "polygonization_full";
+    constexpr const char* FRAGMENTS = "polygonization_full.frag";
+    constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
+    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS);
+    const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
     const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
-    for (osg::StateSet* stateSet :
-         {frame.geometry.get(), frame.splats.get(), buffer.geometry.get(), buffer.splats.get()})
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
         applyAppearance(appearance, *relief, *stateSet);
-    for (osg::StateSet* stateSet : {frame.geometry.get(), frame.splats.get()})
-        applyLightProbe(probe, *stateSet);
+    applyLightProbe(probe, *frame);
     // What is in the buffer is no colour.
     constexpr osg::StateAttribute::OverrideValue OFF =
         osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    for (osg::StateSet* stateSet : {buffer.geometry.get(), buffer.splats.get()})
-        for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
-            stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    _frameNode = frame.createNode(store);
-    _bufferNode = buffer.createNode(store);
+    for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
+        buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+    _frameNode = createNode(store, *frame, NAME, FRAGMENTS);
+    _bufferNode = createNode(store, *buffer, NAME, FRAGMENTS, BUFFER);
 }
 
 void BrickNodes::dirtyBound() const

@@ -17,6 +17,7 @@
 #include <osg/PolygonMode>
 #include <osg/Texture2D>
 #include <osg/Uniform>
+#include <osg/observer_ptr>
 
 namespace osgLego
 {
@@ -42,67 +43,6 @@ osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, 
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
     return texture;
 }
-
-/** What the splats of all nodes in a context are drawn into, one after the other. */
-class SplatTarget : public osg::Referenced
-{
-public:
-    explicit SplatTarget(unsigned int) {}
-
-    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
-    bool isFor(const osg::State& state)
-    {
-        if (!_owner)
-        {
-            _owner = state.getGraphicsContext();
-            const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-            const std::string_view name = renderer ? renderer : "";
-            _isSoftware =
-                name.find("llvmpipe") != std::string_view::npos || name.find("softpipe") != std::string_view::npos;
-            std::array<GLfloat, 2> range{};
-            glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
-            _maximumPointSize = range[1];
-        }
-        // Of contexts that share objects each would need frame buffer objects of its own.
-        return _isSoftware && _owner == state.getGraphicsContext();
-    }
-
-    float getMaximumPointSize() const { return _maximumPointSize; }
-    osg::Texture2D& getSplats() const { return *_splats; }
-    osg::Texture2D& getDepths() const { return *_depths; }
-
-    /** Bind it, at least as large as this, to be drawn into. */
-    bool bind(osg::State& state, const glm::ivec2& size)
-    {
-        if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
-        _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
-        return PassCamera::isTargetThere(state);
-    }
-
-private:
-    ~SplatTarget() override = default;
-
-    void resize(const glm::ivec2& size)
-    {
-        _size = size;
-        for (osg::Texture2D* texture : {_splats.get(), _depths.get()})
-        {
-            texture->setTextureSize(size.x, size.y);
-            texture->dirtyTextureObject();
-        }
-        _frameBuffer = new osg::FrameBufferObject;
-        _frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(_splats));
-        _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
-    }
-
-    const osg::GraphicsContext* _owner = nullptr;
-    bool _isSoftware = false;
-    float _maximumPointSize = 1.0f;
-    glm::ivec2 _size{0};
-    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
-    osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
-    osg::ref_ptr<osg::FrameBufferObject> _frameBuffer;
-};
 
 /** The frame buffer and the part of it that are drawn into, to come back to. */
 class Destination
@@ -162,6 +102,91 @@ osg::ref_ptr<osg::StateSet> createPointState()
 
 } // namespace
 
+/** What the splats of all nodes in a context are drawn into, one after the other. */
+class SplatTarget : public osg::Referenced
+{
+public:
+    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
+    bool isFor(const osg::State& state)
+    {
+        if (!_owner)
+        {
+            _owner = state.getGraphicsContext();
+            const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+            const std::string_view name = renderer ? renderer : "";
+            _isSoftware =
+                name.find("llvmpipe") != std::string_view::npos || name.find("softpipe") != std::string_view::npos;
+            std::array<GLfloat, 2> range{};
+            glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
+            _maximumPointSize = range[1];
+        }
+        // Of contexts that share objects each would need frame buffer objects of its own.
+        return _isSoftware && _owner == state.getGraphicsContext();
+    }
+
+    float getMaximumPointSize() const { return _maximumPointSize; }
+    osg::Texture2D& getSplats() const { return *_splats; }
+    osg::Texture2D& getDepths() const { return *_depths; }
+
+    /** Bind it, at least as large as this, to be drawn into. */
+    bool bind(osg::State& state, const glm::ivec2& size)
+    {
+        if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
+        _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
+        return PassCamera::isTargetThere(state);
+    }
+
+private:
+    ~SplatTarget() override = default;
+
+    void resize(const glm::ivec2& size)
+    {
+        _size = size;
+        for (osg::Texture2D* texture : {_splats.get(), _depths.get()})
+        {
+            texture->setTextureSize(size.x, size.y);
+            texture->dirtyTextureObject();
+        }
+        _frameBuffer = new osg::FrameBufferObject;
+        _frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(_splats));
+        _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
+    }
+
+    const osg::GraphicsContext* _owner = nullptr;
+    bool _isSoftware = false;
+    float _maximumPointSize = 1.0f;
+    glm::ivec2 _size{0};
+    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
+    osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+    osg::ref_ptr<osg::FrameBufferObject> _frameBuffer;
+};
+
+namespace
+{
+
+/** Where nodes find the target of a context as long as one of them holds it. */
+class TargetOfContext : public osg::Referenced
+{
+public:
+    explicit TargetOfContext(unsigned int) {}
+
+    osg::ref_ptr<SplatTarget> get()
+    {
+        osg::ref_ptr<SplatTarget> target;
+        if (_target.lock(target)) return target;
+        target = new SplatTarget;
+        _target = target;
+        return target;
+    }
+
+private:
+    ~TargetOfContext() override = default;
+
+    osg::observer_ptr<SplatTarget> _target;
+};
+
+} // namespace
+
 BrickSplats::BrickSplats(osg::StateSet& shading) : _points(createPointState()), _shading(&shading)
 {
     _shading->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | OURS);
@@ -169,10 +194,14 @@ BrickSplats::BrickSplats(osg::StateSet& shading) : _points(createPointState()), 
     _shading->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
 }
 
+BrickSplats::~BrickSplats() = default;
+
 bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
                        const CellView& view) const
 {
-    SplatTarget& target = *osg::get<SplatTarget>(state.getContextID());
+    osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
+    if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
+    SplatTarget& target = *held;
     if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
     const Destination destination(state);
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
@@ -206,14 +235,19 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     return true;
 }
 
-void BrickSplats::resizeGLObjectBuffers(unsigned int maxSize) const
+void BrickSplats::resizeGLObjectBuffers(unsigned int maxSize)
 {
+    _targets.resize(maxSize);
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
         stateSet->resizeGLObjectBuffers(maxSize);
 }
 
 void BrickSplats::releaseGLObjects(osg::State* state) const
 {
+    if (state)
+        _targets[state->getContextID()] = nullptr;
+    else
+        _targets.setAllElementsTo(nullptr);
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
         stateSet->releaseGLObjects(state);
 }

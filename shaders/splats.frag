@@ -4,13 +4,13 @@
 
 flat in uvec2 splat;
 flat in uint seenSides;
+flat in vec3 nearSides; // of the cell, on each axis the place of the one that may be seen
+flat in float slack;
 
 out uvec2 nearest;
 
-const float SLACK = 0.002; // pixels by which sides reach out, so that rounding leaves no cracks between bricks
-
 // How far on a ray meets a side; NEVER if it does not, or the side is not to be seen.
-float meetSide(Ray ray, int axis, float place, float slack)
+float meetSide(Ray ray, int axis, float place)
 {
     float distance = (place - ray.origin[axis]) / ray.direction[axis];
     vec3 hit = ray.origin + distance * ray.direction;
@@ -23,14 +23,11 @@ void main()
 {
     vec3 cell = cellOf(splat);
     Ray ray = rayThrough(gl_FragCoord.xy, cell);
-    vec3 near = vec3(upperSeen(cell));
-    float range = eye.w == 0.0 ? 0.0 : length(near - ray.origin) / length(ray.direction);
-    float slack = SLACK * (length(rayOrigin[1]) + range * length(rayDirection[1]));
     float distance = NEVER;
     uint part = STUD;
     for (int axis = 0; axis < 3; ++axis)
     {
-        float side = meetSide(ray, axis, near[axis], slack);
+        float side = meetSide(ray, axis, nearSides[axis]);
         if (side < distance) part = uint(axis);
         distance = min(distance, side);
     }

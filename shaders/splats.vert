@@ -8,7 +8,10 @@ uniform vec2 pictureSize; // pixels
 
 flat out uvec2 splat;
 flat out uint seenSides; // by axis, those that are open and turned towards the eye; and the stud
+flat out vec3 nearSides; // of the cell, on each axis the place of the one that may be seen
+flat out float slack;    // by how much sides reach out, so that rounding leaves no cracks between bricks, in cells
 
+const float SLACK = 0.002; // likewise in pixels
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 const float MARGIN = 0.05; // pixels, for what rounding may take off a point
 
@@ -17,7 +20,7 @@ void main()
     vec3 cell = vec3(vertexBrick.x & 0xffffu, vertexBrick.x >> 16, vertexBrick.y & 0xffffu);
     uint open = vertexBrick.y >> 16;
     bvec3 upper = upperSeen(cell);
-    vec3 near = vec3(upper);
+    nearSides = vec3(upper);
     bool isSeen[3];
     seenSides = 0u;
     for (int axis = 0; axis < 3; ++axis)
@@ -37,8 +40,8 @@ void main()
         if (!isSeen[axis]) continue;
         vec3 low = vec3(0.0);
         vec3 high = vec3(1.0);
-        low[axis] = near[axis];
-        high[axis] = near[axis];
+        low[axis] = nearSides[axis];
+        high[axis] = nearSides[axis];
         lower = min(lower, low);
         higher = max(higher, high);
     }
@@ -62,6 +65,9 @@ void main()
     least = max(least, -1.0);
     most = min(most, 1.0);
     vec2 extent = 0.5 * (most - least) * pictureSize;
+    Ray ray = rayThrough(0.5 * pictureSize, cell + nearSides);
+    float range = eye.w == 0.0 ? 0.0 : length(ray.origin) / length(ray.direction);
+    slack = SLACK * (length(rayOrigin[1]) + range * length(rayDirection[1]));
     splat = packSplat(vertexBrick);
     gl_PointSize = max(extent.x, extent.y) + 2.0 * MARGIN;
     gl_Position = seenSides == 0u || any(lessThan(extent, vec2(0.0))) ? NOWHERE : vec4(0.5 * (least + most), 0.0, 1.0);
