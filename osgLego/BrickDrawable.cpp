@@ -1,11 +1,12 @@
 #include <osgLego/BrickDrawable.h>
 
 #include <osgLego/BrickGeometry.h>
-#include <osgLego/ProgramUniforms.h>
+#include <osgLego/BrickUniforms.h>
 
-#include <array>
-#include <cstdint>
-
+#include <osg/CullFace>
+#include <osg/Depth>
+#include <osg/FrontFace>
+#include <osg/PolygonMode>
 #include <osg/RenderInfo>
 
 namespace osgLego
@@ -14,24 +15,43 @@ namespace osgLego
 namespace
 {
 
-constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
-constexpr int NUM_LIGHTS = 8;
-
-/** Tell the program which lights the state has switched on. */
-void setLights(const ProgramUniforms& uniforms, const osg::State& state)
+template <typename Attribute>
+const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Type type)
 {
-    std::array<int, NUM_LIGHTS> numbers{};
-    int count = 0;
-    for (int light = 0; light < NUM_LIGHTS; ++light)
-        if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
-            numbers[static_cast<std::size_t>(count++)] = light;
-    uniforms.set("numLights", state.getLastAppliedMode(GL_LIGHTING) ? count : -1);
-    uniforms.set("lightNumbers", numbers.data(), NUM_LIGHTS);
+    return dynamic_cast<const Attribute*>(state.getLastAppliedAttribute(type));
+}
+
+/** Whether a state cuts nothing open, mixes nothing and lets the nearest surface win, so that of closed surfaces
+ * nothing is seen but their outer sides. */
+bool showsNearestOnly(const osg::State& state, bool isMirrored)
+{
+    for (const auto mode : {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1,
+                            GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
+        if (state.getLastAppliedMode(static_cast<osg::StateAttribute::GLMode>(mode))) return false;
+    if (!state.getLastAppliedMode(GL_DEPTH_TEST)) return false;
+    const auto* depth = findAttribute<osg::Depth>(state, osg::StateAttribute::DEPTH);
+    if (depth && (!depth->getWriteMask() ||
+                  (depth->getFunction() != osg::Depth::LESS && depth->getFunction() != osg::Depth::LEQUAL)))
+        return false;
+    const auto* polygonMode = findAttribute<osg::PolygonMode>(state, osg::StateAttribute::POLYGONMODE);
+    if (polygonMode && polygonMode->getMode(osg::PolygonMode::FRONT) != osg::PolygonMode::FILL) return false;
+    if (polygonMode && polygonMode->getMode(osg::PolygonMode::BACK) != osg::PolygonMode::FILL) return false;
+    if (!state.getLastAppliedMode(GL_CULL_FACE)) return true;
+    const auto* cullFace = findAttribute<osg::CullFace>(state, osg::StateAttribute::CULLFACE);
+    return !isMirrored && (!cullFace || cullFace->getMode() == osg::CullFace::BACK);
+}
+
+/** Whether a state takes what winds clockwise for the front. */
+bool isClockwise(const osg::State& state)
+{
+    const auto* frontFace = findAttribute<osg::FrontFace>(state, osg::StateAttribute::FRONTFACE);
+    return frontFace && frontFace->getMode() == osg::FrontFace::CLOCKWISE;
 }
 
 } // namespace
 
-BrickDrawable::BrickDrawable(BrickStore& store) : _store(&store)
+BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState) :
+    _store(&store), _geometryState(&geometryState), _splats(splatState)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -57,29 +77,34 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
     // origin of their coordinates do not shake.
     const BrickGrid& grid = bricks->source->triangles->getGrid();
-    const osg::ref_ptr<const osg::RefMatrix> modelView = new osg::RefMatrix(state.getModelViewMatrix());
-    state.applyModelViewMatrix(new osg::RefMatrix(grid.getCellsToModel() * *modelView));
+    // The state holds its matrices as osg::RefMatrix and nothing else.
+    const osg::ref_ptr<const osg::RefMatrix> modelView =
+        static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
+    Workspace& workspace = _workspaces[state.getContextID()];
+    if (!workspace.cellsToEye) workspace.cellsToEye = new osg::RefMatrix;
+    workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
+    state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-
-    const ProgramUniforms uniforms(state);
-    const int up = grid.getUpIndex();
-    uniforms.set("upAxis", up);
-    uniforms.set("studHeight", static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
-    uniforms.set("cellProportions", glm::vec3(grid.cellSize / grid.getPitch()));
-    setFog(uniforms, state);
-    setLights(uniforms, state);
-
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    state.disableAllVertexArrays();
-    state.unbindVertexBufferObject();
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, bricks->buffer.get());
-    extensions.glEnableVertexAttribArray(0);
-    extensions.glVertexAttribIPointer(0, 3, GL_UNSIGNED_INT, BRICK_BYTES, nullptr);
-    glDrawArrays(GL_POINTS, 0, bricks->numBricks);
-    extensions.glDisableVertexAttribArray(0);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
-
+    drawBricks(state, *bricks, workspace);
     state.applyModelViewMatrix(modelView.get());
+}
+
+void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const
+{
+    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
+    view.isMirrored = view.isMirrored != isClockwise(state);
+    const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
+    workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
+    // An offset goes by the slope of triangles.
+    const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
+    if (!showsInsides && !isOffset && _splats.draw(state, bricks, workspace.ranges, view))
+    {
+        state.apply(_geometryState);
+        return;
+    }
+    setBrickUniforms(state, grid, view, showsInsides);
+    drawBrickPoints(state, bricks, workspace.ranges);
 }
 
 void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
@@ -87,9 +112,17 @@ void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
     if (const osg::ref_ptr<const BrickModel> model = _store->getModel()) acceptBrickFaces(*model, functor);
 }
 
+void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    osg::Drawable::resizeGLObjectBuffers(maxSize);
+    _workspaces.resize(maxSize);
+    _splats.resizeGLObjectBuffers(maxSize);
+}
+
 void BrickDrawable::releaseGLObjects(osg::State* state) const
 {
     osg::Drawable::releaseGLObjects(state);
+    _splats.releaseGLObjects(state);
     _store->releaseGLObjects(state);
 }
 

@@ -1,26 +1,34 @@
 #pragma once
 
+#include <osgLego/BrickRanges.h>
+#include <osgLego/BrickSplats.h>
 #include <osgLego/BrickStore.h>
+#include <osgLego/CellView.h>
 
 #include <osg/Drawable>
+#include <osg/StateSet>
+#include <osg/buffered_value>
 
 namespace osgLego
 {
 
 /** Draws the bricks of a context, each a point that a geometry shader makes faces and a stud of (the paper, section
- * III-C, Algorithm 5).
+ * III-C, Algorithm 5), or, where a renderer in software is at work, a splat (BrickSplats).
  *
- * Tells the program of BrickNodes, under which it is drawn, of the scene's lights and fog; with GL_LIGHTING off,
+ * Tells the programs of BrickNodes, under which it is drawn, of the scene's lights and fog; with GL_LIGHTING off,
  * colours show as they are. Draws nothing in a context in which no bricks are made yet. Not an osg::Geometry, since the
  * optimizer merges those.
  */
 class BrickDrawable : public osg::Drawable
 {
 public:
-    explicit BrickDrawable(BrickStore& store);
+    /** @param geometryState what it is drawn under, its program that of the geometry shader.
+     * @param splatState the same for splats, its program that of their shading. */
+    BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState);
 
     osg::BoundingBox computeBoundingBox() const override;
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
+    void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
     // For picking: the open faces of the bricks, from the CPU.
@@ -41,7 +49,19 @@ public:
 private:
     ~BrickDrawable() override = default;
 
+    /** What each frame of a context uses again, so that it allocates no memory. */
+    struct Workspace
+    {
+        osg::ref_ptr<osg::RefMatrix> cellsToEye;
+        BrickRanges ranges;
+    };
+
+    void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const;
+
     osg::ref_ptr<BrickStore> _store;
+    osg::ref_ptr<osg::StateSet> _geometryState;
+    mutable osg::buffered_object<Workspace> _workspaces;
+    BrickSplats _splats;
 };
 
 } // namespace osgLego

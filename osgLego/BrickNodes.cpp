@@ -19,14 +19,6 @@ constexpr unsigned int RELIEF_UNIT = 0;
 constexpr osg::StateAttribute::OverrideValue OURS =
     osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
-osg::ref_ptr<osg::Geode> createNode(BrickDrawable& drawable, osg::Program& program)
-{
-    osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(&drawable);
-    node->getOrCreateStateSet()->setAttributeAndModes(&program, OURS);
-    return node;
-}
-
 void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, osg::StateSet& stateSet)
 {
     stateSet.addUniform(new osg::Uniform("hasJoints", appearance.joints));
@@ -50,39 +42,62 @@ osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearan
     return texture;
 }
 
-osg::ref_ptr<osg::Program> createPlainProgram()
+osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fragments,
+                                        const std::string& definitions = {})
 {
-    return ShaderLibrary::createProgram("polygonization",
-                                        {"polygonization.vert", "polygonization.geom", "polygonization.frag"});
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(
+        ShaderLibrary::createProgram(name, {"polygonization.vert", "polygonization.geom", fragments}, definitions),
+        OURS);
+    return stateSet;
 }
 
-osg::ref_ptr<osg::Program> createFullProgram(const char* definitions)
+/** A node under a state for triangles; for splats there is another, which differs in its program. */
+osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
+                                    const char* fragments, const std::string& definitions = {})
 {
-    return ShaderLibrary::createProgram(
-        "polygonization_full", {"polygonization.vert", "polygonization.geom", "polygonization_full.frag"}, definitions);
+    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
+    splats->setAttributeAndModes(
+        ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions + "#define SPLATS\n"), OURS);
+    osg::ref_ptr<osg::Geode> node = new osg::Geode;
+    node->addDrawable(new BrickDrawable(store, triangles, *splats));
+    node->setStateSet(&triangles);
+    return node;
 }
 
 } // namespace
 
-BrickNodes::BrickNodes(BrickDrawable& drawable, Look look, const BrickAppearance& appearance, const LightProbe& probe)
+BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe)
 {
     if (look == Look::PLAIN)
     {
-        _frameNode = createNode(drawable, *createPlainProgram());
+        constexpr const char* FRAGMENTS = "polygonization.frag";
+        _frameNode = createNode(store, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
         _bufferNode = _frameNode;
         return;
     }
-    _frameNode = createNode(drawable, *createFullProgram(""));
-    _bufferNode = createNode(drawable, *createFullProgram("#define GEOMETRY_BUFFER\n"));
+    constexpr const char* NAME = "polygonization_full";
+    constexpr const char* FRAGMENTS = "polygonization_full.frag";
+    constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
+    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS);
+    const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
+    const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
+        applyAppearance(appearance, *relief, *stateSet);
+    applyLightProbe(probe, *frame);
     // What is in the buffer is no colour.
     constexpr osg::StateAttribute::OverrideValue OFF =
         osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
-        _bufferNode->getStateSet()->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
+        buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+    _frameNode = createNode(store, *frame, NAME, FRAGMENTS);
+    _bufferNode = createNode(store, *buffer, NAME, FRAGMENTS, BUFFER);
+}
+
+void BrickNodes::dirtyBound() const
+{
     for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode})
-        applyAppearance(appearance, *relief, *node->getStateSet());
-    applyLightProbe(probe, *_frameNode->getStateSet());
+        node->getDrawable(0)->dirtyBound();
 }
 
 void BrickNodes::getBound() const

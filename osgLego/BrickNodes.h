@@ -11,20 +11,22 @@
 namespace osgLego
 {
 
-/** The ways to draw the bricks of a node: one drawable under the program and state of each.
+/** The ways to draw the bricks of a node: a drawable under the program and state of each.
  *
  * Immutable but for GL objects: another appearance is another object, so that frames that are being drawn keep theirs.
  */
 class BrickNodes : public osg::Referenced
 {
 public:
-    BrickNodes(BrickDrawable& drawable, Look look, const BrickAppearance& appearance, const LightProbe& probe);
+    BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe);
 
     /** Draws into a frame as it is. */
     osg::Geode& getFrameNode() const { return *_frameNode; }
     /** Draws into the geometry buffer of an AmbientOcclusionScene. */
     osg::Geode& getBufferNode() const { return *_bufferNode; }
 
+    /** Say that the bounds of the bricks have changed. */
+    void dirtyBound() const;
     /** Compute the bounds of the nodes, which several threads would compute at once when they ask for them later. */
     void getBound() const;
     void resizeGLObjectBuffers(unsigned int maxSize) const;

@@ -30,7 +30,7 @@ std::uint64_t makeRevision()
 } // namespace
 
 LegoPipeline::LegoPipeline(const LegoSettings& settings) :
-    _settings(settings), _store(new BrickStore), _drawable(new BrickDrawable(*_store)), _lightProbe(new LightProbe)
+    _settings(settings), _store(new BrickStore), _lightProbe(new LightProbe)
 {
 }
 
@@ -39,7 +39,7 @@ osg::ref_ptr<const BrickNodes> LegoPipeline::getNodes() const
     const std::lock_guard lock(_mutex);
     if (!_nodes)
     {
-        _nodes = new BrickNodes(*_drawable, _settings.look, _appearance, *_lightProbe);
+        _nodes = new BrickNodes(*_store, _settings.look, _appearance, *_lightProbe);
         _nodes->getBound();
     }
     return _nodes;
@@ -119,7 +119,7 @@ void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
     const bool wasDirty = _isDirty.exchange(false);
-    SourceSignature signature = computeSourceSignature(source);
+    const SourceSignature& signature = _signatures.compute(source);
     if (!wasDirty && signature == _signature) return;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
@@ -136,9 +136,12 @@ void LegoPipeline::refresh(const osg::Node& source)
         lego->readBack = _readBack;
     }
     _store->setSource(lego.get());
-    _drawable->dirtyBound();
-    if (_nodes) _nodes->getBound(); // here, or several cull threads would compute it at once
-    _signature = std::move(signature);
+    if (_nodes)
+    {
+        _nodes->dirtyBound();
+        _nodes->getBound(); // here, or several cull threads would compute it at once
+    }
+    _signature = signature;
     _isBoundDirty = true;
 }
 
@@ -254,7 +257,6 @@ osg::BoundingBoxd LegoPipeline::getBounds() const
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
     const std::lock_guard lock(_mutex);
-    _drawable->resizeGLObjectBuffers(maxSize);
     if (_nodes) _nodes->resizeGLObjectBuffers(maxSize);
     if (_passes) _passes->resizeGLObjectBuffers(maxSize);
 }
@@ -262,7 +264,6 @@ void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
-    _drawable->releaseGLObjects(state);
     if (_nodes) _nodes->releaseGLObjects(state);
     _store->releaseGLObjects(state);
     if (_passes) _passes->releaseGLObjects(state);

@@ -103,10 +103,10 @@ private:
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _isBoundDirty{false};
     SourceSignature _signature;
+    SourceSignatures _signatures;
     SurfaceTextureCache _textures;
 
     osg::ref_ptr<BrickStore> _store;
-    osg::ref_ptr<BrickDrawable> _drawable;
     BrickAppearance _appearance;
     osg::ref_ptr<const LightProbe> _lightProbe;
     PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;

@@ -72,7 +72,17 @@ private:
  * says, but right for cameras that render to textures, too. */
 inline osg::Matrixd computeEyeToWorld(osgUtil::CullVisitor& visitor)
 {
-    return osg::Matrixd::inverse(*visitor.getModelViewMatrix()) * osg::computeLocalToWorld(visitor.getNodePath(), true);
+    // As osg::computeLocalToWorld() does, which copies the path: from the last camera that stands for itself on.
+    const osg::NodePath& path = visitor.getNodePath();
+    const auto isOutermost = [](osg::Node* node)
+    {
+        const osg::Camera* camera = node->asCamera();
+        return camera && (camera->getReferenceFrame() == osg::Transform::ABSOLUTE_RF || camera->getNumParents() == 0);
+    };
+    osg::Matrixd toWorld;
+    for (auto node = std::find_if(path.rbegin(), path.rend(), isOutermost).base(); node != path.end(); ++node)
+        if (osg::Transform* transform = (*node)->asTransform()) transform->computeLocalToWorldMatrix(toWorld, &visitor);
+    return osg::Matrixd::inverse(*visitor.getModelViewMatrix()) * toWorld;
 }
 
 } // namespace osgLego

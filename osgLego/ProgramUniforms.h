@@ -21,6 +21,14 @@
 namespace osgLego
 {
 
+/** The name of a uniform, as OSG numbers them: a static one spares every draw call the search for it. */
+struct UniformName
+{
+    UniformName(const char* name) : id(osg::Uniform::getNameID(name)) {}
+
+    unsigned int id;
+};
+
 /** Sets uniforms of the program that a state has applied last, at once and by name.
  *
  * For values that change from draw call to draw call; a name that the program does not use is passed over. Needs the
@@ -34,27 +42,43 @@ public:
     {
     }
 
-    void set(const char* name, int value) const { _extensions.glUniform1i(find(name), value); }
-    void set(const char* name, float value) const { _extensions.glUniform1f(find(name), value); }
-    void set(const char* name, const int* values, GLsizei count) const
+    void set(const UniformName& name, int value) const { _extensions.glUniform1i(find(name), value); }
+    void set(const UniformName& name, float value) const { _extensions.glUniform1f(find(name), value); }
+    void set(const UniformName& name, const int* values, GLsizei count) const
     {
         _extensions.glUniform1iv(find(name), count, values);
     }
-    void set(const char* name, const glm::ivec2& value) const { _extensions.glUniform2iv(find(name), 1, &value.x); }
-    void set(const char* name, const glm::vec2& value) const { _extensions.glUniform2fv(find(name), 1, &value.x); }
-    void set(const char* name, const glm::vec3& value) const { _extensions.glUniform3fv(find(name), 1, &value.x); }
-    void set(const char* name, const glm::ivec3& value) const { _extensions.glUniform3iv(find(name), 1, &value.x); }
-    void set(const char* name, const glm::mat3& value) const
+    void set(const UniformName& name, const glm::ivec2& value) const
+    {
+        _extensions.glUniform2iv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec2& value) const
+    {
+        _extensions.glUniform2fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec3& value) const
+    {
+        _extensions.glUniform3fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec4& value) const
+    {
+        _extensions.glUniform4fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::ivec3& value) const
+    {
+        _extensions.glUniform3iv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::mat3& value) const
     {
         _extensions.glUniformMatrix3fv(find(name), 1, GL_FALSE, &value[0].x);
     }
-    void set(const char* name, const glm::mat4& value) const
+    void set(const UniformName& name, const glm::mat4& value) const
     {
         _extensions.glUniformMatrix4fv(find(name), 1, GL_FALSE, &value[0].x);
     }
 
 private:
-    GLint find(const char* name) const { return _program.getUniformLocation(osg::Uniform::getNameID(name)); }
+    GLint find(const UniformName& name) const { return _program.getUniformLocation(name.id); }
 
     const osg::GLExtensions& _extensions;
     const osg::Program::PerContextProgram& _program;
@@ -88,7 +112,8 @@ inline void setFog(const ProgramUniforms& uniforms, const osg::State& state)
     const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));
     const bool isOn = fog && state.getLastAppliedMode(GL_FOG);
     const bool isLinear = isOn && fog->getMode() == osg::Fog::LINEAR;
-    uniforms.set("fogMode", !isOn ? 0 : isLinear ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3);
+    static const UniformName FOG_MODE("fogMode");
+    uniforms.set(FOG_MODE, !isOn ? 0 : isLinear ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3);
 }
 
 /** Set what shaders/addressing.glsl needs to find the cells of a slab in a voxel image. */

@@ -21,16 +21,16 @@ class Signature
 public:
     void add(std::uint64_t value)
     {
-        std::uint64_t mixed = (_value ^ value) * 0xff51afd7ed558ccdull;
+        std::uint64_t mixed = (_signature.value ^ value) * 0xff51afd7ed558ccdull;
         mixed ^= mixed >> 33;
         mixed *= 0xc4ceb9fe1a85ec53ull;
-        _value = mixed ^ (mixed >> 29);
+        _signature.value = mixed ^ (mixed >> 29);
     }
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
     void add(const osg::Referenced* object)
     {
         add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
-        if (object) _objects.emplace_back(object);
+        if (object) _signature.objects.emplace_back(object);
     }
     void add(const osg::Matrixd& matrix)
     {
@@ -53,11 +53,15 @@ public:
         }
     }
 
-    SourceSignature take() { return {_value, std::move(_objects)}; }
+    const SourceSignature& get() const { return _signature; }
+    void clear()
+    {
+        _signature.value = 0;
+        _signature.objects.clear();
+    }
 
 private:
-    std::uint64_t _value = 0;
-    std::vector<osg::ref_ptr<const osg::Referenced>> _objects;
+    SourceSignature _signature;
 };
 
 class SignatureVisitor : public SourceVisitor
@@ -128,10 +132,20 @@ private:
 
 SourceSignature computeSourceSignature(const osg::Node& node)
 {
-    SignatureVisitor visitor;
+    return SourceSignatures().compute(node);
+}
+
+SourceSignatures::SourceSignatures() : _visitor(new SignatureVisitor) {}
+
+SourceSignatures::~SourceSignatures() = default;
+
+const SourceSignature& SourceSignatures::compute(const osg::Node& node)
+{
+    Signature& signature = static_cast<SignatureVisitor&>(*_visitor).getSignature();
+    signature.clear();
     // accept() is not const, but the visitor only reads.
-    const_cast<osg::Node&>(node).accept(visitor);
-    return visitor.getSignature().take();
+    const_cast<osg::Node&>(node).accept(*_visitor);
+    return signature.get();
 }
 
 } // namespace osgLego

@@ -3,6 +3,7 @@
 #include <osgLego/Export.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <osg/Node>
@@ -11,6 +12,8 @@
 
 namespace osgLego
 {
+
+class SourceVisitor;
 
 /** What tells whether a subgraph shows what it did: a number, and the objects that it came from, which are held so that
  * no new one comes to lie where an old one lay. */
@@ -31,5 +34,19 @@ struct SourceSignature
  *
  * May be called from any thread as long as no other thread changes the subgraph. */
 OSGLEGO_EXPORT SourceSignature computeSourceSignature(const osg::Node& node);
+
+/** Computes signatures time and again, without allocating memory for each. One thread at a time. */
+class SourceSignatures
+{
+public:
+    SourceSignatures();
+    ~SourceSignatures();
+
+    /** @return what lasts until the next call. */
+    const SourceSignature& compute(const osg::Node& node);
+
+private:
+    std::unique_ptr<SourceVisitor> _visitor;
+};
 
 } // namespace osgLego

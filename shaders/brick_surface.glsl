@@ -2,14 +2,12 @@
 // each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
 // Lengths are in widths of a cell.
 
-in vec3 eyePosition;
-in vec3 eyeNormal;
-in vec2 coordinate;
-flat in uint color;
-flat in uint detail;
+#include "brick_fragment.glsl"
 
 uniform vec3 cellProportions; // of a cell's edges to its width
+#if !defined(SPLATS)
 uniform int upAxis;
+#endif
 uniform bool hasJoints;
 uniform float variation;    // 1: as much as real bricks differ; 0: none
 uniform float roughness;    // as perceived: the square root of the microfacets' slope
@@ -24,8 +22,6 @@ const float TILT = 0.006;       // of faces that are never perfectly flat
 const float SHADE = 0.03;
 const float DISK_RADIUS = 0.3;
 const float STUD_HEIGHT = 0.2125;
-const uint FACE = 0u;
-const uint STUD_WALL = 1u;
 
 struct Surface
 {
@@ -75,9 +71,10 @@ vec3 edgeAt(float place, float width, bool isFilled)
     return vec3(slope, max(square - slope * slope, 0.0), gap);
 }
 
-float widthOf(float value)
+// How much of a coordinate there is in the pixel, by what it changes by from pixel to pixel.
+float widthOf(vec2 slopes)
 {
-    return max(length(vec2(dFdx(value), dFdy(value))), 1e-5);
+    return max(length(slopes), 1e-5);
 }
 
 Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
@@ -104,11 +101,11 @@ Bend bendWall(float height, float width)
     return Bend(vec2(0.0, rim.x), rim.y, 1.0 - GAP_DARKNESS * foot.z);
 }
 
-Bend bendDisk(vec2 place, float width)
+Bend bendDisk(vec2 place, float width, vec4 slopes)
 {
     float radius = length(place);
     vec3 rim = edgeAt(DISK_RADIUS - radius, width, false);
-    vec4 relief = texture(reliefMap, 0.5 + 0.5 * place / DISK_RADIUS);
+    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / DISK_RADIUS, slopes.xz, slopes.yw);
     vec2 slope = -reliefHeight * relief.xy;
     float square = reliefHeight * reliefHeight * relief.z;
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
@@ -132,15 +129,15 @@ Surface surfaceHere()
     uint part = detail & 3u;
     int axis = int(detail >> 2 & 3u);
     bool isUpper = (detail >> 4 & 1u) != 0u;
-    int axisU = (axis + (isUpper ? 1 : 2)) % 3;
-    int axisV = (axis + (isUpper ? 2 : 1)) % 3;
-    float side = gl_FrontFacing ? 1.0 : -1.0;
+    ivec2 axes = axesOf(axis, isUpper);
+    float side = isOutside ? 1.0 : -1.0;
     vec3 normal = normalize(side * eyeNormal);
-    vec3 u = side * axisOf(axisU);
-    vec3 v = side * axisOf(axisV);
-    vec2 size = vec2(cellProportions[axisU], cellProportions[axisV]);
+    vec3 u = side * axisOf(axes.x);
+    vec3 v = side * axisOf(axes.y);
+    vec2 size = vec2(cellProportions[axes.x], cellProportions[axes.y]);
     vec2 place = coordinate * size;
-    vec2 width = vec2(widthOf(place.x), widthOf(place.y));
+    vec4 slopes = coordinateSlopes;
+    vec2 width = vec2(widthOf(size.x * slopes.xy), widthOf(size.y * slopes.zw));
     float wide = max(width.x, width.y);
     vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * wide, 0.0, 1.0);
 
@@ -149,13 +146,13 @@ Surface surfaceHere()
         bend = bendFace(place, size, width, detail >> 5 & 15u);
     else if (part == STUD_WALL)
     {
-        bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(coordinate.y * STUD_HEIGHT));
+        bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));
         v = side * axisOf(upAxis);
     }
     else
     {
-        vec2 center = DISK_RADIUS * (2.0 * coordinate - 1.0);
-        bend = bendDisk(center, max(widthOf(center.x), widthOf(center.y)));
+        float width = 2.0 * DISK_RADIUS * max(length(slopes.xy), length(slopes.zw));
+        bend = bendDisk(DISK_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
     }
     if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
     if (part != STUD_WALL) bend.slope += TILT * own.xy;

@@ -2,10 +2,7 @@
 
 #include "lighting.glsl"
 #include "fog.glsl"
-
-in vec3 eyePosition;
-in vec3 eyeNormal;
-flat in uint color;
+#include "brick_fragment.glsl"
 
 const float SPECULAR = 0.1; // of the light; the rest is what colours scatter
 const float SHININESS = 48.0;
@@ -13,7 +10,7 @@ const float SHININESS = 48.0;
 vec3 shade(vec3 albedo)
 {
     if (numLights < 0) return albedo;
-    vec3 normal = normalize(gl_FrontFacing ? eyeNormal : -eyeNormal);
+    vec3 normal = normalize(isOutside ? eyeNormal : -eyeNormal);
     vec3 toEye = towardsEye(eyePosition);
     vec3 diffuse = gl_LightModel.ambient.rgb;
     vec3 specular = vec3(0.0);
@@ -33,6 +30,7 @@ vec3 shade(vec3 albedo)
 
 void main()
 {
+    if (!findFragment()) discard;
     vec3 shaded = shade(unpackUnorm4x8(color).rgb);
     gl_FragColor = vec4(mix(gl_Fog.color.rgb, shaded, transmittanceAt(eyePosition.z)), 1.0);
 }

@@ -2,6 +2,8 @@
 // the wall and the disk of its stud (second), unless another brick sits on it. Everything winds counter-clockwise seen
 // from outside.
 
+#include "brick_detail.glsl"
+
 layout(points, invocations = 2) in;
 layout(triangle_strip, max_vertices = 50) out;
 
@@ -9,16 +11,14 @@ flat in uvec3 brick[];
 
 uniform int upAxis;       // 1 or 2
 uniform float studHeight; // in cells; the radius lies across, where a cell is as wide as the pitch
+uniform vec4 eye;         // in cells: a place, or, where the last is 0, the direction towards it
+uniform bool showsInsides; // whether sides that are turned away from the eye are seen, too
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and up
 flat out uint color;
-flat out uint detail; // see detailOf()
-
-const uint FACE = 0u;
-const uint STUD_WALL = 1u;
-const uint STUD_DISK = 2u;
+flat out uint detail; // see brick_detail.glsl
 
 const float STUD_RADIUS = 0.3;
 const int STUD_SIDES = 16;
@@ -47,15 +47,6 @@ Place moved(Place place, float distance, Place step)
     return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
 }
 
-// What the surface is part of, for its joints and its variation: the part (2 bits), the axis of a face (2), whether it is
-// the upper one (1), which of the four cells beside a face are filled (4), and a number that is the brick's own (16).
-uint detailOf(uint part, int axis, bool upper, uint filled)
-{
-    uint number = brick[0].x * 0x9e3779b1u ^ (brick[0].y & 0xffffu) * 0x85ebca77u;
-    number = (number ^ number >> 15) * 0x2c1b3c6du;
-    return part | uint(axis) << 2 | uint(upper) << 4 | filled << 5 | (number ^ number >> 12) << 16;
-}
-
 void emitVertex(Place place, vec3 normal, vec2 where, uint details)
 {
     eyePosition = place.eye;
@@ -68,6 +59,12 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details)
     EmitVertex();
 }
 
+// Whether the eye is on the outer side of a plane of the grid that belongs to an axis.
+bool isTurnedToEye(float place, int axis, bool upper)
+{
+    return upper ? eye[axis] > place * eye.w : eye[axis] < place * eye.w;
+}
+
 void emitSide(vec3 cell, int axis, bool upper, uint open)
 {
     vec3 normal = vec3(0.0);
@@ -76,12 +73,10 @@ void emitSide(vec3 cell, int axis, bool upper, uint open)
     if (upper) corner[axis] += 1.0;
     vec4 u = vec4(0.0);
     vec4 v = vec4(0.0);
-    int axisU = (axis + (upper ? 1 : 2)) % 3;
-    int axisV = (axis + (upper ? 2 : 1)) % 3;
-    u[axisU] = 1.0;
-    v[axisV] = 1.0;
-    uint details =
-        detailOf(FACE, axis, upper, ~(open >> (2 * axisU)) & 3u | (~(open >> (2 * axisV)) & 3u) << 2);
+    ivec2 axes = axesOf(axis, upper);
+    u[axes.x] = 1.0;
+    v[axes.y] = 1.0;
+    uint details = detailOf(brick[0], FACE, axis, upper, filledBeside(open, axes));
     Place first = placeOf(vec4(corner, 1.0));
     Place alongU = placeOf(u);
     Place second = moved(first, 1.0, placeOf(v));
@@ -101,6 +96,23 @@ vec3 across(float u, float v)
     return result;
 }
 
+// Whether the eye is on the outer side of a side of a stud's wall, given by its middle, in radii.
+bool isWallSeen(vec3 center, vec2 middle)
+{
+    vec3 outward = across(middle.x, middle.y);
+    return dot(eye.xyz - eye.w * (center + STUD_RADIUS * outward), outward) > 0.0;
+}
+
+// Whether a stud is seen at all: from far enough below, the brick that it stands on hides it. From its rim to the edge of
+// that brick it is 0.2 across or more.
+bool isStudSeen(vec3 center)
+{
+    vec3 toEye = eye.xyz - eye.w * center;
+    float below = -toEye[upAxis];
+    toEye[upAxis] = 0.0;
+    return studHeight * (length(toEye) + STUD_RADIUS * eye.w) > 0.2 * below;
+}
+
 void emitStud(vec3 center, vec3 up)
 {
     Place foot = placeOf(vec4(center, 1.0));
@@ -110,20 +122,29 @@ void emitStud(vec3 center, vec3 up)
     vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
     vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
     vec3 normalUp = gl_NormalMatrix * up;
-    uint wall = detailOf(STUD_WALL, upAxis, true, 0u);
-    uint disk = detailOf(STUD_DISK, upAxis, true, 0u);
+    uint wall = detailOf(brick[0], STUD_WALL, upAxis, true, 0u);
+    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true, 0u);
 
+    // A side of the wall is seen when the middle of it faces the eye; two sides share the vertices between them.
+    bool wasSeen = false;
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
+        vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
         // The seam's two edges are the same edge, to the last digit.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
-        vec3 normal = direction.x * normalU + direction.y * normalV;
-        float around = float(side) / float(STUD_SIDES);
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), wall);
-        emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
+        bool isSeen = side < STUD_SIDES && (showsInsides || isWallSeen(center, 0.5 * (direction + next)));
+        if (isSeen || wasSeen)
+        {
+            vec3 normal = direction.x * normalU + direction.y * normalV;
+            float around = float(side) / float(STUD_SIDES);
+            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), wall);
+            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
+        }
+        if (wasSeen && !isSeen) EndPrimitive();
+        wasSeen = isSeen;
     }
-    EndPrimitive();
 
+    if (!showsInsides && !isTurnedToEye(center[upAxis] + studHeight, upAxis, true)) return;
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
@@ -141,12 +162,18 @@ void main()
     if (gl_InvocationID == 0)
     {
         for (int side = 0; side < 6; ++side)
-            if ((open & (1u << side)) != 0u) emitSide(cell, side / 2, side % 2 == 1, open);
+        {
+            int axis = side / 2;
+            bool upper = side % 2 == 1;
+            if ((open & (1u << side)) == 0u) continue;
+            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper, open);
+        }
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)
     {
         vec3 up = vec3(0.0);
         up[upAxis] = 1.0;
-        emitStud(cell + across(0.5, 0.5) + up, up);
+        vec3 center = cell + across(0.5, 0.5) + up;
+        if (showsInsides || isStudSeen(center)) emitStud(center, up);
     }
 }

@@ -46,6 +46,7 @@ vec3 directLight(Surface surface, vec3 albedo)
 
 void main()
 {
+    if (!findFragment()) discard;
     Surface surface = surfaceHere();
     vec3 albedo = toLight(surface.color);
     float transmittance = transmittanceAt(eyePosition.z);
@@ -67,6 +68,7 @@ void main()
 
 void main()
 {
+    if (!findFragment()) discard;
     Surface surface = surfaceHere();
     float transmittance = transmittanceAt(eyePosition.z);
     vec3 shown = unpackUnorm4x8(color).rgb;

@@ -37,7 +37,9 @@ osg::ref_ptr<osg::Node> createStair()
     return geode;
 }
 
-osg::ref_ptr<osg::Node> createMesh(const std::string& name)
+} // namespace
+
+osg::ref_ptr<osg::Node> createBenchMesh(const std::string& name)
 {
     if (name.empty()) return createRacingCar();
     if (name == "stair") return createStair();
@@ -46,7 +48,20 @@ osg::ref_ptr<osg::Node> createMesh(const std::string& name)
     return mesh;
 }
 
-} // namespace
+void placeCamera(osg::Camera& camera, const BenchScene& scene, const osg::BoundingSphere& bound, double aspectRatio)
+{
+    const bool isYUp = scene.settings.upAxis == UpAxis::Y;
+    const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
+    const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
+    const double azimuth = osg::DegreesToRadians(scene.azimuth);
+    const double elevation = osg::DegreesToRadians(scene.elevation);
+    const osg::Vec3d ahead = front * std::cos(azimuth) + osg::Vec3d(std::sin(azimuth), 0, 0);
+    const osg::Vec3d toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
+    const double distance = scene.distance * bound.radius();
+    camera.setProjectionMatrixAsPerspective(FIELD_OF_VIEW, aspectRatio, 0.05 * distance,
+                                            distance + 4.0 * bound.radius());
+    camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * distance, bound.center(), up);
+}
 
 BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, PictureUse use) :
     _size(size), _lego(new LegoNode(scene.settings)), _scene(new AmbientOcclusionScene), _camera(new osg::Camera),
@@ -55,7 +70,7 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, PictureUse
     std::string error;
     const osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(16, 16, error);
     if (!context) throw std::runtime_error(error);
-    _lego->addChild(createMesh(scene.mesh));
+    _lego->addChild(createBenchMesh(scene.mesh));
     _scene->addChild(_lego);
     if (!_lego->hasTriangles()) throw std::runtime_error("'" + scene.mesh + "' has no triangles");
 
@@ -72,7 +87,7 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, PictureUse
     _camera->setCullingMode(osg::CullSettings::NO_CULLING);
     _camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     _camera->addChild(_scene);
-    placeCamera(scene);
+    placeCamera(*_camera, scene, _lego->getBound(), static_cast<double>(size.x) / size.y);
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setReleaseContextAtEndOfFrameHint(false);
     _viewer.setSceneData(_camera);
@@ -89,22 +104,6 @@ void BenchView::attachTarget(PictureUse use)
     _image->allocateImage(_size.x, _size.y, 1, GL_RGBA, GL_FLOAT);
     _image->setInternalTextureFormat(GL_RGBA32F_ARB);
     _camera->attach(osg::Camera::COLOR_BUFFER, _image);
-}
-
-void BenchView::placeCamera(const BenchScene& scene)
-{
-    const bool isYUp = scene.settings.upAxis == UpAxis::Y;
-    const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
-    const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
-    const double azimuth = osg::DegreesToRadians(scene.azimuth);
-    const double elevation = osg::DegreesToRadians(scene.elevation);
-    const osg::Vec3d ahead = front * std::cos(azimuth) + osg::Vec3d(std::sin(azimuth), 0, 0);
-    const osg::Vec3d toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
-    const osg::BoundingSphere bound = _lego->getBound();
-    const double distance = scene.distance * bound.radius();
-    _camera->setProjectionMatrixAsPerspective(FIELD_OF_VIEW, static_cast<double>(_size.x) / _size.y, 0.05 * distance,
-                                              distance + 4.0 * bound.radius());
-    _camera->setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * distance, bound.center(), up);
 }
 
 void BenchView::drawFrame(const AmbientOcclusionSettings& settings)

@@ -23,6 +23,12 @@ enum class PictureUse
     DISCARD
 };
 
+/** The mesh that a scene names. Throws std::runtime_error when it can't be read. */
+osg::ref_ptr<osg::Node> createBenchMesh(const std::string& name);
+
+/** Let a camera look at bricks as a scene says. */
+void placeCamera(osg::Camera& camera, const BenchScene& scene, const osg::BoundingSphere& bound, double aspectRatio);
+
 /** A scene of the bench before a camera that draws pictures of floats. Throws std::runtime_error. One thread. */
 class BenchView
 {
@@ -45,7 +51,6 @@ public:
 
 private:
     void attachTarget(PictureUse use);
-    void placeCamera(const BenchScene& scene);
 
     osgViewer::Viewer _viewer; // closes the context when it goes
     glm::ivec2 _size;

@@ -9,6 +9,7 @@ namespace osgLego
 
 void addOcclusionCommand(CLI::App& app);
 void addVoxelizeCommand(CLI::App& app);
+void addFrameCommand(CLI::App& app);
 void addPlotsCommand(CLI::App& app);
 /** What the plots of memory call in a process of its own; not for users. */
 void addFootprintCommand(CLI::App& app);

@@ -16,6 +16,7 @@ int run(int argc, char** argv)
     app.require_subcommand(1);
     addOcclusionCommand(app);
     addVoxelizeCommand(app);
+    addFrameCommand(app);
     addPlotsCommand(app);
     addFootprintCommand(app);
     CLI11_PARSE(app, argc, argv);

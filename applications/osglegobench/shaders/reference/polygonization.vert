@@ -1,0 +1,10 @@
+// Polygonization, the vertices: one for each brick, handed on as it is.
+
+layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
+
+flat out uvec3 brick;
+
+void main()
+{
+    brick = vertexBrick;
+}

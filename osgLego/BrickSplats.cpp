@@ -1,0 +1,252 @@
+#include <osgLego/BrickSplats.h>
+
+#include <osgLego/BrickUniforms.h>
+#include <osgLego/GlRequirements.h>
+#include <osgLego/PassCamera.h>
+#include <osgLego/ProgramUniforms.h>
+#include <osgLego/ShaderLibrary.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <osg/ContextData>
+#include <osg/Depth>
+#include <osg/FrameBufferObject>
+#include <osg/GraphicsContext>
+#include <osg/PolygonMode>
+#include <osg/Texture2D>
+#include <osg/Uniform>
+#include <osg/observer_ptr>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Beside those of the relief and of the light probe.
+constexpr unsigned int SPLATS_UNIT = 4;
+constexpr unsigned int DEPTHS_UNIT = 5;
+
+constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+/** A picture with a size of its own, to be drawn into and to be fetched from. */
+osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setInternalFormat(internalFormat);
+    texture->setSourceFormat(format);
+    texture->setSourceType(type);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    return texture;
+}
+
+/** The frame buffer and the part of it that are drawn into, to come back to. */
+class Destination
+{
+public:
+    explicit Destination(const osg::State& state) : _extensions(*state.get<osg::GLExtensions>())
+    {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &_frameBuffer);
+        glGetIntegerv(GL_VIEWPORT, _viewport.data());
+        glGetIntegerv(GL_SCISSOR_BOX, _scissor.data());
+        glGetIntegerv(GL_SAMPLE_BUFFERS, &_sampleBuffers);
+    }
+
+    bool hasSamples() const { return _sampleBuffers > 0; }
+    glm::ivec2 getOrigin() const { return {_viewport[0], _viewport[1]}; }
+    glm::ivec2 getSize() const { return {_viewport[2], _viewport[3]}; }
+
+    void restore() const
+    {
+        _extensions.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(_frameBuffer));
+        glViewport(_viewport[0], _viewport[1], _viewport[2], _viewport[3]);
+        glScissor(_scissor[0], _scissor[1], _scissor[2], _scissor[3]);
+    }
+
+private:
+    const osg::GLExtensions& _extensions;
+    GLint _frameBuffer = 0;
+    std::array<GLint, 4> _viewport{};
+    std::array<GLint, 4> _scissor{};
+    GLint _sampleBuffers = 0;
+};
+
+/** Clear the depths of the part of a picture that bricks lie in. */
+void clearDepths(const CellView& view, const glm::ivec2& size)
+{
+    const glm::vec4 area = (view.area * 0.5f + 0.5f) * glm::vec4(size, size);
+    const glm::ivec2 lower(std::floor(area.x), std::floor(area.y));
+    const glm::ivec2 upper(std::ceil(area.z), std::ceil(area.w));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(lower.x, lower.y, upper.x - lower.x, upper.y - lower.y);
+    glClearDepth(1.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+osg::ref_ptr<osg::StateSet> createPointState()
+{
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram("splats", {"splats.vert", "splats.frag"});
+    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
+    stateSet->setAttribute(new osg::PolygonMode, OURS);
+    // A point sprite is as large as it says; another point is rounded.
+    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
+        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+    return stateSet;
+}
+
+} // namespace
+
+/** What the splats of all nodes in a context are drawn into, one after the other. */
+class SplatTarget : public osg::Referenced
+{
+public:
+    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
+    bool isFor(const osg::State& state)
+    {
+        if (!_owner)
+        {
+            _owner = state.getGraphicsContext();
+            _isSoftware = GlRequirements::getRenderer(state.getContextID()) == Renderer::SOFTWARE;
+            std::array<GLfloat, 2> range{};
+            glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
+            _maximumPointSize = range[1];
+        }
+        // Of contexts that share objects each would need frame buffer objects of its own.
+        return _isSoftware && _owner == state.getGraphicsContext();
+    }
+
+    float getMaximumPointSize() const { return _maximumPointSize; }
+    osg::Texture2D& getSplats() const { return *_splats; }
+    osg::Texture2D& getDepths() const { return *_depths; }
+
+    /** Bind it, at least as large as this, to be drawn into. */
+    bool bind(osg::State& state, const glm::ivec2& size)
+    {
+        if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
+        _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
+        return PassCamera::isTargetThere(state);
+    }
+
+private:
+    ~SplatTarget() override = default;
+
+    void resize(const glm::ivec2& size)
+    {
+        _size = size;
+        for (osg::Texture2D* texture : {_splats.get(), _depths.get()})
+        {
+            texture->setTextureSize(size.x, size.y);
+            texture->dirtyTextureObject();
+        }
+        _frameBuffer = new osg::FrameBufferObject;
+        _frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(_splats));
+        _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
+    }
+
+    const osg::GraphicsContext* _owner = nullptr;
+    bool _isSoftware = false;
+    float _maximumPointSize = 1.0f;
+    glm::ivec2 _size{0};
+    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
+    osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+    osg::ref_ptr<osg::FrameBufferObject> _frameBuffer;
+};
+
+namespace
+{
+
+/** Where nodes find the target of a context as long as one of them holds it. */
+class TargetOfContext : public osg::Referenced
+{
+public:
+    explicit TargetOfContext(unsigned int) {}
+
+    osg::ref_ptr<SplatTarget> get()
+    {
+        osg::ref_ptr<SplatTarget> target;
+        if (_target.lock(target)) return target;
+        target = new SplatTarget;
+        _target = target;
+        return target;
+    }
+
+private:
+    ~TargetOfContext() override = default;
+
+    osg::observer_ptr<SplatTarget> _target;
+};
+
+} // namespace
+
+BrickSplats::BrickSplats(osg::StateSet& shading) : _points(createPointState()), _shading(&shading)
+{
+    _shading->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | OURS);
+    _shading->addUniform(new osg::Uniform("splats", static_cast<int>(SPLATS_UNIT)));
+    _shading->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
+}
+
+BrickSplats::~BrickSplats() = default;
+
+bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                       const CellView& view) const
+{
+    osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
+    if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
+    SplatTarget& target = *held;
+    if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    const Destination destination(state);
+    const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
+    if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
+
+    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    const glm::ivec2 size = destination.getSize();
+    state.apply(_points);
+    const bool isBound = target.bind(state, size);
+    if (isBound && state.getLastAppliedProgramObject())
+    {
+        glViewport(0, 0, size.x, size.y);
+        clearDepths(view, size);
+        setBrickUniforms(state, grid, view, false);
+        setRays(state, view, size);
+        drawBrickPoints(state, bricks, ranges);
+    }
+    destination.restore();
+    if (!isBound) return false;
+
+    state.apply(_shading);
+    state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
+    state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
+    setBrickUniforms(state, grid, view, false);
+    setRays(state, view, size);
+    static const UniformName ORIGIN("origin");
+    static const UniformName AREA("area");
+    ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
+    ProgramUniforms(state).set(AREA, view.area);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    return true;
+}
+
+void BrickSplats::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    _targets.resize(maxSize);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
+        stateSet->resizeGLObjectBuffers(maxSize);
+}
+
+void BrickSplats::releaseGLObjects(osg::State* state) const
+{
+    if (state)
+        _targets[state->getContextID()] = nullptr;
+    else
+        _targets.setAllElementsTo(nullptr);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
+        stateSet->releaseGLObjects(state);
+}
+
+} // namespace osgLego

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <osgLego/BrickRanges.h>
+#include <osgLego/BrickStore.h>
+#include <osgLego/CellView.h>
+
+#include <osg/State>
+#include <osg/StateSet>
+#include <osg/buffered_value>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+class SplatTarget;
+
+/** Draws bricks without triangles, for renderers in software, to which small triangles are dear: as points, whose
+ * pixels find by their rays which brick they show; each pixel is then shaded once.
+ *
+ * The picture is the one that the geometry shader makes, in depth and colour, of bricks behind the near plane and in a
+ * state that shows nothing but the nearest surface.
+ */
+class BrickSplats
+{
+public:
+    /** @param shading the state of the last pass: a program of splat_shading.vert and of fragments that SPLATS is
+     * defined for. */
+    explicit BrickSplats(osg::StateSet& shading);
+    ~BrickSplats();
+
+    /** Draw; leaves a state set of this class applied. Needs the context of the state current.
+     * @return false, and nothing is drawn, when the renderer is none in software, or the bricks or the frame buffer
+     * that is bound are not for this way. */
+    bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view) const;
+
+    void resizeGLObjectBuffers(unsigned int maxSize);
+    void releaseGLObjects(osg::State* state) const;
+
+private:
+    osg::ref_ptr<osg::StateSet> _points;
+    osg::ref_ptr<osg::StateSet> _shading;
+    mutable osg::buffered_object<osg::ref_ptr<SplatTarget>> _targets; // one for all in a context
+};
+
+} // namespace osgLego

@@ -1,0 +1,82 @@
+#include <osgLego/BrickUniforms.h>
+
+#include <osgLego/ProgramUniforms.h>
+
+#include <array>
+#include <cstdint>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
+constexpr int NUM_LIGHTS = 8;
+
+/** Tell the program which lights the state has switched on. */
+void setLights(const ProgramUniforms& uniforms, const osg::State& state)
+{
+    std::array<int, NUM_LIGHTS> numbers{};
+    int count = 0;
+    for (int light = 0; light < NUM_LIGHTS; ++light)
+        if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
+            numbers[static_cast<std::size_t>(count++)] = light;
+    static const UniformName NUMBER("numLights");
+    static const UniformName NUMBERS("lightNumbers");
+    uniforms.set(NUMBER, state.getLastAppliedMode(GL_LIGHTING) ? count : -1);
+    uniforms.set(NUMBERS, numbers.data(), NUM_LIGHTS);
+}
+
+} // namespace
+
+void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides)
+{
+    static const UniformName UP_AXIS("upAxis");
+    static const UniformName STUD_HEIGHT("studHeight");
+    static const UniformName PROPORTIONS("cellProportions");
+    static const UniformName EYE("eye");
+    static const UniformName SHOWS_INSIDES("showsInsides");
+    static const UniformName IS_MIRRORED("isMirrored");
+    const ProgramUniforms uniforms(state);
+    const int up = grid.getUpIndex();
+    uniforms.set(UP_AXIS, up);
+    uniforms.set(STUD_HEIGHT, static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
+    uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
+    uniforms.set(EYE, view.eye);
+    uniforms.set(SHOWS_INSIDES, showsInsides ? 1 : 0);
+    uniforms.set(IS_MIRRORED, view.isMirrored ? 1 : 0);
+    setFog(uniforms, state);
+    setLights(uniforms, state);
+}
+
+void setRays(const osg::State& state, const CellView& view, const glm::ivec2& pictureSize)
+{
+    static const UniformName ORIGIN("rayOrigin");
+    static const UniformName DIRECTION("rayDirection");
+    static const UniformName SIZE("pictureSize");
+    const ProgramUniforms uniforms(state);
+    const CellView::Rays rays = view.computeRays(pictureSize);
+    uniforms.set(ORIGIN, rays.origin);
+    uniforms.set(DIRECTION, rays.direction);
+    uniforms.set(SIZE, glm::vec2(pictureSize));
+}
+
+void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    state.disableAllVertexArrays();
+    state.unbindVertexBufferObject();
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, bricks.buffer.get());
+    extensions.glEnableVertexAttribArray(0);
+    extensions.glVertexAttribIPointer(0, 3, GL_UNSIGNED_INT, BRICK_BYTES, nullptr);
+    if (bricks.blocks.empty())
+        glDrawArrays(GL_POINTS, 0, bricks.numBricks);
+    else
+        extensions.glMultiDrawArrays(GL_POINTS, ranges.getFirsts().data(), ranges.getCounts().data(),
+                                     static_cast<GLsizei>(ranges.getFirsts().size()));
+    extensions.glDisableVertexAttribArray(0);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+} // namespace osgLego

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/BrickRanges.h>
+#include <osgLego/BrickStore.h>
+#include <osgLego/CellView.h>
+
+#include <glm/vec2.hpp>
+#include <osg/State>
+
+namespace osgLego
+{
+
+/** Tell the program that a state has applied what the shaders of bricks want to know of the grid, the view, the lights
+ * and the fog. Needs the context of the state current, as all of these.
+ * @param showsInsides whether sides that are turned away from the eye are seen, too. */
+void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides);
+
+/** Tell it the rays of the pixels of a picture. */
+void setRays(const osg::State& state, const CellView& view, const glm::ivec2& pictureSize);
+
+/** Draw a point for each brick, or, where the blocks of the bricks are known, for those in ranges of them. */
+void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges);
+
+} // namespace osgLego

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/Export.h>
+
+#include <array>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <osg/Matrixd>
+
+namespace osgLego
+{
+
+/** How the cells of a grid are seen, reckoned in double precision: the eye, what may be cut open, the rays of pixels.
+ *
+ * A plain value without GL. For any projection that can be inverted, in perspective or not.
+ */
+struct OSGLEGO_EXPORT CellView
+{
+    /** @param cellsToEye, projection as osg::State has them. */
+    CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const osg::Matrixd& projection);
+
+    /** Where the rays of pixels start, and which way they go, in cells: in the lower left corner of the picture, and
+     * what to add for each pixel to the right and upwards. */
+    struct Rays
+    {
+        glm::mat3 origin{0.0f};
+        glm::mat3 direction{0.0f};
+    };
+
+    /** The rays of a picture of a size in pixels. */
+    Rays computeRays(const glm::ivec2& size) const;
+
+    /** The eye's place in cells; where the last number is 0, the direction towards it. */
+    glm::vec4 eye{0.0f};
+    /** The sides of the room that is seen, above 0 inside of it, in cells. */
+    std::array<glm::vec4, 6> planes{};
+    /** Whether what winds counter-clockwise seen from outside does not so in the picture. */
+    bool isMirrored = false;
+    /** Whether the near plane may lie within bricks, so that they are seen from inside. */
+    bool isCutOpen = false;
+    /** Whether all bricks, studs included, lie behind the near plane. */
+    bool isAllBehindNearPlane = false;
+    /** What part of the picture they lie in: left, lower, right, upper, from -1 to 1; if isAllBehindNearPlane. */
+    glm::vec4 area{0.0f};
+    /** As large as a brick's picture can be, from -1 to 1; likewise. */
+    glm::vec2 largestBrick{0.0f};
+
+private:
+    void findCut(const BrickGrid& grid);
+    void setArea(const BrickGrid& grid);
+
+    osg::Matrixd _toClip;
+    osg::Matrixd _toCells;
+};
+
+} // namespace osgLego
