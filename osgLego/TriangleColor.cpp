@@ -27,13 +27,26 @@ glm::dvec3 joined(const glm::dvec3& color, const glm::dvec4& texel, TextureEnvir
     return color * texture;
 }
 
+bool haveSameColor(const GridVertex& a, const GridVertex& b)
+{
+    // The upper half of the second word is the level of the texture.
+    constexpr std::uint32_t BLUE = 0xffff;
+    return a.colorAndLevel[0] == b.colorAndLevel[0] && ((a.colorAndLevel[1] ^ b.colorAndLevel[1]) & BLUE) == 0;
+}
+
 } // namespace
 
 TriangleColor::TriangleColor(const GridBatch& batch, const GridVertex* corners) :
-    _batch(batch), _vertices(corners), _corners{corners[0].position, corners[1].position, corners[2].position},
-    _colors{corners[0].getColor(), corners[1].getColor(), corners[2].getColor()},
-    _isEven(!batch.texture && _colors[0] == _colors[1] && _colors[0] == _colors[2])
+    _batch(batch), _vertices(corners),
+    _isEven(!batch.texture && haveSameColor(corners[0], corners[1]) && haveSameColor(corners[0], corners[2]))
 {
+    _colors[0] = corners[0].getColor();
+    if (_isEven) return;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+        _colors[corner] = corners[corner].getColor();
+        _corners[corner] = corners[corner].position;
+    }
 }
 
 glm::vec3 TriangleColor::findColor(const glm::dvec3& middle) const

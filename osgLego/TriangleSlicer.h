@@ -21,9 +21,10 @@ struct CellPart
  *
  * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
  * numbers are so near to each other that cutting could come to another end, nothing is decided here, and
- * TriangleOverlap is to be asked. That is so for corners and cuts within NEARNESS of the plane between two cells, and
- * for triangles that are nearly, but not quite, parallel to an axis: cuts of any others lie within 1e-8 cells of where
- * they ought to, since coordinates of at most 4096 cells come as floats and are reckoned with in double precision.
+ * TriangleOverlap is to be asked. That is so where a cut ends within NEARNESS of another plane and it can't be shown
+ * that this is what it does exactly, and for triangles that are cut by a plane to which they are nearly, but not quite,
+ * parallel. Cuts of any others lie within 1e-8 cells of where they ought to, since coordinates of at most 4096 cells
+ * come as floats and are reckoned with in double precision.
  *
  * Usage:
  *
@@ -44,12 +45,11 @@ public:
     bool slice(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const;
 
 private:
+    class Cutter;
+
     std::array<glm::dvec3, 3> _corners;
-    glm::dvec3 _minimum;
-    glm::dvec3 _maximum;
-    std::size_t _axis = 0;         // along which the triangle's projection is largest
-    double _areaOfProjected = 0.0; // half the area over that of the projection
-    bool _isDelicate = false;
+    glm::vec3 _minimum;
+    glm::vec3 _maximum;
 };
 
 } // namespace osgLego

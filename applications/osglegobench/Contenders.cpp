@@ -42,7 +42,8 @@ ContenderList createContenders()
     contenders.push_back(std::make_unique<DominantAxisContender>(DominantAxisContender::Coverage::CONSERVATIVE));
     contenders.push_back(std::make_unique<PlainLoopContender>());
 #ifdef OSGLEGO_HAS_OPENVDB
-    contenders.push_back(std::make_unique<OpenVdbContender>());
+    contenders.push_back(std::make_unique<OpenVdbContender>(OpenVdbContender::Field::USUAL));
+    contenders.push_back(std::make_unique<OpenVdbContender>(OpenVdbContender::Field::NARROW));
 #endif
     return contenders;
 }

@@ -21,6 +21,7 @@ inline constexpr const char* PASSALIS = "passalis";
 inline constexpr const char* DOMINANT_AXIS = "dominant axis";
 inline constexpr const char* PLAIN_LOOP = "plain loop";
 inline constexpr const char* OPENVDB = "openvdb";
+inline constexpr const char* OPENVDB_NARROW = "openvdb, narrow";
 
 /** All there are, in the order of tables. */
 ContenderList createContenders();

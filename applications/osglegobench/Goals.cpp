@@ -99,6 +99,7 @@ std::vector<Goal> checkGoals(const VoxelizeResults& results)
         checkDominantAxis(mesh, goals);
         checkSpeed(mesh, {PLAIN_LOOP, EXACT_CPU, 2.0, {128, 256}}, goals);
         checkSpeed(mesh, {OPENVDB, nullptr, 20.0, {}}, goals);
+        checkSpeed(mesh, {OPENVDB_NARROW, nullptr, 20.0, {}}, goals);
         checkDoubling(results, mesh, goals);
     }
     return goals;

@@ -1,6 +1,7 @@
 #include "OpenVdbContender.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <openvdb/tools/MeshToVolume.h>
 #include <osg/Timer>
@@ -56,7 +57,7 @@ std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm:
     std::vector<Brick> bricks;
     for (auto value = distances.cbeginValueOn(); value; ++value)
     {
-        if (*value > HALF_A_CELL) continue;
+        if (std::abs(*value) > HALF_A_CELL) continue;
         const openvdb::Coord cell = value.getCoord();
         if (!inside.isInside(cell)) continue;
         bricks.push_back({{static_cast<std::uint16_t>(cell.x()), static_cast<std::uint16_t>(cell.y()),
@@ -82,9 +83,13 @@ double OpenVdbContender::run()
     const osg::Timer& timer = *osg::Timer::instance();
     const osg::Timer_t start = timer.tick();
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, NUM_THREADS);
-    constexpr float BAND = 1.0f; // cells: the least that OpenVDB makes
-    const openvdb::FloatGrid::Ptr distances = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-        TriangleAdapter(*_triangles), openvdb::math::Transform(), BAND, BAND, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
+    const TriangleAdapter adapter(*_triangles);
+    const openvdb::math::Transform transform;
+    constexpr float BAND = 1.0f; // cells
+    const openvdb::FloatGrid::Ptr distances =
+        _field == Field::USUAL ? openvdb::tools::meshToVolume<openvdb::FloatGrid>(adapter, transform)
+                               : openvdb::tools::meshToVolume<openvdb::FloatGrid>(
+                                     adapter, transform, BAND, BAND, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
     const BrickGrid& grid = _triangles->getGrid();
     _bricks = BrickModel::create(grid, collectBricks(*distances, grid.dimensions));
     _buffer.upload(packVisibleBricks(*_bricks));

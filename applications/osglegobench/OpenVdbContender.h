@@ -11,7 +11,16 @@ namespace osgLego
 class OpenVdbContender : public Contender
 {
 public:
-    std::string getName() const override { return "openvdb"; }
+    /** What is asked of OpenVDB. */
+    enum class Field
+    {
+        USUAL, //!< what meshToVolume gives by itself: signed, three cells to both sides
+        NARROW //!< the least that it can do: unsigned, one cell
+    };
+
+    explicit OpenVdbContender(Field field) : _field(field) {}
+
+    std::string getName() const override { return _field == Field::USUAL ? "openvdb" : "openvdb, narrow"; }
     bool hasColors() const override { return false; }
     std::string prepare(const BenchMesh& mesh, osg::GraphicsContext& context) override;
     double run() override;
@@ -19,6 +28,7 @@ public:
     void release() override;
 
 private:
+    Field _field;
     osg::ref_ptr<const GridTriangles> _triangles;
     osg::ref_ptr<const BrickModel> _bricks;
     BrickPointBuffer _buffer;
