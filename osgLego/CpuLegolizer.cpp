@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 #include <osg/Notify>
 
 namespace osgLego
@@ -82,6 +83,22 @@ private:
     std::vector<glm::ivec3> _cells;
 };
 
+osg::ref_ptr<const BrickModel> legolizeInTasks(const GridTriangles& triangles)
+{
+    const TriangleBins bins(triangles);
+    std::vector<RowBundle> bundles(bins.getNumBundles());
+    oneapi::tbb::enumerable_thread_specific<BundleLegolizer> legolizers([&]
+                                                                        { return BundleLegolizer(triangles, bins); });
+    oneapi::tbb::parallel_for(std::size_t(0), bundles.size(),
+                              [&](std::size_t bundle)
+                              {
+                                  if (!bins.getTriangles(bundle).empty())
+                                      bundles[bundle] = legolizers.local().legolize(bundle);
+                              });
+    const BrickGrid& grid = triangles.getGrid();
+    return BrickModel::createComplete(grid, joinBundles(bundles, grid.dimensions));
+}
+
 } // namespace
 
 osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings)
@@ -102,18 +119,8 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
 
 osg::ref_ptr<const BrickModel> legolizeOnCpu(const GridTriangles& triangles)
 {
-    const TriangleBins bins(triangles);
-    std::vector<RowBundle> bundles(bins.getNumBundles());
-    oneapi::tbb::enumerable_thread_specific<BundleLegolizer> legolizers([&]
-                                                                        { return BundleLegolizer(triangles, bins); });
-    oneapi::tbb::parallel_for(std::size_t(0), bundles.size(),
-                              [&](std::size_t bundle)
-                              {
-                                  if (!bins.getTriangles(bundle).empty())
-                                      bundles[bundle] = legolizers.local().legolize(bundle);
-                              });
-    const BrickGrid& grid = triangles.getGrid();
-    return BrickModel::createComplete(grid, joinBundles(bundles, grid.dimensions));
+    // A thread that waits here takes on none of the caller's tasks, which may want locks that it holds.
+    return oneapi::tbb::this_task_arena::isolate([&] { return legolizeInTasks(triangles); });
 }
 
 } // namespace osgLego

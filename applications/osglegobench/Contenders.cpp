@@ -7,12 +7,11 @@
 #include "baselines/KarabassiContender.h"
 #include "baselines/PassalisContender.h"
 #include "baselines/SliceMapContender.h"
-#ifdef OSGLEGO_HAS_OPENVDB
-#include "OpenVdbContender.h"
-#endif
 
 #include <algorithm>
 #include <stdexcept>
+
+#include <osgDB/DynamicLibrary>
 
 namespace osgLego
 {
@@ -21,6 +20,18 @@ namespace
 {
 
 constexpr const char* ON_GPU = ",device=gpu";
+
+/** Add those of a library that is there only where OpenVDB was when it was built. */
+void addOpenVdb(ContenderList& contenders)
+{
+    static const osg::ref_ptr<osgDB::DynamicLibrary> library =
+        osgDB::DynamicLibrary::loadLibrary("osglegobench_openvdb.so");
+    if (!library) return;
+    using Create = Contender*(bool isNarrow);
+    auto* create = reinterpret_cast<Create*>(library->getProcAddress("createOpenVdbContender"));
+    for (const bool isNarrow : {false, true})
+        contenders.emplace_back(create(isNarrow));
+}
 
 } // namespace
 
@@ -41,10 +52,7 @@ ContenderList createContenders()
     contenders.push_back(std::make_unique<DominantAxisContender>());
     contenders.push_back(std::make_unique<DominantAxisContender>(DominantAxisContender::Coverage::CONSERVATIVE));
     contenders.push_back(std::make_unique<PlainLoopContender>());
-#ifdef OSGLEGO_HAS_OPENVDB
-    contenders.push_back(std::make_unique<OpenVdbContender>(OpenVdbContender::Field::USUAL));
-    contenders.push_back(std::make_unique<OpenVdbContender>(OpenVdbContender::Field::NARROW));
-#endif
+    addOpenVdb(contenders);
     return contenders;
 }
 

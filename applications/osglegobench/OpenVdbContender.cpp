@@ -104,3 +104,12 @@ void OpenVdbContender::release()
 }
 
 } // namespace osgLego
+
+// What osglegobench asks this library for, by name.
+extern "C" __attribute__((visibility("default"))) osgLego::Contender* createOpenVdbContender(bool isNarrow);
+
+osgLego::Contender* createOpenVdbContender(bool isNarrow)
+{
+    using Field = osgLego::OpenVdbContender::Field;
+    return new osgLego::OpenVdbContender(isNarrow ? Field::NARROW : Field::USUAL);
+}

@@ -214,9 +214,9 @@ TEST_F(BrickLook, AnotherLookCostsNoLegolization)
     const auto countLegolizations = [&] { return wall->getStatistics(contextID).numLegolizations; };
     const osg::ref_ptr<osg::Image> full = draw(*wall, WALL_VIEW);
     EXPECT_EQ(countLegolizations(), 1u);
-    EXPECT_TRUE(wall->setSettings(parseSettings("20,look=plain")));
+    EXPECT_TRUE(wall->setSettings(parseSettings("20,look=plain,device=auto")));
     EXPECT_GT(countDifferent(*full, *draw(*wall, WALL_VIEW), 4), 1000u);
-    EXPECT_TRUE(wall->setSettings(parseSettings("20")));
+    EXPECT_TRUE(wall->setSettings(parseSettings("20,device=auto")));
     EXPECT_EQ(countDifferent(*full, *draw(*wall, WALL_VIEW), 0), 0u);
     BrickAppearance appearance;
     appearance.joints = false;
@@ -225,7 +225,7 @@ TEST_F(BrickLook, AnotherLookCostsNoLegolization)
     wall->setLightProbe(createDarkProbe());
     draw(*wall, WALL_VIEW);
     EXPECT_EQ(countLegolizations(), 1u);
-    EXPECT_TRUE(wall->setSettings(parseSettings("10")));
+    EXPECT_TRUE(wall->setSettings(parseSettings("10,device=auto")));
     draw(*wall, WALL_VIEW);
     EXPECT_EQ(countLegolizations(), 2u);
 }

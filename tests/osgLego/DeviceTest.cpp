@@ -96,7 +96,10 @@ TEST_F(DeviceTest, BackAndForthTheBricksAreThoseOfTheSettings)
     for (const char* settings : {"20,device=cpu", "20,device=gpu", "33,device=cpu", "33,device=gpu", "20,device=auto"})
     {
         const LegoStatistics statistics = draw(settings);
-        EXPECT_EQ(statistics.numDrawnBricks, _lego->getBricks()->getNumVisible()) << settings;
+        const auto expected = static_cast<double>(_lego->getBricks()->getNumVisible());
+        // The GPU reckons in floats: a cell that a triangle but touches may go the other way.
+        const double margin = statistics.isFromCpu ? 0.0 : 2.0;
+        EXPECT_NEAR(static_cast<double>(statistics.numDrawnBricks), expected, margin) << settings;
     }
 }
 
