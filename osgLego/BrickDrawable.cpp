@@ -103,6 +103,8 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
         state.apply(_geometryState);
         return;
     }
+    // So that fewer pixels are shaded in vain.
+    if (!showsInsides) workspace.ranges.sortFrontToBack();
     setBrickUniforms(state, grid, view, showsInsides);
     drawBrickPoints(state, bricks, workspace.ranges);
 }

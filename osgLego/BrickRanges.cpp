@@ -88,13 +88,29 @@ void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& g
     for (const BrickBlock& block : blocks)
         if (test.isInPicture(block) && (showsInsides || test.isTurnedToEye(block)))
             _seen.push_back({test.distanceOf(block), &block});
+    fill();
+}
+
+void BrickRanges::sortFrontToBack()
+{
     std::sort(_seen.begin(), _seen.end(), [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
+    fill();
+}
+
+void BrickRanges::fill()
+{
     _firsts.clear();
     _counts.clear();
     for (const Seen& seen : _seen)
     {
-        _firsts.push_back(seen.block->first);
-        _counts.push_back(seen.block->count);
+        const bool goesOn = !_firsts.empty() && _firsts.back() + _counts.back() == seen.block->first;
+        if (goesOn)
+            _counts.back() += seen.block->count;
+        else
+        {
+            _firsts.push_back(seen.block->first);
+            _counts.push_back(seen.block->count);
+        }
     }
 }
 

@@ -38,11 +38,12 @@ public:
         _context = createOffscreenContext(WIDTH, HEIGHT, error);
         if (!_context) throw std::runtime_error(error);
         const osg::ref_ptr<osg::Node> mesh = createBenchMesh(scene.mesh);
-        for (osg::ref_ptr<osg::Group>& way : _ways)
-        {
-            way = createWay(*mesh, scene.settings, look);
+        // Of bricks that the passes found no blocks are known, which could be left out as a whole.
+        LegoSettings reference = scene.settings;
+        reference.device = Device::GPU;
+        _ways = {createWay(*mesh, reference, look), createWay(*mesh, scene.settings, look)};
+        for (const osg::ref_ptr<osg::Group>& way : _ways)
             _root->addChild(way);
-        }
         // Geometry that is offset is drawn by triangles, not by rays; this offset moves nothing.
         _ways[0]->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
         osg::Camera& camera = *_viewer.getCamera();

@@ -28,6 +28,7 @@ protected:
         const osg::Matrixd view = osg::Matrixd::lookAt(eye, target, osg::Vec3d(0.1, 0, 1));
         const CellView cellView(_grid, _grid.getCellsToModel() * view, osg::Matrixd::perspective(40, 1.5, 1, 1000));
         _ranges.find(blocks, _grid, cellView, showsInsides);
+        _ranges.sortFrontToBack();
         std::vector<int> numbers;
         for (std::size_t range = 0; range < _ranges.getFirsts().size(); ++range)
         {
