@@ -25,8 +25,9 @@ const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Typ
  * nothing is seen but their outer sides. */
 bool showsNearestOnly(const osg::State& state, bool isMirrored)
 {
-    for (const auto mode : {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1,
-                            GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
+    for (const auto mode :
+         {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3,
+          GL_CLIP_PLANE4, GL_CLIP_PLANE5, GL_CLIP_PLANE0 + 6, GL_CLIP_PLANE0 + 7})
         if (state.getLastAppliedMode(static_cast<osg::StateAttribute::GLMode>(mode))) return false;
     if (!state.getLastAppliedMode(GL_DEPTH_TEST)) return false;
     const auto* depth = findAttribute<osg::Depth>(state, osg::StateAttribute::DEPTH);
@@ -98,10 +99,12 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
     // An offset goes by the slope of triangles.
     const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
-    if (!showsInsides && !isOffset && _splats.draw(state, bricks, workspace.ranges, view))
+    if (!showsInsides && !isOffset)
     {
+        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view);
         state.apply(_geometryState);
-        return;
+        if (isDrawn || !state.getLastAppliedProgramObject()) return;
+        if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
     }
     // So that fewer pixels are shaded in vain.
     if (!showsInsides) workspace.ranges.sortFrontToBack();

@@ -75,6 +75,16 @@ private:
     GLint _sampleBuffers = 0;
 };
 
+/** Apply a state set, and what OSG tells programs of in place of the built-in matrices where it is asked to.
+ * @return whether its program is there. */
+bool applyState(osg::State& state, const osg::StateSet& stateSet)
+{
+    state.apply(&stateSet);
+    if (!state.getLastAppliedProgramObject()) return false;
+    if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+    return true;
+}
+
 /** Clear the depths of the part of a picture that bricks lie in. */
 void clearDepths(const CellView& view, const glm::ivec2& size)
 {
@@ -109,17 +119,23 @@ public:
     /** Whether the renderer computes on the CPU, and this target belongs to the context. */
     bool isFor(const osg::State& state)
     {
-        if (!_owner)
+        // The owner may have closed, and its frame buffer object with it.
+        if (!_owner.valid())
         {
-            _owner = state.getGraphicsContext();
+            _owner = const_cast<osg::GraphicsContext*>(state.getGraphicsContext());
+            _frameBuffer = nullptr;
+            _size = glm::ivec2(0);
             _isSoftware = GlRequirements::getRenderer(state.getContextID()) == Renderer::SOFTWARE;
             std::array<GLfloat, 2> range{};
             glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
             _maximumPointSize = range[1];
         }
         // Of contexts that share objects each would need frame buffer objects of its own.
-        return _isSoftware && _owner == state.getGraphicsContext();
+        return _isSoftware && !_hasFailed && _owner.get() == state.getGraphicsContext();
     }
+
+    /** Use it no more: programs or frame buffers of this context can't be had. */
+    void fail() { _hasFailed = true; }
 
     float getMaximumPointSize() const { return _maximumPointSize; }
     osg::Texture2D& getSplats() const { return *_splats; }
@@ -129,6 +145,9 @@ public:
     bool bind(osg::State& state, const glm::ivec2& size)
     {
         if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
+        // Made here, where the state knows of it, and not on whatever unit the frame buffer object finds active.
+        state.applyTextureAttribute(SPLATS_UNIT, _splats);
+        state.applyTextureAttribute(DEPTHS_UNIT, _depths);
         _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
         return PassCamera::isTargetThere(state);
     }
@@ -149,8 +168,9 @@ private:
         _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
     }
 
-    const osg::GraphicsContext* _owner = nullptr;
+    osg::observer_ptr<osg::GraphicsContext> _owner;
     bool _isSoftware = false;
+    bool _hasFailed = false;
     float _maximumPointSize = 1.0f;
     glm::ivec2 _size{0};
     osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
@@ -200,15 +220,17 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
     SplatTarget& target = *held;
     if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    // Planes and ranges of depth that rays know nothing of.
+    if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
+    if (!view.canCastRays(destination.getSize())) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
     if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
 
     const BrickGrid& grid = bricks.source->triangles->getGrid();
     const glm::ivec2 size = destination.getSize();
-    state.apply(_points);
-    const bool isBound = target.bind(state, size);
-    if (isBound && state.getLastAppliedProgramObject())
+    const bool isReady = applyState(state, *_points) && target.bind(state, size);
+    if (isReady)
     {
         glViewport(0, 0, size.x, size.y);
         clearDepths(view, size);
@@ -217,9 +239,11 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
         drawBrickPoints(state, bricks, ranges);
     }
     destination.restore();
-    if (!isBound) return false;
-
-    state.apply(_shading);
+    if (!isReady || !applyState(state, *_shading))
+    {
+        target.fail();
+        return false;
+    }
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
     setBrickUniforms(state, grid, view, false);

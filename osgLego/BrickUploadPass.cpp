@@ -11,6 +11,12 @@ BrickUploadPass::BrickUploadPass(BrickStore& store) : LegolizationPass(store, 1)
     setCamera(new PassCamera(*this));
 }
 
+bool BrickUploadPass::begin(osg::State& state, ContextBricks& bricks) const
+{
+    // Of the passes of the GPU one has the same number.
+    return LegolizationPass::begin(state, bricks) && bricks.work->model;
+}
+
 std::string BrickUploadPass::run(osg::State& state, ContextBricks& bricks) const
 {
     Legolization& work = *bricks.work;

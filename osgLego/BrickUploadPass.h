@@ -20,6 +20,7 @@ public:
 
 protected:
     bool hasProgram() const override { return false; }
+    bool begin(osg::State& state, ContextBricks& bricks) const override;
     std::string run(osg::State& state, ContextBricks& bricks) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.extraction; }
 };

@@ -61,7 +61,9 @@ CellView::CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const 
     const glm::dvec3 x(cellsToEye(0, 0), cellsToEye(0, 1), cellsToEye(0, 2));
     const glm::dvec3 y(cellsToEye(1, 0), cellsToEye(1, 1), cellsToEye(1, 2));
     const glm::dvec3 z(cellsToEye(2, 0), cellsToEye(2, 1), cellsToEye(2, 2));
-    isMirrored = glm::dot(glm::cross(x, y), z) < 0.0;
+    const bool isModelMirrored = glm::dot(glm::cross(x, y), z) < 0.0;
+    const bool isPictureMirrored = projection(0, 0) * projection(1, 1) < projection(0, 1) * projection(1, 0);
+    isMirrored = isModelMirrored != isPictureMirrored;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
         const glm::dvec4 row = rowOf(_toClip, static_cast<int>(axis));
@@ -106,6 +108,17 @@ void CellView::setArea(const BrickGrid& grid)
         const double most = glm::dot(glm::abs(glm::dvec3(row)) + glm::abs(glm::dvec3(w)), brick);
         largestBrick[axis] = static_cast<float>(most / leastOf(w, all));
     }
+}
+
+bool CellView::canCastRays(const glm::ivec2& size) const
+{
+    constexpr float ROUNDING = 6e-8f;
+    constexpr float WANTED = 0.02f; // of a pixel
+    const Rays rays = computeRays(size);
+    const float range = glm::length(rays.origin[0]);
+    // What a pixel is as wide as where the bricks are; the direction of a ray has about the length of 1.
+    const float width = eye.w == 0.0f ? glm::length(rays.origin[1]) : range * glm::length(rays.direction[1]);
+    return range * ROUNDING < WANTED * width;
 }
 
 CellView::Rays CellView::computeRays(const glm::ivec2& size) const

@@ -34,6 +34,10 @@ struct OSGLEGO_EXPORT CellView
     /** The rays of a picture of a size in pixels. */
     Rays computeRays(const glm::ivec2& size) const;
 
+    /** Whether floats hold the places that rays start from so well that each pixel's own is told from the next: not so
+     * where the eye is far away and sees little. */
+    bool canCastRays(const glm::ivec2& size) const;
+
     /** The eye's place in cells; where the last number is 0, the direction towards it. */
     glm::vec4 eye{0.0f};
     /** The sides of the room that is seen, above 0 inside of it, in cells. */

@@ -25,7 +25,8 @@ namespace osgLego
  *
  * May be called from any thread as long as no other one changes the node. Works in all threads that oneTBB gives the
  * caller (oneapi::tbb::task_arena, oneapi::tbb::global_control); the result does not depend on how many. Memory grows
- * with the covered cells, never with the whole grid.
+ * with the covered cells, and with the grid by one bit for each cell of the rows that are near to any: at most 128 MiB
+ * at 1024 x 1024 x 1024.
  *
  * @return null, with a warning that says why, when the node shows no triangles or the settings are not allowed. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings);

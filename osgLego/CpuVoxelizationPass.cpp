@@ -2,8 +2,6 @@
 
 #include <osgLego/GlRequirements.h>
 
-#include <new>
-
 namespace osgLego
 {
 
@@ -24,14 +22,7 @@ std::string CpuVoxelizationPass::run(osg::State&, ContextBricks& bricks) const
 {
     Legolization& work = *bricks.work;
     work.statistics.isFromCpu = true;
-    try
-    {
-        work.model = getStore().getModel(*work.source);
-    }
-    catch (const std::bad_alloc&)
-    {
-        return "there is no memory for so many bricks; allowed: a lower resolution";
-    }
+    work.model = getStore().getModel(*work.source);
     return {};
 }
 

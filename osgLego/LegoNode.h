@@ -96,7 +96,7 @@ public:
     /** Every covered cell as the GPU of a context found it; null when it has not yet, or setReadBack() is off. */
     osg::ref_ptr<const BrickModel> getBricks(unsigned int contextID) const;
 
-    /** What the last legolization in a context went through. */
+    /** What the last legolization in a context went through. Waits for one that is going on, as do the two below. */
     LegoStatistics getStatistics(unsigned int contextID) const;
 
     /** Whether a context has the bricks of the source as it is now. */

@@ -2,6 +2,8 @@
 
 #include <osgLego/GlRequirements.h>
 
+#include <new>
+
 #include <osg/RenderInfo>
 #include <osg/Timer>
 
@@ -37,7 +39,14 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     {
         state.disableAllVertexArrays();
         state.unbindVertexBufferObject();
-        failure = run(state, *bricks);
+        try
+        {
+            failure = run(state, *bricks);
+        }
+        catch (const std::bad_alloc&)
+        {
+            failure = "there is no memory for so many bricks; allowed: a lower resolution";
+        }
     }
     if (!failure.empty())
     {

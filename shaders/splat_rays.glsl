@@ -73,7 +73,9 @@ float meetStud(Ray ray, out vec2 facet)
     vec2 normal = vec2(0.0);
     for (int index = 0; index < 8; ++index)
     {
-        float slower = 1.0 / dot(FACETS[index], direction.xy);
+        // Along a facet, a ray is as good as any that meets it far away.
+        float speed = dot(FACETS[index], direction.xy);
+        float slower = 1.0 / (abs(speed) < 1e-12 ? 1e-12 : speed);
         float middle = -dot(FACETS[index], origin.xy) * slower;
         float reach = APOTHEM * abs(slower);
         if (middle - reach > first) normal = -sign(slower) * FACETS[index];

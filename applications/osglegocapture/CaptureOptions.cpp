@@ -92,6 +92,7 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
   target       projected, addressed                      (points: projected, exact: addressed)
   fbo          16 to 8192, side of a projected target    (1024)
   edge         0.0625 to 4, longest edge left, in cells  (points: 1, exact: 2)
+  device       auto, gpu, cpu, which finds the bricks    (auto: cpu for exact where OpenGL is in software)
   look         plain, full                               (full)
 
 OCCLUSION, in the full look: a list of key=value; a quality alone needs no key

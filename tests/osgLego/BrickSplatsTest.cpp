@@ -70,6 +70,7 @@ const std::vector<std::pair<const char*, Viewpoint>> VIEWS{
     {"orthographic", {{5, -9, 5}, MIDDLE, {0, 0, 1}, 5.0}},
     {"orthographic from below", {{5, -9, -5}, MIDDLE, {0, 0, 1}, 5.0}},
     {"orthographic along an axis", {{0, -9, 0.5}, MIDDLE, {0, 0, 1}, 5.0}},
+    {"orthographic straight down", {{0, 0, 9}, MIDDLE, {0, 1, 0}, 5.0}},
     {"beside the picture", {{3, -4, 2}, {2.5, 0, 0}}},
     {"from inside", {{0.1, 0.1, 0.5}, {1, -2, 0.3}}}};
 
@@ -99,6 +100,21 @@ TEST_F(BrickSplats, AreRightInAMirror)
     EXPECT_LE(countDifference(*mirror, VIEWS.front().second), NUM_PIXELS / 400);
     mirror->getOrCreateStateSet()->setAttribute(new osg::FrontFace(osg::FrontFace::CLOCKWISE));
     EXPECT_LE(countDifference(*mirror, VIEWS.front().second), NUM_PIXELS / 400) << "front faces turned";
+}
+
+TEST_F(BrickSplats, AreThereWhereMatricesAreUniforms)
+{
+    _context->getState()->setUseModelViewAndProjectionUniforms(true);
+    EXPECT_LE(countDifference(*createLego("20"), VIEWS.front().second), NUM_PIXELS / 400);
+}
+
+TEST_F(BrickSplats, AreNotTriedFromSoFarThatRaysCannotBeToldApart)
+{
+    for (const double distance : {1e3, 1e5})
+        EXPECT_LE(
+            countDifference(*createLego("24"), {{0.3 * distance, -distance, 0.3 * distance}, MIDDLE, {0, 0, 1}, 5.0}),
+            NUM_PIXELS / 400)
+            << distance;
 }
 
 TEST_F(BrickSplats, LeaveWhatIsCutOpenToTheTriangles)
