@@ -124,23 +124,26 @@ SurfaceState::SurfaceState(const std::vector<const osg::StateSet*>& stateSets)
 {
     InheritedAttribute material;
     InheritedMode lighting;
-    std::vector<InheritedUnit> units(countTextureUnits(stateSets));
     for (const osg::StateSet* stateSet : stateSets)
     {
         material.push(stateSet->getAttributePair(osg::StateAttribute::MATERIAL));
         lighting.push(stateSet->getMode(GL_LIGHTING));
-        for (unsigned int unit = 0; unit < units.size(); ++unit)
-            units[unit].push(*stateSet, unit);
     }
 
     _material = material.get<osg::Material>();
     _lit = lighting.get(true);
-    const auto shown = std::find_if(units.begin(), units.end(), [](const auto& unit) { return unit.getTexture(); });
-    if (shown == units.end()) return;
-    _textureUnit = static_cast<unsigned int>(shown - units.begin());
-    _texture = shown->getTexture();
-    _environment = environmentOf(shown->getEnvironment());
-    _textureMatrix = shown->getMatrix();
+    const unsigned int numUnits = countTextureUnits(stateSets);
+    for (unsigned int number = 0; number < numUnits && !_texture; ++number)
+    {
+        InheritedUnit unit;
+        for (const osg::StateSet* stateSet : stateSets)
+            unit.push(*stateSet, number);
+        if (!unit.getTexture()) continue;
+        _textureUnit = number;
+        _texture = unit.getTexture();
+        _environment = environmentOf(unit.getEnvironment());
+        _textureMatrix = unit.getMatrix();
+    }
     if (_textureMatrix && _textureMatrix->getMatrix().isIdentity()) _textureMatrix = nullptr;
 }
 
