@@ -164,7 +164,7 @@ void printComparison(const BenchScene& scene, const char* look, const FrameCompa
 }
 
 /** The places that a mesh is looked at from, at one resolution. */
-std::vector<BenchScene> createViews(const std::string& modelFolder, int resolution)
+std::vector<BenchScene> createViews(const std::string& modelFolder, unsigned int resolution)
 {
     BenchScene scene;
     const std::string bunny = modelFolder + "/bunny.ply";
@@ -229,7 +229,7 @@ void printFrames(const std::string& modelFolder, int numFrames, const std::strin
     fmt::print(
         "| mesh | N | view | look | reference | present | ratio | largest of 255 | RMSE | pixels off by more than 2 "
         "| picture | 4 times as fast |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const int resolution : {64, 128, 256})
+    for (const unsigned int resolution : {64u, 128u, 256u})
         for (const BenchScene& view : createViews(modelFolder, resolution))
             for (const auto& [look, name] : LOOKS)
             {
