@@ -13,9 +13,9 @@ GlRestoration::GlRestoration(osg::State& state) : _state(state)
     state.unbindVertexBufferObject();
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
-    for (const GLenum mode : {GL_ALPHA_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER,
-                              GL_SCISSOR_TEST, GL_STENCIL_TEST})
-        glDisable(mode);
+    for (const int mode : {GL_ALPHA_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER,
+                           GL_SCISSOR_TEST, GL_STENCIL_TEST})
+        glDisable(static_cast<GLenum>(mode));
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
