@@ -122,7 +122,7 @@ public:
         // The owner may have closed, and its frame buffer object with it.
         if (!_owner.valid())
         {
-            _owner = const_cast<osg::GraphicsContext*>(state.getGraphicsContext());
+            _owner = state.getGraphicsContext();
             _frameBuffer = nullptr;
             _size = glm::ivec2(0);
             _isSoftware = GlRequirements::getRenderer(state.getContextID()) == Renderer::SOFTWARE;
@@ -168,7 +168,7 @@ private:
         _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
     }
 
-    osg::observer_ptr<osg::GraphicsContext> _owner;
+    osg::observer_ptr<const osg::GraphicsContext> _owner;
     bool _isSoftware = false;
     bool _hasFailed = false;
     float _maximumPointSize = 1.0f;
@@ -223,7 +223,8 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     // Planes and ranges of depth that rays know nothing of.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
-    if (!view.canCastRays(destination.getSize())) return false;
+    const CellView::Rays rays = view.computeRays(destination.getSize());
+    if (!view.areDistinct(rays)) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
     if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
 
@@ -235,7 +236,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
         glViewport(0, 0, size.x, size.y);
         clearDepths(view, size);
         setBrickUniforms(state, grid, view, false);
-        setRays(state, view, size);
+        setRays(state, rays, size);
         drawBrickPoints(state, bricks, ranges);
     }
     destination.restore();
@@ -247,7 +248,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
     setBrickUniforms(state, grid, view, false);
-    setRays(state, view, size);
+    setRays(state, rays, size);
     static const UniformName ORIGIN("origin");
     static const UniformName AREA("area");
     ProgramUniforms(state).set(ORIGIN, destination.getOrigin());

@@ -50,13 +50,12 @@ void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const Cell
     setLights(uniforms, state);
 }
 
-void setRays(const osg::State& state, const CellView& view, const glm::ivec2& pictureSize)
+void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize)
 {
     static const UniformName ORIGIN("rayOrigin");
     static const UniformName DIRECTION("rayDirection");
     static const UniformName SIZE("pictureSize");
     const ProgramUniforms uniforms(state);
-    const CellView::Rays rays = view.computeRays(pictureSize);
     uniforms.set(ORIGIN, rays.origin);
     uniforms.set(DIRECTION, rays.direction);
     uniforms.set(SIZE, glm::vec2(pictureSize));

@@ -17,7 +17,7 @@ namespace osgLego
 void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides);
 
 /** Tell it the rays of the pixels of a picture. */
-void setRays(const osg::State& state, const CellView& view, const glm::ivec2& pictureSize);
+void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize);
 
 /** Draw a point for each brick, or, where the blocks of the bricks are known, for those in ranges of them. */
 void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges);

@@ -110,11 +110,10 @@ void CellView::setArea(const BrickGrid& grid)
     }
 }
 
-bool CellView::canCastRays(const glm::ivec2& size) const
+bool CellView::areDistinct(const Rays& rays) const
 {
     constexpr float ROUNDING = 6e-8f;
     constexpr float WANTED = 0.02f; // of a pixel
-    const Rays rays = computeRays(size);
     const float range = glm::length(rays.origin[0]);
     // What a pixel is as wide as where the bricks are; the direction of a ray has about the length of 1.
     const float width = eye.w == 0.0f ? glm::length(rays.origin[1]) : range * glm::length(rays.direction[1]);

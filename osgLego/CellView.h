@@ -36,7 +36,7 @@ struct OSGLEGO_EXPORT CellView
 
     /** Whether floats hold the places that rays start from so well that each pixel's own is told from the next: not so
      * where the eye is far away and sees little. */
-    bool canCastRays(const glm::ivec2& size) const;
+    bool areDistinct(const Rays& rays) const;
 
     /** The eye's place in cells; where the last number is 0, the direction towards it. */
     glm::vec4 eye{0.0f};
