@@ -116,13 +116,6 @@ private:
     std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and what is compared with it
 };
 
-FrameTimes timesOf(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const std::size_t count = values.size();
-    return {values[count / 2], values[count / 4], values[3 * count / 4]};
-}
-
 FrameDifference differenceOf(const osg::Image& a, const osg::Image& b)
 {
     FrameDifference result;
@@ -155,8 +148,8 @@ void printComparison(const BenchScene& scene, const char* look, const FrameCompa
     fmt::print("| {:6} | {:3} | {:7} | {:9} | {:6.1f} ({:.1f} to {:.1f}) | {:6.1f} ({:.1f} to {:.1f}) | {:5.2f} | {:3} "
                "| {:6.3f} | {:6} of {:6} | {} | {} |\n",
                std::filesystem::path(scene.mesh).stem().string(), scene.settings.resolution, scene.name, look,
-               comparison.reference.median, comparison.reference.lower, comparison.reference.upper,
-               comparison.present.median, comparison.present.lower, comparison.present.upper,
+               comparison.reference.median, comparison.reference.lowerQuartile, comparison.reference.upperQuartile,
+               comparison.present.median, comparison.present.lowerQuartile, comparison.present.upperQuartile,
                comparison.reference.median / comparison.present.median, difference.largest, difference.rootMeanSquare,
                difference.numPixels, difference.numDrawn, difference.isSame() ? "same" : "different",
                comparison.reference.median >= GOAL * comparison.present.median ? "yes" : "no");
@@ -217,7 +210,7 @@ FrameComparison compareFrames(const BenchScene& scene, FrameLook look, int numFr
         osgDB::writeImageFile(*pictures[0], pictureName + "-reference.png");
         osgDB::writeImageFile(*pictures[1], pictureName + "-present.png");
     }
-    return {timesOf(times[0]), timesOf(times[1]), differenceOf(*pictures[0], *pictures[1])};
+    return {Spread::create(times[0]), Spread::create(times[1]), differenceOf(*pictures[0], *pictures[1])};
 }
 
 void printFrames(const std::string& modelFolder, int numFrames, const std::string& pictureFolder)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "OcclusionBench.h"
+#include "Spread.h"
 
 #include <cstddef>
 #include <string>
@@ -18,14 +19,6 @@ enum class FrameLook
     BUFFER     //!< of that only the bricks, without the passes behind them
 };
 
-/** Milliseconds of many frames. */
-struct FrameTimes
-{
-    double median = 0.0;
-    double lower = 0.0; //!< a quarter of the frames were faster
-    double upper = 0.0; //!< a quarter were slower
-};
-
 /** How far two pictures are apart. */
 struct FrameDifference
 {
@@ -41,8 +34,8 @@ struct FrameDifference
 /** Bricks drawn as they are now, beside the reference: every face and every stud drawn, of 16 sides. */
 struct FrameComparison
 {
-    FrameTimes reference;
-    FrameTimes present;
+    Spread reference; //!< milliseconds
+    Spread present;
     FrameDifference difference;
 };
 

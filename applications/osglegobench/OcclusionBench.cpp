@@ -1,6 +1,7 @@
 #include "OcclusionBench.h"
 
 #include "BenchView.h"
+#include "Spread.h"
 
 #include <osgLego/BrickRayCaster.h>
 
@@ -97,12 +98,6 @@ private:
     std::vector<double> _angles;
 };
 
-double medianOf(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 } // namespace
 
 OcclusionError measureOcclusion(const BenchScene& scene, AmbientOcclusionQuality quality, int numRays, int stride)
@@ -162,7 +157,7 @@ AmbientOcclusionTimes measureOcclusionTimes(const BenchScene& scene, AmbientOccl
     }
     AmbientOcclusionTimes medians;
     for (std::size_t pass = 0; pass < PASSES.size(); ++pass)
-        medians.*PASSES[pass] = medianOf(all[pass]);
+        medians.*PASSES[pass] = Spread::create(all[pass]).median;
     return medians;
 }
 
