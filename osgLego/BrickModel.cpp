@@ -19,11 +19,6 @@ std::size_t numberOf(const BrickGrid& grid, const glm::ivec3& cell)
                (static_cast<std::size_t>(cell.y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(cell.z));
 }
 
-glm::ivec3 cellOf(const Brick& brick)
-{
-    return {brick.cell[0], brick.cell[1], brick.cell[2]};
-}
-
 } // namespace
 
 osg::ref_ptr<const BrickModel> BrickModel::create(const BrickGrid& grid, std::vector<Brick> bricks)
@@ -32,7 +27,7 @@ osg::ref_ptr<const BrickModel> BrickModel::create(const BrickGrid& grid, std::ve
     model->_grid = grid;
     model->_bricks = std::move(bricks);
     const auto isBefore = [&grid](const Brick& a, const Brick& b)
-    { return numberOf(grid, cellOf(a)) < numberOf(grid, cellOf(b)); };
+    { return numberOf(grid, a.getCell()) < numberOf(grid, b.getCell()); };
     if (!std::is_sorted(model->_bricks.begin(), model->_bricks.end(), isBefore))
         std::sort(model->_bricks.begin(), model->_bricks.end(), isBefore);
     model->findOpenSides();
@@ -60,13 +55,13 @@ void BrickModel::findOpenSides()
         auto neighbour = _bricks.begin();
         for (Brick& brick : _bricks)
         {
-            const glm::ivec3 wanted = cellOf(brick) + step;
+            const glm::ivec3 wanted = brick.getCell() + step;
             if (wanted[axis] >= _grid.dimensions[axis]) continue;
             const std::size_t number = numberOf(_grid, wanted);
-            while (neighbour != _bricks.end() && numberOf(_grid, cellOf(*neighbour)) < number)
+            while (neighbour != _bricks.end() && numberOf(_grid, neighbour->getCell()) < number)
                 ++neighbour;
             if (neighbour == _bricks.end()) break;
-            if (numberOf(_grid, cellOf(*neighbour)) != number) continue;
+            if (numberOf(_grid, neighbour->getCell()) != number) continue;
             brick.openSides &= static_cast<std::uint8_t>(~(SIDE_RIGHT << (2 * axis)));
             neighbour->openSides &= static_cast<std::uint8_t>(~(SIDE_LEFT << (2 * axis)));
         }
@@ -86,8 +81,8 @@ const Brick* BrickModel::find(const glm::ivec3& cell) const
     const std::size_t number = numberOf(_grid, cell);
     const auto place =
         std::lower_bound(_bricks.begin(), _bricks.end(), number,
-                         [this](const Brick& brick, std::size_t n) { return numberOf(_grid, cellOf(brick)) < n; });
-    return place != _bricks.end() && cellOf(*place) == cell ? &*place : nullptr;
+                         [this](const Brick& brick, std::size_t n) { return numberOf(_grid, brick.getCell()) < n; });
+    return place != _bricks.end() && place->getCell() == cell ? &*place : nullptr;
 }
 
 } // namespace osgLego

@@ -33,6 +33,8 @@ struct Brick
     std::array<std::uint8_t, 3> color{};
     std::uint8_t openSides = 0;
 
+    glm::ivec3 getCell() const { return {cell[0], cell[1], cell[2]}; }
+
     bool operator==(const Brick&) const = default;
 };
 

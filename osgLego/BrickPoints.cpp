@@ -13,21 +13,9 @@ namespace
 
 constexpr int SIDE = BrickPoints::BLOCK_SIDE;
 
-glm::ivec3 cellOf(const Brick& brick)
-{
-    return {brick.cell[0], brick.cell[1], brick.cell[2]};
-}
-
-BrickPoint pointOf(const Brick& brick)
-{
-    const auto& [red, green, blue] = brick.color;
-    return {brick.cell[0] | std::uint32_t(brick.cell[1]) << 16, brick.cell[2] | std::uint32_t(brick.openSides) << 16,
-            red | std::uint32_t(green) << 8 | std::uint32_t(blue) << 16 | std::uint32_t(0xff) << 24};
-}
-
 void include(const Brick& brick, BrickBlock& block)
 {
-    const glm::ivec3 cell = cellOf(brick);
+    const glm::ivec3 cell = brick.getCell();
     block.minimum = block.count == 0 ? cell : glm::min(block.minimum, cell);
     block.maximum = block.count == 0 ? cell : glm::max(block.maximum, cell);
     block.openSides |= brick.openSides;
@@ -60,7 +48,8 @@ public:
         }
         _result.points.resize(next);
         for (const Brick& brick : bricks)
-            if (brick.openSides != 0) _result.points[static_cast<std::size_t>(blockOf(brick).first++)] = pointOf(brick);
+            if (brick.openSides != 0)
+                _result.points[static_cast<std::size_t>(blockOf(brick).first++)] = packBrick(brick);
     }
 
 private:
@@ -76,6 +65,13 @@ private:
 };
 
 } // namespace
+
+BrickPoint packBrick(const Brick& brick)
+{
+    const auto& [red, green, blue] = brick.color;
+    return {brick.cell[0] | std::uint32_t(brick.cell[1]) << 16, brick.cell[2] | std::uint32_t(brick.openSides) << 16,
+            red | std::uint32_t(green) << 8 | std::uint32_t(blue) << 16 | std::uint32_t(0xff) << 24};
+}
 
 BrickPoints createBrickPoints(const BrickModel& model)
 {

@@ -13,6 +13,8 @@ namespace osgLego
 /** A brick as the shaders take it: x | y << 16, z | open sides << 16, and the colour, red in the lowest byte. */
 using BrickPoint = std::array<std::uint32_t, 3>;
 
+BrickPoint packBrick(const Brick& brick);
+
 /** The bricks that can be seen, block by block. */
 struct BrickPoints
 {

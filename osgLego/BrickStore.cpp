@@ -1,6 +1,7 @@
 #include <osgLego/BrickStore.h>
 
 #include <osgLego/CpuLegolizer.h>
+#include <osgLego/SurfaceBinding.h>
 
 #include <osg/Notify>
 
@@ -125,16 +126,7 @@ osg::ref_ptr<osg::Texture2D> BrickStore::getTexture(const SurfaceTexture& surfac
 {
     const std::lock_guard lock(_mutex);
     osg::ref_ptr<osg::Texture2D>& texture = _textures[&surface];
-    if (!texture)
-    {
-        texture = new osg::Texture2D(surface.getImage());
-        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-        texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-        texture->setWrap(osg::Texture::WRAP_S, surface.getWrapS());
-        texture->setWrap(osg::Texture::WRAP_T, surface.getWrapT());
-        texture->setBorderColor(surface.getBorderColor());
-        texture->setResizeNonPowerOfTwoHint(false);
-    }
+    if (!texture) texture = createSurfaceTexture(surface);
     return texture;
 }
 

@@ -1,6 +1,7 @@
 #include <osgLego/LegolizationPass.h>
 
 #include <osgLego/GlRequirements.h>
+#include <osgLego/SurfaceBinding.h>
 
 #include <new>
 
@@ -80,6 +81,12 @@ bool LegolizationPass::start(osg::State& state, ContextBricks& bricks, const Pas
     bricks.work->statistics.numTriangles = source->triangles->getNumTriangles();
     bricks.work->statistics.flattening = source->flattening;
     return true;
+}
+
+void LegolizationPass::bindSurfaceOf(osg::State& state, const GridBatch& batch) const
+{
+    const osg::ref_ptr<osg::Texture2D> texture = batch.texture ? _store->getTexture(*batch.texture) : nullptr;
+    bindSurface(state, batch, texture.get());
 }
 
 void LegolizationPass::releaseGLObjects(osg::State* state) const

@@ -51,6 +51,9 @@ protected:
      * For begin() of a first pass. */
     bool start(osg::State& state, ContextBricks& bricks, const PassPlan& plan) const;
 
+    /** Bind the texture of a batch, and say how it joins the colours, for shaders/surface_color.glsl. For run(). */
+    void bindSurfaceOf(osg::State& state, const GridBatch& batch) const;
+
     /** Whether there is something to do; the first pass starts the legolization here. Called as run() is. */
     virtual bool begin(osg::State& state, ContextBricks& bricks) const;
     /** Do the work on bricks.work. Called with the context current, bricks locked and the pass's own program applied.

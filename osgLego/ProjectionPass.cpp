@@ -3,7 +3,6 @@
 #include <osgLego/GridVertexArrays.h>
 #include <osgLego/ProgramUniforms.h>
 #include <osgLego/ShaderLibrary.h>
-#include <osgLego/SurfaceBinding.h>
 
 #include <bit>
 
@@ -66,7 +65,7 @@ std::string ProjectionPass::run(osg::State& state, ContextBricks& bricks) const
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : bricks.work->batches)
     {
-        bindSurface(state, getStore(), *batch.batch);
+        bindSurfaceOf(state, *batch.batch);
         arrays.bind(batch.getFineBuffer());
         glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
     }

@@ -1,8 +1,9 @@
 #include <osgLego/RowBundle.h>
 
+#include <osgLego/WeightedColor.h>
+
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -11,20 +12,6 @@ namespace osgLego
 
 namespace
 {
-
-std::uint8_t toByte(float fraction)
-{
-    return static_cast<std::uint8_t>(255.0f * std::clamp(fraction, 0.0f, 1.0f) + 0.5f);
-}
-
-Brick makeBrick(const glm::ivec3& cell, const glm::vec4& sum)
-{
-    Brick brick;
-    brick.cell = {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y),
-                  static_cast<std::uint16_t>(cell.z)};
-    brick.color = {toByte(sum.r / sum.a), toByte(sum.g / sum.a), toByte(sum.b / sum.a)};
-    return brick;
-}
 
 /** Looks into all bundles of a grid, row by row. */
 class Occupancy

@@ -27,13 +27,24 @@ int numberOf(const GridBatch& batch)
 
 } // namespace
 
-void bindSurface(osg::State& state, const BrickStore& store, const GridBatch& batch)
+osg::ref_ptr<osg::Texture2D> createSurfaceTexture(const SurfaceTexture& surface)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(surface.getImage());
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, surface.getWrapS());
+    texture->setWrap(osg::Texture::WRAP_T, surface.getWrapT());
+    texture->setBorderColor(surface.getBorderColor());
+    texture->setResizeNonPowerOfTwoHint(false);
+    return texture;
+}
+
+void bindSurface(osg::State& state, const GridBatch& batch, osg::Texture2D* texture)
 {
     ProgramUniforms(state).set("textureEnvironment", numberOf(batch));
-    if (!batch.texture) return;
-    const osg::ref_ptr<osg::Texture2D> texture = store.getTexture(*batch.texture);
-    state.applyTextureAttribute(0, texture.get());
-    state.haveAppliedTextureAttribute(0, texture.get());
+    if (!texture) return;
+    state.applyTextureAttribute(0, texture);
+    state.haveAppliedTextureAttribute(0, texture);
 }
 
 } // namespace osgLego

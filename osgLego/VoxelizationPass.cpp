@@ -4,7 +4,7 @@
 #include <osgLego/ProgramUniforms.h>
 #include <osgLego/ProjectionPass.h>
 #include <osgLego/ShaderLibrary.h>
-#include <osgLego/SurfaceBinding.h>
+#include <osgLego/WeightedColor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +30,6 @@ osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
                                             {"voxelization_projected.vert", "voxelization_points.frag"});
     return ShaderLibrary::createProgram("voxelization points",
                                         {"voxelization_points.vert", "voxelization_points.frag"});
-}
-
-std::uint8_t toByte(float value)
-{
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
 } // namespace
@@ -81,7 +76,7 @@ void VoxelizationPass::drawExact(osg::State& state, const Legolization& work) co
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : work.batches)
     {
-        bindSurface(state, getStore(), *batch.batch);
+        bindSurfaceOf(state, *batch.batch);
         state.setActiveTextureUnit(LOOKUP_UNIT);
         glBindTexture(GL_TEXTURE_BUFFER, batch.lookup.get());
         arrays.bind(batch.getFineBuffer());
@@ -95,7 +90,7 @@ void VoxelizationPass::drawPoints(osg::State& state, const Legolization& work) c
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : work.batches)
     {
-        bindSurface(state, getStore(), *batch.batch);
+        bindSurfaceOf(state, *batch.batch);
         arrays.bind(batch.getFineBuffer());
         glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
     }
@@ -122,11 +117,7 @@ void VoxelizationPass::readBack(Legolization& work, const Slab& slab) const
             {
                 const glm::vec4& voxel = texels[texel++];
                 if (!(voxel.a > 0.0f)) continue;
-                Brick brick;
-                brick.cell = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                              static_cast<std::uint16_t>(z)};
-                brick.color = {toByte(voxel.r / voxel.a), toByte(voxel.g / voxel.a), toByte(voxel.b / voxel.a)};
-                work.readBack.push_back(brick);
+                work.readBack.push_back(makeBrick({x, y, z}, voxel));
             }
 }
 

@@ -92,7 +92,7 @@ double OpenVdbContender::run()
                                      adapter, transform, BAND, BAND, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
     const BrickGrid& grid = _triangles->getGrid();
     _bricks = BrickModel::create(grid, collectBricks(*distances, grid.dimensions));
-    _buffer.upload(packVisibleBricks(*_bricks));
+    _buffer.upload(createBrickPoints(*_bricks).points);
     return timer.delta_m(start, timer.tick());
 }
 

@@ -13,7 +13,13 @@ namespace osgLego
 namespace
 {
 
-constexpr std::array<std::uint8_t, 3> GREY{160, 160, 160};
+Brick makeGreyBrick(const glm::ivec3& cell)
+{
+    return {
+        {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y), static_cast<std::uint16_t>(cell.z)},
+        {160, 160, 160},
+        0};
+}
 
 } // namespace
 
@@ -60,7 +66,7 @@ void PlainLoopContender::cover(const GridVertex* corners)
                 if (overlapsBox(triangle, glm::vec3(x, y, z) + 0.5f, glm::vec3(0.5f))) _cells[numberOf({x, y, z})] = 1;
 }
 
-unsigned int PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
+std::uint8_t PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
 {
     unsigned int sides = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -71,7 +77,7 @@ unsigned int PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
         if (cell[axis] == 0 || _cells[numberOf(cell - step)] == 0) sides |= 1u << bit;
         if (cell[axis] + 1 == _dimensions[axis] || _cells[numberOf(cell + step)] == 0) sides |= 2u << bit;
     }
-    return sides;
+    return static_cast<std::uint8_t>(sides);
 }
 
 std::vector<BrickPoint> PlainLoopContender::createPoints() const
@@ -83,8 +89,9 @@ std::vector<BrickPoint> PlainLoopContender::createPoints() const
             for (int x = 0; x < _dimensions.x; ++x)
             {
                 if (_cells[number++] == 0) continue;
-                const glm::ivec3 cell(x, y, z);
-                if (const unsigned int sides = findOpenSides(cell)) points.push_back(packBrickPoint(cell, GREY, sides));
+                Brick brick = makeGreyBrick({x, y, z});
+                brick.openSides = findOpenSides(brick.getCell());
+                if (brick.openSides != 0) points.push_back(packBrick(brick));
             }
     return points;
 }
@@ -96,11 +103,7 @@ osg::ref_ptr<const BrickModel> PlainLoopContender::getBricks()
     for (int z = 0; z < _dimensions.z; ++z)
         for (int y = 0; y < _dimensions.y; ++y)
             for (int x = 0; x < _dimensions.x; ++x)
-                if (_cells[number++] != 0)
-                    bricks.push_back(
-                        {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)},
-                         GREY,
-                         0});
+                if (_cells[number++] != 0) bricks.push_back(makeGreyBrick({x, y, z}));
     return BrickModel::create(_triangles->getGrid(), std::move(bricks));
 }
 

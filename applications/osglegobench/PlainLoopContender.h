@@ -26,7 +26,7 @@ public:
 private:
     std::size_t numberOf(const glm::ivec3& cell) const;
     void cover(const GridVertex* corners);
-    unsigned int findOpenSides(const glm::ivec3& cell) const;
+    std::uint8_t findOpenSides(const glm::ivec3& cell) const;
     std::vector<BrickPoint> createPoints() const;
 
     osg::ref_ptr<const GridTriangles> _triangles;

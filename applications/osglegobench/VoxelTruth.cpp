@@ -28,11 +28,6 @@ void insertCells(const GridTriangles& triangles, CellSet& set)
         }
 }
 
-glm::ivec3 cellOf(const Brick& brick)
-{
-    return {brick.cell[0], brick.cell[1], brick.cell[2]};
-}
-
 double ratio(std::size_t part, std::size_t whole)
 {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -52,9 +47,9 @@ VoxelQuality VoxelTruth::compare(const BrickModel& found, bool hasColors) const
     std::size_t numRight = 0;
     std::size_t numOutside = 0; // of the grid: as wrong as can be
     for (const Brick& brick : found.getBricks())
-        if (!cells.isInside(cellOf(brick)))
+        if (!cells.isInside(brick.getCell()))
             ++numOutside;
-        else if (cells.insert(cellOf(brick)) && _cells.contains(cellOf(brick)))
+        else if (cells.insert(brick.getCell()) && _cells.contains(brick.getCell()))
             ++numRight;
     VoxelQuality quality;
     quality.numCells = cells.getSize() + numOutside;
@@ -71,7 +66,7 @@ double VoxelTruth::computeColorError(const BrickModel& found) const
     std::size_t numChannels = 0;
     for (const Brick& brick : found.getBricks())
     {
-        const Brick* reference = _reference->find(cellOf(brick));
+        const Brick* reference = _reference->find(brick.getCell());
         if (!reference) continue;
         for (std::size_t channel = 0; channel < 3; ++channel)
             sum += static_cast<std::size_t>(std::abs(brick.color[channel] - reference->color[channel]));

@@ -103,7 +103,7 @@ void DominantAxisContender::reserve(const osg::State& state, std::size_t numCell
 {
     _capacity = std::max(numCells, std::size_t(1)); // GL binds no buffer without bytes
     allocate(state, _cells, _capacity * sizeof(std::uint32_t));
-    allocate(state, _points, _capacity * sizeof(GatheredPoint));
+    allocate(state, _points, _capacity * sizeof(BrickPoint));
 }
 
 void DominantAxisContender::findBricks(osg::State& state)
@@ -190,11 +190,11 @@ void DominantAxisContender::extract(osg::State& state, std::uint32_t numCells, b
 osg::ref_ptr<const BrickModel> DominantAxisContender::readBricks(osg::State& state)
 {
     extract(state, _numCells, true);
-    std::vector<GatheredPoint> points(readCounters(state)[1]);
+    std::vector<BrickPoint> points(readCounters(state)[1]);
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, _points.get());
     extensions.glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
-                                  static_cast<GLsizeiptr>(points.size() * sizeof(GatheredPoint)), points.data());
+                                  static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data());
     extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     return createModel(getGrid(), points);
 }

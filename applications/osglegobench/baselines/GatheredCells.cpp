@@ -8,10 +8,10 @@ namespace
 
 constexpr std::uint32_t LOW_HALF = 0xffff;
 
-glm::ivec3 cellOf(const GatheredPoint& point)
+glm::ivec3 cellOf(const BrickPoint& point)
 {
-    return {static_cast<int>(point.column & LOW_HALF), static_cast<int>(point.column >> 16),
-            static_cast<int>(point.layer & LOW_HALF)};
+    return {static_cast<int>(point[0] & LOW_HALF), static_cast<int>(point[0] >> 16),
+            static_cast<int>(point[1] & LOW_HALF)};
 }
 
 } // namespace
@@ -24,7 +24,7 @@ void GatheredCells::reset(const glm::ivec3& dimensions)
     _bricks.clear();
 }
 
-std::uint32_t GatheredCells::findOpenSides(const GatheredPoint& brick) const
+std::uint32_t GatheredCells::findOpenSides(const BrickPoint& brick) const
 {
     const std::size_t number = numberOf(cellOf(brick));
     std::uint32_t sides = 0;
@@ -37,13 +37,13 @@ std::uint32_t GatheredCells::findOpenSides(const GatheredPoint& brick) const
     return sides;
 }
 
-const std::vector<GatheredPoint>& GatheredCells::findVisible()
+const std::vector<BrickPoint>& GatheredCells::findVisible()
 {
     _visible.clear();
     _visible.reserve(_bricks.size());
-    for (const GatheredPoint& brick : _bricks)
+    for (const BrickPoint& brick : _bricks)
         if (const std::uint32_t sides = findOpenSides(brick))
-            _visible.push_back({brick.column, brick.layer | sides << 16, brick.color});
+            _visible.push_back({brick[0], brick[1] | sides << 16, brick[2]});
     return _visible;
 }
 
@@ -52,18 +52,18 @@ osg::ref_ptr<const BrickModel> GatheredCells::createModel(const BrickGrid& grid)
     return osgLego::createModel(grid, _bricks);
 }
 
-osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<GatheredPoint>& points)
+osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points)
 {
     std::vector<Brick> bricks;
     bricks.reserve(points.size());
-    for (const GatheredPoint& point : points)
+    for (const BrickPoint& point : points)
     {
         const glm::ivec3 cell = cellOf(point);
         Brick brick;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             brick.cell[axis] = static_cast<std::uint16_t>(cell[static_cast<int>(axis)]);
-            brick.color[axis] = static_cast<std::uint8_t>(point.color >> 8 * axis);
+            brick.color[axis] = static_cast<std::uint8_t>(point[2] >> 8 * axis);
         }
         bricks.push_back(brick);
     }

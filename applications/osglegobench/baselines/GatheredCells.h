@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickGrid.h>
 #include <osgLego/BrickModel.h>
+#include <osgLego/BrickPoints.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,15 +14,6 @@
 namespace osgLego
 {
 
-/** A brick as the renderer draws it: x | y << 16, z | open sides << 16, red | green << 8 | blue << 16 | 255 << 24. */
-struct GatheredPoint
-{
-    std::uint32_t column = 0;
-    std::uint32_t layer = 0;
-    std::uint32_t color = 0;
-};
-static_assert(sizeof(GatheredPoint) == 12, "the layout of the renderer's buffer");
-
 /** The cells that a contender finds, gathered on the CPU in any order, each as often as it likes.
  *
  * One bit a cell tells what has been found, so that neither gathering nor the search for open sides walks the whole
@@ -32,7 +24,7 @@ public:
     /** Empty the set, for a grid of so many cells along each axis. */
     void reset(const glm::ivec3& dimensions);
 
-    /** Add a cell. The first colour that it is given stays. @param color as in GatheredPoint. */
+    /** Add a cell. The first colour that it is given stays. @param color as in a BrickPoint. */
     void add(const glm::ivec3& cell, std::uint32_t color)
     {
         const std::size_t number = numberOf(cell);
@@ -45,7 +37,7 @@ public:
     }
 
     /** The cells with an empty neighbour, in the order they were added. */
-    const std::vector<GatheredPoint>& findVisible();
+    const std::vector<BrickPoint>& findVisible();
 
     /** All of the cells. */
     osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid) const;
@@ -58,16 +50,16 @@ private:
                static_cast<std::size_t>(cell.z + 1) * _layerLength;
     }
     bool isEmpty(std::size_t number) const { return !(_words[number / 64] >> number % 64 & 1); }
-    std::uint32_t findOpenSides(const GatheredPoint& brick) const;
+    std::uint32_t findOpenSides(const BrickPoint& brick) const;
 
     std::size_t _rowLength = 0;
     std::size_t _layerLength = 0;
     std::vector<std::uint64_t> _words;
-    std::vector<GatheredPoint> _bricks;
-    std::vector<GatheredPoint> _visible;
+    std::vector<BrickPoint> _bricks;
+    std::vector<BrickPoint> _visible;
 };
 
 /** Turn points into the bricks of a model; their open sides are found anew. */
-osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<GatheredPoint>& points);
+osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points);
 
 } // namespace osgLego

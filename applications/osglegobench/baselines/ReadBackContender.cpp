@@ -13,11 +13,11 @@ void ReadBackContender::findBricks(osg::State& state)
 {
     _cells.reset(getGrid().dimensions);
     gatherCells(state, _cells);
-    const std::vector<GatheredPoint>& points = _cells.findVisible();
+    const std::vector<BrickPoint>& points = _cells.findVisible();
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     extensions.glBindBuffer(GL_ARRAY_BUFFER, _points.get());
-    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(GatheredPoint)),
-                            points.data(), GL_STATIC_DRAW);
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data(),
+                            GL_STATIC_DRAW);
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
