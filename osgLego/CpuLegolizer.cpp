@@ -7,6 +7,7 @@
 #include <osgLego/TriangleSlicer.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -23,6 +24,12 @@ namespace
 
 // In cells squared: lets a triangle that only grazes a cell decide its colour when no other covers it.
 constexpr double LEAST_WEIGHT = 1e-9;
+
+/** The order in which TriangleSlicer finds parts. */
+bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
+{
+    return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+}
 
 /** Legolizes bundles of rows, one after the other. One thread. */
 class BundleLegolizer
@@ -57,21 +64,31 @@ private:
     {
         _parts.clear();
         const TriangleSlicer slicer(corners[0].position, corners[1].position, corners[2].position);
-        if (!slicer.slice(_minimum, _maximum, _parts)) findParts(corners);
+        if (!slicer.slice(_minimum, _maximum, _parts)) decideParts(corners);
         if (_parts.empty()) return;
-        const TriangleColor color(batch, corners);
+        _colors.resize(std::max(_colors.size(), _parts.size()));
+        TriangleColor(batch, corners).getColors(_parts, _colors.data());
+        auto color = _colors.begin();
         for (const CellPart& part : _parts)
-            _sums.add(part.cell, static_cast<float>(part.area + LEAST_WEIGHT),
-                      color.getColor(glm::dvec3(part.cell) + 0.5));
+            _sums.add(part.cell, static_cast<float>(part.area + LEAST_WEIGHT), *color++);
     }
 
-    void findParts(const GridVertex* corners)
+    /** Let the overlap test say which parts there are. */
+    void decideParts(const GridVertex* corners)
     {
         const TriangleOverlap overlap(corners[0].position, corners[1].position, corners[2].position);
         _cells.clear();
         overlap.findCells(_minimum, _maximum, _cells);
+        std::sort(_cells.begin(), _cells.end(), isBefore);
+        _decided.clear();
+        auto part = _parts.begin();
         for (const glm::ivec3& cell : _cells)
-            _parts.push_back({cell, overlap.getAreaInside(cell)});
+        {
+            while (part != _parts.end() && isBefore(part->cell, cell))
+                ++part;
+            _decided.push_back({cell, part != _parts.end() && part->cell == cell ? part->area : 0.0});
+        }
+        std::swap(_parts, _decided);
     }
 
     const GridTriangles& _triangles;
@@ -80,7 +97,9 @@ private:
     glm::ivec3 _minimum{0};
     glm::ivec3 _maximum{0};
     std::vector<CellPart> _parts;
+    std::vector<CellPart> _decided;
     std::vector<glm::ivec3> _cells;
+    std::vector<glm::vec3> _colors; // of the parts
 };
 
 osg::ref_ptr<const BrickModel> legolizeInTasks(const GridTriangles& triangles)

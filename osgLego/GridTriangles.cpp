@@ -127,17 +127,6 @@ double meanCellsMet(const GridVertex* corners)
 
 } // namespace
 
-glm::dvec3 GridVertex::getColor() const
-{
-    const glm::vec2 redGreen = glm::unpackUnorm2x16(colorAndLevel[0]);
-    return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
-}
-
-double GridVertex::getLevel() const
-{
-    return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y;
-}
-
 std::size_t GridBatch::estimateFineTriangles(double edgeLimit) const
 {
     double sum = 0.0;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -30,8 +31,12 @@ struct OSGLEGO_EXPORT GridVertex
     glm::vec2 coordinate{0.0f};
     std::array<std::uint32_t, 2> colorAndLevel{};
 
-    glm::dvec3 getColor() const;
-    double getLevel() const;
+    glm::vec3 getColor() const
+    {
+        const glm::vec2 redGreen = glm::unpackUnorm2x16(colorAndLevel[0]);
+        return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
+    }
+    double getLevel() const { return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <experimental/simd>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -8,49 +10,98 @@
 namespace osgLego
 {
 
-/** The barycentric coordinates of the point of a triangle nearest to `point` (Ericson, Real-Time Collision Detection,
- * 5.1.5). Corners may coincide. May be called from any thread. */
-inline glm::dvec3 findNearestPoint(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point)
+/** Finds the points of a triangle that are nearest to others, four at a time.
+ *
+ * The nearest point of its plane, if that is inside of the triangle; else the nearest of those of its edges. All four
+ * are reckoned out, as which of them it is can hardly be foreseen, and jumping costs more than reckoning. What depends
+ * on the triangle alone is kept, so that a point costs two scalar products and no division.
+ *
+ * Immutable, free of GL; may be called from any thread.
+ */
+class NearestPoint
 {
-    // Corners may coincide, once they are rounded to floats: no edge is asked that has no length.
-    const auto& [a, b, c] = corners;
-    const glm::dvec3 ab = b - a;
-    const glm::dvec3 ac = c - a;
-    const double d1 = glm::dot(ab, point - a);
-    const double d2 = glm::dot(ac, point - a);
-    if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
+public:
+    static constexpr std::size_t NUM_LANES = 4;
+    using Lanes = std::experimental::fixed_size_simd<double, NUM_LANES>;
 
-    const double d3 = glm::dot(ab, point - b);
-    const double d4 = glm::dot(ac, point - b);
-    if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
-
-    const double shareC = d1 * d4 - d3 * d2;
-    if (shareC <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3)
+    /** Barycentric coordinates of points, of the second and the third corner; the rest to one is that of the first. */
+    struct Shares
     {
-        const double v = d1 / (d1 - d3);
-        return {1.0 - v, v, 0.0};
+        Lanes b;
+        Lanes c;
+    };
+
+    NearestPoint() = default;
+
+    /** Corners may coincide. */
+    explicit NearestPoint(const std::array<glm::vec3, 3>& corners) :
+        _corner(corners[0]), _ab(glm::dvec3(corners[1]) - _corner), _ac(glm::dvec3(corners[2]) - _corner),
+        _abab(glm::dot(_ab, _ab)), _abac(glm::dot(_ab, _ac)), _acac(glm::dot(_ac, _ac)), _perAb(inverse(_abab)),
+        _perAc(inverse(_acac)), _perBc(inverse(_abab - 2.0 * _abac + _acac)), _perArea(inverseArea())
+    {
     }
 
-    const double d5 = glm::dot(ab, point - c);
-    const double d6 = glm::dot(ac, point - c);
-    if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
-
-    const double shareB = d5 * d2 - d1 * d6;
-    if (shareB <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6)
+    /** The points nearest to those at x, y, z. */
+    Shares find(const Lanes& x, const Lanes& y, const Lanes& z) const
     {
-        const double w = d2 / (d2 - d6);
-        return {1.0 - w, 0.0, w};
+        const Lanes px = x - _corner.x;
+        const Lanes py = y - _corner.y;
+        const Lanes pz = z - _corner.z;
+        const Lanes ab = _ab.x * px + _ab.y * py + _ab.z * pz;
+        const Lanes ac = _ac.x * px + _ac.y * py + _ac.z * pz;
+
+        // Along each edge, from its first corner to its second; distances squared, less that of corner a.
+        const Lanes alongAb = clamped(ab * _perAb);
+        const Lanes alongAc = clamped(ac * _perAc);
+        const Lanes alongBc = clamped((ac - ab + (_abab - _abac)) * _perBc);
+        const Lanes b = 1.0 - alongBc;
+        const Lanes toAb = alongAb * (alongAb * _abab - 2.0 * ab);
+        const Lanes toAc = alongAc * (alongAc * _acac - 2.0 * ac);
+        const Lanes toBc =
+            b * (b * _abab - 2.0 * ab) + alongBc * (alongBc * _acac - 2.0 * ac) + 2.0 * _abac * b * alongBc;
+
+        Shares shares{alongAb, 0.0};
+        const Lanes::mask_type isOnAc = toAc < toAb;
+        where(isOnAc, shares.b) = 0.0;
+        where(isOnAc, shares.c) = alongAc;
+        const Lanes::mask_type isOnBc = toBc < toAb && toBc < toAc;
+        where(isOnBc, shares.b) = b;
+        where(isOnBc, shares.c) = alongBc;
+
+        const Lanes insideB = (_acac * ab - _abac * ac) * _perArea;
+        const Lanes insideC = (_abab * ac - _abac * ab) * _perArea;
+        const Lanes::mask_type isInside = insideB > 0.0 && insideC > 0.0 && insideB + insideC < 1.0;
+        where(isInside, shares.b) = insideB;
+        where(isInside, shares.c) = insideC;
+        return shares;
     }
 
-    const double shareA = d3 * d6 - d5 * d4;
-    if (shareA <= 0.0 && d4 >= d3 && d5 >= d6 && (d4 > d3 || d5 > d6))
+private:
+    static Lanes clamped(const Lanes& lanes)
     {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0.0, 1.0 - w, w};
+        return std::experimental::min(std::experimental::max(lanes, Lanes(0.0)), Lanes(1.0));
     }
 
-    const double sum = shareA + shareB + shareC;
-    return sum > 0.0 ? glm::dvec3(shareA, shareB, shareC) / sum : glm::dvec3(1.0, 0.0, 0.0);
-}
+    static double inverse(double value) { return value > 0.0 ? 1.0 / value : 0.0; }
+
+    double inverseArea() const
+    {
+        // Of a sliver narrower than this an edge is as near, and its area has no digits left.
+        constexpr double NARROWEST = 1e-12;
+        const double area = _abab * _acac - _abac * _abac;
+        return area > NARROWEST * _abab * _acac ? 1.0 / area : 0.0;
+    }
+
+    glm::dvec3 _corner{0.0};
+    glm::dvec3 _ab{0.0};
+    glm::dvec3 _ac{0.0};
+    double _abab = 0.0;
+    double _abac = 0.0;
+    double _acac = 0.0;
+    double _perAb = 0.0;
+    double _perAc = 0.0;
+    double _perBc = 0.0;
+    double _perArea = 0.0;
+};
 
 } // namespace osgLego

@@ -1,6 +1,6 @@
 #include <osgLego/TriangleColor.h>
 
-#include <osgLego/NearestPoint.h>
+#include <algorithm>
 
 #include <glm/common.hpp>
 
@@ -42,22 +42,42 @@ TriangleColor::TriangleColor(const GridBatch& batch, const GridVertex* corners) 
 {
     _colors[0] = corners[0].getColor();
     if (_isEven) return;
-    for (std::size_t corner = 0; corner < 3; ++corner)
+    _colors[1] = corners[1].getColor();
+    _colors[2] = corners[2].getColor();
+    _nearestPoint = NearestPoint({corners[0].position, corners[1].position, corners[2].position});
+}
+
+void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors) const
+{
+    if (_isEven)
     {
-        _colors[corner] = corners[corner].getColor();
-        _corners[corner] = corners[corner].position;
+        std::fill_n(colors, parts.size(), _colors[0]);
+        return;
+    }
+    for (std::size_t first = 0; first < parts.size(); first += NearestPoint::NUM_LANES)
+    {
+        // Lanes without a part repeat the last one.
+        const auto middleOf = [&](int axis)
+        {
+            return NearestPoint::Lanes([&](std::size_t lane)
+                                       { return parts[std::min(first + lane, parts.size() - 1)].cell[axis] + 0.5; });
+        };
+        const NearestPoint::Shares shares = _nearestPoint.find(middleOf(0), middleOf(1), middleOf(2));
+        const std::size_t count = std::min(NearestPoint::NUM_LANES, parts.size() - first);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            colors[first + lane] = getColor(shares.b[lane], shares.c[lane]);
     }
 }
 
-glm::vec3 TriangleColor::findColor(const glm::dvec3& middle) const
+glm::vec3 TriangleColor::getColor(double shareB, double shareC) const
 {
-    const glm::dvec3 weights = findNearestPoint(_corners, middle);
-    const glm::vec3 shares(weights);
-    const glm::vec3 color = shares.x * _colors[0] + shares.y * _colors[1] + shares.z * _colors[2];
+    const double shareA = 1.0 - shareB - shareC;
+    const glm::vec3 color = static_cast<float>(shareA) * _colors[0] + static_cast<float>(shareB) * _colors[1] +
+                            static_cast<float>(shareC) * _colors[2];
     if (!_batch.texture) return color;
-    const glm::dvec2 coordinate = weights.x * glm::dvec2(_vertices[0].coordinate) +
-                                  weights.y * glm::dvec2(_vertices[1].coordinate) +
-                                  weights.z * glm::dvec2(_vertices[2].coordinate);
+    const glm::dvec2 coordinate = shareA * glm::dvec2(_vertices[0].coordinate) +
+                                  shareB * glm::dvec2(_vertices[1].coordinate) +
+                                  shareC * glm::dvec2(_vertices[2].coordinate);
     return joined(color, _batch.texture->sample(coordinate, _vertices[0].getLevel()), _batch.environment);
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <osgLego/GridTriangles.h>
+#include <osgLego/NearestPoint.h>
+#include <osgLego/TriangleSlicer.h>
 
 #include <array>
+#include <span>
 
 #include <glm/vec3.hpp>
 
@@ -22,15 +25,15 @@ public:
     /** @param corners the first of three vertices of the batch. */
     TriangleColor(const GridBatch& batch, const GridVertex* corners);
 
-    /** For a cell with that middle, in cell units; 0 to 1 a channel. */
-    glm::vec3 getColor(const glm::dvec3& middle) const { return _isEven ? _colors[0] : findColor(middle); }
+    /** The colours for the cells of some parts, 0 to 1 a channel. @param colors as many as there are parts. */
+    void getColors(std::span<const CellPart> parts, glm::vec3* colors) const;
 
 private:
-    glm::vec3 findColor(const glm::dvec3& middle) const;
+    glm::vec3 getColor(double shareB, double shareC) const;
 
     const GridBatch& _batch;
     const GridVertex* _vertices;
-    std::array<glm::dvec3, 3> _corners;
+    NearestPoint _nearestPoint;
     std::array<glm::vec3, 3> _colors;
     bool _isEven; // the same all over, whatever the point
 };

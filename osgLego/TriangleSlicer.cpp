@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace osgLego
@@ -74,15 +76,18 @@ Extent extentOf(const Polygon& polygon)
     return extent;
 }
 
-/** Call `use` with every part of a polygon between planes along an axis, and the number of its cells there.
- * @return false once `use` does. */
+/** Call `use` with every part of a polygon between planes along an axis, and the number of its cells there. */
 template <int AXIS, typename Use>
-bool forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int maximum, const Use& use)
+void forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int maximum, const Use& use)
 {
     const int first = static_cast<int>(extent.lowest);
-    const int last = std::min(static_cast<int>(extent.highest), maximum);
-    if (first > maximum || static_cast<int>(extent.highest) < minimum) return true;
-    if (first == static_cast<int>(extent.highest)) return use(polygon, first);
+    const int end = static_cast<int>(extent.highest);
+    if (first > maximum || end < minimum) return;
+    if (first == end)
+    {
+        use(polygon, first);
+        return;
+    }
 
     std::array<Polygon, 3> parts;
     const Polygon* rest = &polygon;
@@ -93,15 +98,14 @@ bool forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int 
         rest = &parts[spare];
         spare = 1;
     }
-    for (int cell = std::max(first, minimum); cell <= last; ++cell)
+    for (int cell = std::max(first, minimum); cell <= std::min(end - 1, maximum); ++cell)
     {
-        if (cell == static_cast<int>(extent.highest)) return use(*rest, cell);
         split<AXIS>(*rest, cell + 1, parts[2], parts[spare]);
-        if (!use(parts[2], cell)) return false;
+        use(parts[2], cell);
         rest = &parts[spare];
         spare = 1 - spare;
     }
-    return true;
+    if (end <= maximum) use(*rest, end);
 }
 
 /** Twice the area of a polygon's projection along an axis. */
@@ -120,77 +124,185 @@ double projectedArea(const Polygon& polygon, std::size_t axis)
     return std::abs(sum);
 }
 
-/** Whether a direction is nearly, but not quite, parallel to the planes across one of some axes. */
-bool isNearlyParallel(const glm::dvec3& direction, const glm::bvec3& axes)
+/** Which components of some directions are small beside their largest, but not zero: one flag an axis. */
+template <typename Lanes>
+glm::bvec3 areNearlyParallel(const Lanes& x, const Lanes& y, const Lanes& z)
 {
-    const glm::dvec3 size = glm::abs(direction);
-    const double limit = PARALLELITY * std::max(std::max(size.x, size.y), size.z);
-    // One jump for all three, since none can be foreseen.
-    const auto isNear = [&](int axis)
-    { return unsigned(axes[axis]) & unsigned(size[axis] > 0.0) & unsigned(size[axis] < limit); };
-    return (isNear(0) | isNear(1) | isNear(2)) != 0;
+    const Lanes sizeX = abs(x);
+    const Lanes sizeY = abs(y);
+    const Lanes sizeZ = abs(z);
+    const Lanes limit = static_cast<typename Lanes::value_type>(PARALLELITY) * max(max(sizeX, sizeY), sizeZ);
+    return {any_of(sizeX > 0 && sizeX < limit), any_of(sizeY > 0 && sizeY < limit), any_of(sizeZ > 0 && sizeZ < limit)};
 }
+
+/** How much of a triangle is below a plane, as a fraction of its area, from the places of its corners. */
+class FractionBelow
+{
+public:
+    FractionBelow(double a, double b, double c) :
+        _lowest(std::min(a, std::min(b, c))), _middle(std::max(std::min(a, b), std::min(std::max(a, b), c))),
+        _highest(std::max(a, std::max(b, c)))
+    {
+    }
+
+    double operator()(double plane) const
+    {
+        const double below = plane - _lowest;
+        const double above = _highest - plane;
+        return plane <= _middle ? below * below / ((_middle - _lowest) * (_highest - _lowest))
+                                : 1.0 - above * above / ((_highest - _middle) * (_highest - _lowest));
+    }
+
+private:
+    double _lowest;
+    double _middle;
+    double _highest;
+};
 
 } // namespace
 
-/** Cuts one triangle, along the planes across z first, then y, then x. */
+/** Cuts one triangle that lies across several rows of cells, along the planes across z first, then y, then x. */
 class TriangleSlicer::Cutter
 {
 public:
     Cutter(const TriangleSlicer& slicer, const glm::ivec3& first, const glm::ivec3& last,
            std::vector<CellPart>& parts) :
         _corners(slicer._corners),
-        _minimum(slicer._minimum), _maximum(slicer._maximum), _isCut(glm::notEqual(first, last)), _parts(parts)
+        _minimum(slicer._minimum), _maximum(slicer._maximum), _first(first), _isCut(glm::notEqual(first, last)),
+        _parts(parts)
     {
-        const glm::dvec3 normal = glm::cross(_corners[1] - _corners[0], _corners[2] - _corners[0]);
-        const glm::dvec3 size = glm::abs(normal);
-        _axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        _isDelicate = isDelicate(normal);
-        if (!_isDelicate) _areaOfProjected = 0.5 * glm::length(normal) / size[static_cast<int>(_axis)];
+        const glm::dvec3 edge1(glm::dvec3(_corners[1]) - glm::dvec3(_corners[0]));
+        const glm::dvec3 edge2(glm::dvec3(_corners[2]) - glm::dvec3(_corners[0]));
+        const glm::dvec3 normal = glm::cross(edge1, edge2);
+        const double length2 = glm::dot(normal, normal);
+        if (length2 > 0.0) chooseProjection(glm::abs(normal), std::sqrt(length2));
+        // It is the edges that are cut, and then the cuts, which lie across the normal.
+        using Normal = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
+        _isCertain = length2 > 0.0 && !glm::any(areNearlyParallel<Normal>(normal.x, normal.y, normal.z)) &&
+                     !glm::any(areEdgesNearlyParallel() && _isCut);
     }
 
-    /** @return whether everything was decided. */
+    /** @return whether it is certain that the parts' cells are all there are. */
     bool cut(const glm::ivec3& minimum, const glm::ivec3& maximum)
     {
-        if (_isDelicate) return false;
         Polygon triangle;
-        for (const glm::dvec3& corner : _corners)
+        for (const glm::vec3& corner : _corners)
             triangle.add(corner);
-        return cutAcross<2>(triangle, minimum, maximum, {0, 0, 0});
+        cutAcross<2>(triangle, minimum, maximum, _first);
+        return _isCertain;
     }
 
 private:
-    bool isDelicate(const glm::dvec3& normal) const
+    void chooseProjection(const glm::dvec3& normal, double length)
     {
-        if (!(glm::dot(normal, normal) > 0.0)) return true;
-        // Of one axis it is the edges that are cut, of several the cuts as well, which lie across the normal.
-        const bool areCutsCut = int(_isCut.x) + int(_isCut.y) + int(_isCut.z) > 1;
-        return (areCutsCut && isNearlyParallel(normal, glm::bvec3(true))) ||
-               isNearlyParallel(_corners[1] - _corners[0], _isCut) ||
-               isNearlyParallel(_corners[2] - _corners[1], _isCut) ||
-               isNearlyParallel(_corners[0] - _corners[2], _isCut);
+        _axis = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
+        _areaOfProjected = 0.5 * length / normal[static_cast<int>(_axis)];
+        // Nearly as good for areas, and shows how far along x something lies.
+        constexpr double STEEPEST = 1e-3;
+        _axisAcrossX = normal.y >= normal.z ? 1 : 2;
+        const double size = normal[static_cast<int>(_axisAcrossX)];
+        if (size > STEEPEST * length) _areaOfProjectedAcrossX = length / size;
+    }
+
+    glm::bvec3 areEdgesNearlyParallel() const
+    {
+        // The difference of two floats is good enough to tell how steep an edge is, and 0 alone where they are the
+        // same.
+        using Edges = std::experimental::fixed_size_simd<float, 4>;
+        const auto along = [this](int axis)
+        {
+            const std::array<float, 4> edges{_corners[1][axis] - _corners[0][axis],
+                                             _corners[2][axis] - _corners[1][axis],
+                                             _corners[0][axis] - _corners[2][axis], 0.0f};
+            return Edges(edges.data(), std::experimental::element_aligned);
+        };
+        return areNearlyParallel(along(0), along(1), along(2));
     }
 
     /** Cut what lies in one cell of the axes behind AXIS. @param cell its place along those. */
     template <int AXIS>
-    bool cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
+    void cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
     {
+        const auto goOn = [&](const Polygon& part, int place)
+        {
+            cell[AXIS] = place;
+            if constexpr (AXIS > 0)
+                cutAcross<AXIS - 1>(part, minimum, maximum, cell);
+            else
+                _parts.push_back({cell, _areaOfProjected * projectedArea(part, _axis)});
+        };
+        if (!_isCut[AXIS])
+        {
+            goOn(polygon, _first[AXIS]);
+            return;
+        }
         // Of what is still whole the corners tell to the last digit which cells are met; of the rest the cuts do.
         Extent extent{_minimum[AXIS], _maximum[AXIS]};
         if (isCutBehind<AXIS>())
         {
             extent = extentOf<AXIS>(polygon);
-            if (!isCertain<AXIS>(polygon, extent.lowest, false) || !isCertain<AXIS>(polygon, extent.highest, true))
-                return false;
+            _isCertain = _isCertain && isCertain<AXIS>(polygon, extent.lowest, false) &&
+                         isCertain<AXIS>(polygon, extent.highest, true);
         }
-        return forEachPart<AXIS>(polygon, extent, minimum[AXIS], maximum[AXIS],
-                                 [&](const Polygon& part, int place)
-                                 {
-                                     cell[AXIS] = place;
-                                     if constexpr (AXIS > 0) return cutAcross<AXIS - 1>(part, minimum, maximum, cell);
-                                     _parts.push_back({cell, _areaOfProjected * projectedArea(part, _axis)});
-                                     return true;
-                                 });
+        if (AXIS == 0 && _areaOfProjectedAcrossX > 0.0)
+            addParts(polygon, extent, minimum.x, maximum.x, cell);
+        else
+            forEachPart<AXIS>(polygon, extent, minimum[AXIS], maximum[AXIS], goOn);
+    }
+
+    /** Add the parts of what lies in one row of cells along x, without cutting: the area of each is the sum of what is
+     * below the polygon's edges in that cell, in the projection across x. */
+    void addParts(const Polygon& polygon, const Extent& extent, int minimum, int maximum, glm::ivec3 cell)
+    {
+        const int first = std::max(static_cast<int>(extent.lowest), minimum);
+        const int last = std::min(static_cast<int>(extent.highest), maximum);
+        if (first > last) return;
+        CellPart* parts = addEmptyParts(first, last, cell);
+        const auto add = [&](int place, double area)
+        {
+            if (place >= first && place <= last) parts[place - first].area += area;
+        };
+
+        const auto across = static_cast<int>(3 - _axisAcrossX);
+        const double origin = polygon.corners[0][across];
+        const glm::dvec3* from = &polygon.corners[polygon.count - 1];
+        for (std::size_t corner = 0; corner < polygon.count; ++corner)
+        {
+            const glm::dvec3* to = &polygon.corners[corner];
+            addBelowEdge({from->x, (*from)[across] - origin}, {to->x, (*to)[across] - origin}, add);
+            from = to;
+        }
+        for (int place = first; place <= last; ++place)
+            parts[place - first].area = _areaOfProjectedAcrossX * std::abs(parts[place - first].area);
+    }
+
+    CellPart* addEmptyParts(int first, int last, glm::ivec3 cell)
+    {
+        const std::size_t number = _parts.size();
+        for (cell.x = first; cell.x <= last; ++cell.x)
+            _parts.push_back({cell, 0.0});
+        return &_parts[number];
+    }
+
+    /** Call `add` with the signed area below every piece of an edge, and the number of the cell that it lies in. */
+    template <typename Add>
+    static void addBelowEdge(glm::dvec2 from, const glm::dvec2& to, const Add& add)
+    {
+        int place = static_cast<int>(from.x);
+        const int end = static_cast<int>(to.x);
+        if (place != end)
+        {
+            const double slope = (to.y - from.y) / (to.x - from.x);
+            const int step = place < end ? 1 : -1;
+            for (; place != end; place += step)
+            {
+                const double plane = step > 0 ? place + 1 : place;
+                const glm::dvec2 crossing(plane, to.y + slope * (plane - to.x));
+                add(place, 0.5 * (from.y + crossing.y) * (crossing.x - from.x));
+                from = crossing;
+            }
+        }
+        add(place, 0.5 * (from.y + to.y) * (to.x - from.x));
     }
 
     template <int AXIS>
@@ -212,7 +324,7 @@ private:
     bool isExact(const Polygon& polygon, double end, bool isHighest) const
     {
         if (std::none_of(_corners.begin(), _corners.end(),
-                         [end](const glm::dvec3& corner) { return corner[AXIS] == end; }))
+                         [end](const glm::vec3& corner) { return static_cast<double>(corner[AXIS]) == end; }))
             return false;
         glm::dvec3 sum(0.0);
         double count = 0.0;
@@ -239,14 +351,17 @@ private:
         return count;
     }
 
-    const std::array<glm::dvec3, 3>& _corners;
+    const std::array<glm::vec3, 3>& _corners;
     const glm::vec3& _minimum;
     const glm::vec3& _maximum;
+    const glm::ivec3& _first; // the cell of `_minimum`
     glm::bvec3 _isCut;
     std::vector<CellPart>& _parts;
-    std::size_t _axis = 0;         // along which the triangle's projection is largest
-    double _areaOfProjected = 0.0; // half the area over that of the projection
-    bool _isDelicate = false;
+    std::size_t _axis = 0;                // along which the triangle's projection is largest
+    double _areaOfProjected = 0.0;        // half the area over that of the projection
+    std::size_t _axisAcrossX = 0;         // the same of the axes but x
+    double _areaOfProjectedAcrossX = 0.0; // the area over that of the projection; 0 where that is too small
+    bool _isCertain = false;
 };
 
 TriangleSlicer::TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) :
@@ -258,17 +373,47 @@ bool TriangleSlicer::slice(const glm::ivec3& minimum, const glm::ivec3& maximum,
 {
     const glm::ivec3 first(_minimum);
     const glm::ivec3 last(_maximum);
-    if (first == last)
+    if (glm::any(glm::greaterThan(first, maximum)) || glm::any(glm::lessThan(last, minimum))) return true;
+    const glm::ivec3 isCut(glm::notEqual(first, last));
+    switch (isCut.x + isCut.y + isCut.z)
     {
-        if (glm::all(glm::greaterThanEqual(first, minimum)) && glm::all(glm::lessThanEqual(first, maximum)))
-            parts.push_back(
-                {first, 0.5 * glm::length(glm::cross(_corners[1] - _corners[0], _corners[2] - _corners[0]))});
+    case 0:
+        parts.push_back({first, getArea()});
         return true;
+    case 1:
+        sliceRow(isCut.y + 2 * isCut.z, minimum, maximum, parts);
+        return true;
+    default:
+        return Cutter(*this, first, last, parts).cut(minimum, maximum);
     }
-    const std::size_t numBefore = parts.size();
-    const bool isDecided = Cutter(*this, first, last, parts).cut(minimum, maximum);
-    if (!isDecided) parts.resize(numBefore);
-    return isDecided;
+}
+
+double TriangleSlicer::getArea() const
+{
+    const glm::dvec3 origin(_corners[0]);
+    return 0.5 * glm::length(glm::cross(glm::dvec3(_corners[1]) - origin, glm::dvec3(_corners[2]) - origin));
+}
+
+void TriangleSlicer::sliceRow(int axis, const glm::ivec3& minimum, const glm::ivec3& maximum,
+                              std::vector<CellPart>& parts) const
+{
+    const FractionBelow fractionBelow(_corners[0][axis], _corners[1][axis], _corners[2][axis]);
+    const double area = getArea();
+    const int last = static_cast<int>(_maximum[axis]);
+    const int end = std::min(last, maximum[axis]);
+    glm::ivec3 cell(_minimum);
+    double before = 0.0;
+    if (cell[axis] < minimum[axis])
+    {
+        cell[axis] = minimum[axis];
+        before = fractionBelow(minimum[axis]);
+    }
+    for (; cell[axis] <= end; ++cell[axis])
+    {
+        const double upTo = cell[axis] < last ? fractionBelow(cell[axis] + 1) : 1.0;
+        parts.push_back({cell, area * (upTo - before)});
+        before = upTo;
+    }
 }
 
 } // namespace osgLego

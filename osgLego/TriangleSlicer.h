@@ -20,11 +20,12 @@ struct CellPart
  * cut for each further cell.
  *
  * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
- * numbers are so near to each other that cutting could come to another end, nothing is decided here, and
- * TriangleOverlap is to be asked. That is so where a cut ends within NEARNESS of another plane and it can't be shown
- * that this is what it does exactly, and for triangles that are cut by a plane to which they are nearly, but not quite,
- * parallel. Cuts of any others lie within 1e-8 cells of where they ought to, since coordinates of at most 4096 cells
- * come as floats and are reckoned with in double precision.
+ * numbers are so near to each other that cutting could come to another end, TriangleOverlap is to be asked which cells
+ * there are, and the areas found here are still good. That is so where a cut ends within NEARNESS of another plane and
+ * it can't be shown that this is what it does exactly, and for triangles that are cut by a plane to which they are
+ * nearly, but not quite, parallel. Cuts of any others lie within 1e-8 cells of where they ought to, since coordinates
+ * of at most 4096 cells come as floats and are reckoned with in double precision. A triangle that lies in one row of
+ * cells along an axis is never in doubt: its corners tell.
  *
  * Usage:
  *
@@ -41,13 +42,17 @@ public:
     TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
     /** Append the parts in the cells from `minimum` to `maximum`, both included, ordered by z, then y, then x.
-     * @return false, with nothing appended, when TriangleOverlap is to be asked. */
+     * @return whether these are the cells; if not, TriangleOverlap is to be asked: it may know others beside, of areas
+     * below 1e-6, and not know some of such areas. */
     bool slice(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const;
 
 private:
     class Cutter;
 
-    std::array<glm::dvec3, 3> _corners;
+    double getArea() const;
+    void sliceRow(int axis, const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const;
+
+    std::array<glm::vec3, 3> _corners;
     glm::vec3 _minimum;
     glm::vec3 _maximum;
 };
