@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,7 +14,7 @@ namespace osgLego
 namespace
 {
 
-// A direction with a component smaller than this, over its largest, is nearly parallel to an axis' planes.
+// A line that goes less far than this in y, for each cell in x, is nearly parallel to the planes across y.
 constexpr double PARALLELITY = 1e-4;
 
 /** A convex polygon: a triangle, with one more corner at most for each of the six planes that it is cut by. */
@@ -124,15 +123,10 @@ double projectedArea(const Polygon& polygon, std::size_t axis)
     return std::abs(sum);
 }
 
-/** Which components of some directions are small beside their largest, but not zero: one flag an axis. */
-template <typename Lanes>
-glm::bvec3 areNearlyParallel(const Lanes& x, const Lanes& y, const Lanes& z)
+/** Whether a small error in y, where a line is cut across y, is a large one in x. */
+bool isSteep(double x, double y)
 {
-    const Lanes sizeX = abs(x);
-    const Lanes sizeY = abs(y);
-    const Lanes sizeZ = abs(z);
-    const Lanes limit = static_cast<typename Lanes::value_type>(PARALLELITY) * max(max(sizeX, sizeY), sizeZ);
-    return {any_of(sizeX > 0 && sizeX < limit), any_of(sizeY > 0 && sizeY < limit), any_of(sizeZ > 0 && sizeZ < limit)};
+    return y != 0.0 && std::abs(y) < PARALLELITY * std::abs(x);
 }
 
 /** How much of a triangle is below a plane, as a fraction of its area, from the places of its corners. */
@@ -176,10 +170,7 @@ public:
         const glm::dvec3 normal = glm::cross(edge1, edge2);
         const double length2 = glm::dot(normal, normal);
         if (length2 > 0.0) chooseProjection(glm::abs(normal), std::sqrt(length2));
-        // It is the edges that are cut, and then the cuts, which lie across the normal.
-        using Normal = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
-        _isCertain = length2 > 0.0 && !glm::any(areNearlyParallel<Normal>(normal.x, normal.y, normal.z)) &&
-                     !glm::any(areEdgesNearlyParallel() && _isCut);
+        _isCertain = length2 > 0.0 && !(glm::all(_isCut) && isDelicate(normal));
     }
 
     /** @return whether it is certain that the parts' cells are all there are. */
@@ -204,19 +195,17 @@ private:
         if (size > STEEPEST * length) _areaOfProjectedAcrossX = length / size;
     }
 
-    glm::bvec3 areEdgesNearlyParallel() const
+    /** Whether cuts across y, of what cuts across z have moved, may end elsewhere in x than they ought to. */
+    bool isDelicate(const glm::dvec3& normal) const
     {
-        // The difference of two floats is good enough to tell how steep an edge is, and 0 alone where they are the
-        // same.
-        using Edges = std::experimental::fixed_size_simd<float, 4>;
-        const auto along = [this](int axis)
+        // A cut across z runs across the normal.
+        if (isSteep(normal.y, normal.x)) return true;
+        for (std::size_t corner = 0; corner < 3; ++corner)
         {
-            const std::array<float, 4> edges{_corners[1][axis] - _corners[0][axis],
-                                             _corners[2][axis] - _corners[1][axis],
-                                             _corners[0][axis] - _corners[2][axis], 0.0f};
-            return Edges(edges.data(), std::experimental::element_aligned);
-        };
-        return areNearlyParallel(along(0), along(1), along(2));
+            const glm::dvec3 edge = glm::dvec3(_corners[(corner + 1) % 3]) - glm::dvec3(_corners[corner]);
+            if (isSteep(edge.x, edge.y)) return true;
+        }
+        return false;
     }
 
     /** Cut what lies in one cell of the axes behind AXIS. @param cell its place along those. */

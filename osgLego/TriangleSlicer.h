@@ -21,11 +21,13 @@ struct CellPart
  *
  * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
  * numbers are so near to each other that cutting could come to another end, TriangleOverlap is to be asked which cells
- * there are, and the areas found here are still good. That is so where a cut ends within NEARNESS of another plane and
- * it can't be shown that this is what it does exactly, and for triangles that are cut by a plane to which they are
- * nearly, but not quite, parallel. Cuts of any others lie within 1e-8 cells of where they ought to, since coordinates
- * of at most 4096 cells come as floats and are reckoned with in double precision. A triangle that lies in one row of
- * cells along an axis is never in doubt: its corners tell.
+ * there are, and the areas found here are still good. So it is where a cut ends within NEARNESS of another plane, and
+ * it can't be shown that this is what it does exactly.
+ *
+ * Why that is enough: cuts go across z first, then y, then x. Corners are floats, so which cells along z are met is
+ * exact. A cut of the triangle's own edges lies within 1e-12 cells of where it ought to, as differences of coordinates
+ * of at most 4096 cells lose nothing in double precision. A cut of what is cut already does too, times how fast x
+ * changes with y along it; where that is by more than 1e4, nothing is certain either. Cuts across x find areas alone.
  *
  * Usage:
  *

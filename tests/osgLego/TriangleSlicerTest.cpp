@@ -127,15 +127,37 @@ TEST(TriangleSlicer, DecidesNothingWronglyOnTheLatticeOfTheCells)
 TEST(TriangleSlicer, DecidesNothingWronglyNearTheLatticeOrNearlyParallelToIt)
 {
     Triangles triangles;
-    for (const float distance : {1e-4f, 1e-5f, 1e-6f, 1e-7f})
-        for (int number = 0; number < 2000; ++number)
+    for (const float distance : {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-7f})
+    {
+        int decided = 0;
+        for (int number = 0; number < 4000; ++number)
         {
-            Corners corners = triangles.onLattice(4.0f, 0.5f);
+            Corners corners = triangles.onLattice(6.0f, 0.5f);
             for (glm::vec3& corner : corners)
-                corner = glm::clamp(corner / 64.0f + triangles.place(-distance, distance), glm::vec3(0.0f),
-                                    glm::vec3(SIZE - 1.0f));
-            agrees(corners);
+                corner = glm::clamp(glm::mod(corner, 8.0f) + triangles.place(-distance, distance), glm::vec3(0.0f),
+                                    glm::vec3(8.0f));
+            decided += agrees(corners) ? 1 : 0;
         }
+        EXPECT_GT(decided, 300) << "within " << distance;
+    }
+}
+
+TEST(TriangleSlicer, DecidesExtrudedWallsWhoseCornersAreRounded)
+{
+    // As of letters: upright but for the last digits of a float, along each of the axes.
+    Triangles triangles;
+    int decided = 0;
+    for (int number = 0; number < 3000; ++number)
+    {
+        const int up = number % 3;
+        Corners corners = triangles.anywhere(8.0f);
+        corners[2] = corners[1] + triangles.place(-1e-5f, 1e-5f);
+        corners[0][up] = 32.0f;
+        corners[1][up] = 32.0f;
+        corners[2][up] = 48.0f;
+        decided += agrees(corners) ? 1 : 0;
+    }
+    EXPECT_GT(decided, 2500);
 }
 
 TEST(TriangleSlicer, DecidesNothingWronglyForSlivers)
