@@ -1,9 +1,8 @@
 #include <osgLego/BrickExtractionPass.h>
 
+#include <osgLego/BrickPoints.h>
 #include <osgLego/GlMemory.h>
 #include <osgLego/ProgramUniforms.h>
-#include <osgLego/ShaderLibrary.h>
-#include <osgLego/TransformFeedback.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,18 +13,60 @@ namespace osgLego
 namespace
 {
 
-constexpr int RUN_LENGTH = 16;
-constexpr std::size_t BRICK_BYTES = 3 * sizeof(std::uint32_t);
+constexpr GLsizei WORD_BYTES = sizeof(std::uint32_t);
+constexpr GLsizei BLOCK_BYTES = Occupancy::WORDS_PER_BLOCK * WORD_BYTES;
+constexpr std::size_t BRICK_BYTES = sizeof(BrickPoint);
+constexpr const char* NO_SHADERS = "the shaders of BrickExtractionPass do not compile";
+constexpr int OCCUPANCY_UNIT = 1; // unit 0 is the voxel image
 
-osg::ref_ptr<osg::Program> createProgram()
+/** Feeds whole numbers, up to four an attribute, to a vertex shader, from location 0 on, as long as it lives. */
+class NumberArrays
 {
-    osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::createProgram("extraction", {"extraction.vert", "extraction.geom"},
-                                     "#define RUN_LENGTH " + std::to_string(RUN_LENGTH) + "\n");
-    program->addTransformFeedBackVarying("brick");
-    program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
-    return program;
-}
+public:
+    NumberArrays(const osg::GLExtensions& extensions, GLuint buffer, GLsizei stride, GLint size, GLuint count) :
+        _extensions(extensions), _count(count)
+    {
+        _extensions.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        for (GLuint attribute = 0; attribute < count; ++attribute)
+        {
+            const std::size_t offset = attribute * static_cast<std::size_t>(size * WORD_BYTES);
+            _extensions.glEnableVertexAttribArray(attribute);
+            _extensions.glVertexAttribIPointer(attribute, size, GL_UNSIGNED_INT, stride,
+                                               reinterpret_cast<const void*>(offset));
+        }
+        _extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+    ~NumberArrays()
+    {
+        for (GLuint attribute = 0; attribute < _count; ++attribute)
+            _extensions.glDisableVertexAttribArray(attribute);
+    }
+    NumberArrays(const NumberArrays&) = delete;
+    NumberArrays& operator=(const NumberArrays&) = delete;
+
+private:
+    const osg::GLExtensions& _extensions;
+    GLuint _count;
+};
+
+/** Makes the occupancy a texture of its unit as long as it lives. */
+class OccupancyTexture
+{
+public:
+    OccupancyTexture(osg::State& state, const Occupancy& occupancy) : _state(state) { bind(occupancy.getTexture()); }
+    ~OccupancyTexture() { bind(0); }
+    OccupancyTexture(const OccupancyTexture&) = delete;
+    OccupancyTexture& operator=(const OccupancyTexture&) = delete;
+
+private:
+    void bind(GLuint texture) const
+    {
+        _state.setActiveTextureUnit(OCCUPANCY_UNIT);
+        glBindTexture(GL_TEXTURE_BUFFER, texture);
+    }
+
+    osg::State& _state;
+};
 
 /** Make room for `capacity` bricks; those that are there already stay. */
 void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
@@ -46,17 +87,38 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+/** Fill the occupancy from the voxel image. */
+void findOccupancy(const osg::State& state, const Occupancy& occupancy, int numBlocks)
+{
+    TransformFeedback feedback(*state.get<osg::GLExtensions>());
+    feedback.begin(GL_POINTS, occupancy.getBuffer(), 0, static_cast<GLsizeiptr>(numBlocks) * BLOCK_BYTES);
+    glDrawArrays(GL_POINTS, 0, numBlocks * Occupancy::WORDS_PER_BLOCK);
+    feedback.end();
+}
+
+/** Capture the numbers of those words of the occupancy that are not empty. */
+void findWords(const osg::State& state, const Occupancy& occupancy, int numBlocks, GLuint words,
+               TransformFeedback& feedback)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    // All of them at the most.
+    const GLsizeiptr size = static_cast<GLsizeiptr>(numBlocks) * BLOCK_BYTES;
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, words);
+    extensions.glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_DYNAMIC_COPY);
+    const NumberArrays arrays(extensions, occupancy.getBuffer(), BLOCK_BYTES, 4, Occupancy::WORDS_PER_BLOCK / 4);
+    feedback.begin(GL_POINTS, words, 0, size);
+    glDrawArrays(GL_POINTS, 0, numBlocks);
+    feedback.end();
+}
+
 } // namespace
 
 BrickExtractionPass::BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
-                                         osg::Texture2D& voxelImage) :
+                                         const ExtractionStates& states) :
     LegolizationPass(store, step),
-    _plan(plan), _slab(slab)
+    _plan(plan), _slab(slab), _states(&states)
 {
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram());
-    stateSet->setTextureAttribute(0, &voxelImage, OURS);
-    setStateSet(stateSet);
+    setStateSet(&states.getWords());
     setCamera(new PassCamera(*this));
 }
 
@@ -65,38 +127,77 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     Legolization& work = *bricks.work;
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
-    const ProgramUniforms uniforms(state);
-    setAddressing(uniforms, grid, slab, _plan.imageSize);
-    uniforms.set("firstLayer", slab.begin);
+    const int numBlocks = Occupancy::countBlocks(grid, slab);
+    if (!work.occupancy.isMarked())
+    {
+        if (!apply(state, _states->getOccupancy(), grid, slab)) return NO_SHADERS;
+        findOccupancy(state, work.occupancy, numBlocks);
+    }
 
+    if (!apply(state, _states->getWords(), grid, slab)) return NO_SHADERS;
+    const GlBuffer wordBuffer(state);
+    TransformFeedback words(*state.get<osg::GLExtensions>());
+    findWords(state, work.occupancy, numBlocks, wordBuffer.get(), words);
+
+    if (!apply(state, _states->getBricks(), grid, slab)) return NO_SHADERS;
+    const ProgramUniforms uniforms(state);
+    uniforms.set("occupancy", OCCUPANCY_UNIT);
+    uniforms.set("layers", glm::ivec2(slab.begin, slab.end));
+    const OccupancyTexture texture(state, work.occupancy);
+    const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);
+    if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
+    if (_slab + 1 == _plan.numSlabs) bricks.finish();
+    return {};
+}
+
+/** Make a program the one that draws. @return whether it is there. */
+bool BrickExtractionPass::apply(osg::State& state, const osg::StateSet& stateSet, const BrickGrid& grid,
+                                const Slab& slab) const
+{
+    state.apply(&stateSet);
+    if (!state.getLastAppliedProgramObject()) return false;
+    setAddressing(ProgramUniforms(state), grid, slab, _plan.imageSize);
+    return true;
+}
+
+/** Capture the bricks of those words; the program and its arrays are there. @return why it failed, or nothing. */
+std::string BrickExtractionPass::capture(osg::State& state, Legolization& work, const TransformFeedback& words) const
+{
     // A capture needs a range that is not empty.
     constexpr std::size_t SPARE_BRICKS = 1024;
     if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + SPARE_BRICKS);
     if (work.brickCapacity == work.numBricks) reserve(state, work, 2 * work.brickCapacity);
-    const int runs = (grid.dimensions.x + RUN_LENGTH - 1) / RUN_LENGTH;
-    const int numRuns = runs * grid.dimensions.y * (slab.end - slab.begin);
     TransformFeedback feedback(*state.get<osg::GLExtensions>());
     while (true)
     {
         const auto offset = static_cast<GLintptr>(work.numBricks * BRICK_BYTES);
         const auto size = static_cast<GLsizeiptr>(work.brickCapacity * BRICK_BYTES) - offset;
         feedback.begin(GL_POINTS, work.bricks.get(), offset, size);
-        glDrawArrays(GL_POINTS, 0, numRuns);
+        words.draw(GL_POINTS);
         feedback.end();
         const CapturedPrimitives result = feedback.getResult();
         if (result.isComplete())
         {
             work.numBricks += result.written;
-            break;
+            return {};
         }
         const std::size_t needed = work.numBricks + result.generated;
         reserve(state, work, needed + needed / 8 + SPARE_BRICKS);
         if (takeOutOfMemoryError())
             return "there is no room for " + std::to_string(needed) + " bricks; allowed: a lower resolution";
     }
+}
 
-    if (_slab + 1 == _plan.numSlabs) bricks.finish();
-    return {};
+void BrickExtractionPass::releaseGLObjects(osg::State* state) const
+{
+    LegolizationPass::releaseGLObjects(state);
+    _states->releaseGLObjects(state);
+}
+
+void BrickExtractionPass::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    LegolizationPass::resizeGLObjectBuffers(maxSize);
+    _states->resizeGLObjectBuffers(maxSize);
 }
 
 } // namespace osgLego

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <osgLego/ExtractionStates.h>
 #include <osgLego/LegolizationPass.h>
 #include <osgLego/PassPlan.h>
-
-#include <osg/Texture2D>
+#include <osgLego/TransformFeedback.h>
 
 namespace osgLego
 {
@@ -11,14 +11,18 @@ namespace osgLego
 /** Turns the voxel image of one slab into a point for each brick that can be seen, behind those of the slabs before
  * (the paper's future work: a brick with six neighbours is left out, and the others know which of theirs are empty).
  *
- * A buffer that was too small is made larger, and the slab done again. The pass of the last slab finishes the
+ * Only places that voxelization marked in the occupancy are looked at: blocks of cells, then those of their words that
+ * are not empty, then the covered cells in these. So the bricks of a block follow each other. How many words there are
+ * the CPU never asks.
+ *
+ * A buffer that was too small is made larger, and the bricks captured again. The pass of the last slab finishes the
  * legolization.
  */
 class BrickExtractionPass : public LegolizationPass
 {
 public:
     BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
-                        osg::Texture2D& voxelImage);
+                        const ExtractionStates& states);
 
     bool isSameKindAs(const osg::Object* object) const override
     {
@@ -26,13 +30,20 @@ public:
     }
     const char* className() const override { return "BrickExtractionPass"; }
 
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+    void resizeGLObjectBuffers(unsigned int maxSize) override;
+
 protected:
     std::string run(osg::State& state, ContextBricks& bricks) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.extraction; }
 
 private:
+    bool apply(osg::State& state, const osg::StateSet& stateSet, const BrickGrid& grid, const Slab& slab) const;
+    std::string capture(osg::State& state, Legolization& work, const TransformFeedback& words) const;
+
     PassPlan _plan;
     std::size_t _slab;
+    osg::ref_ptr<const ExtractionStates> _states;
 };
 
 } // namespace osgLego

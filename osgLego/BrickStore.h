@@ -5,6 +5,7 @@
 #include <osgLego/GlObject.h>
 #include <osgLego/LegoSource.h>
 #include <osgLego/LegoStatistics.h>
+#include <osgLego/Occupancy.h>
 
 #include <atomic>
 #include <cstddef>
@@ -41,6 +42,7 @@ struct Legolization
     const osg::GraphicsContext* owner = nullptr; //!< of contexts that share objects, the one whose passes do the work
     unsigned int nextStep = 0;                   //!< the number of the pass whose turn it is
     std::vector<WorkingBatch> batches;
+    Occupancy occupancy; //!< of the slab voxelized last
     GlBuffer bricks;
     std::size_t brickCapacity = 0;
     std::size_t numBricks = 0;

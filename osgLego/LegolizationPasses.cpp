@@ -32,10 +32,11 @@ void LegolizationPasses::addGpuPasses(BrickStore& store)
         _passes.emplace_back(new ProjectionPass(store, ++step, *picture));
     }
     const osg::ref_ptr<osg::Texture2D> voxelImage = PassCamera::createTarget(plan.imageSize);
+    const osg::ref_ptr<const ExtractionStates> extraction = new ExtractionStates(*voxelImage);
     for (std::size_t slab = 0; slab < plan.numSlabs; ++slab)
     {
         _passes.emplace_back(new VoxelizationPass(store, ++step, plan, slab, *voxelImage, picture.get()));
-        _passes.emplace_back(new BrickExtractionPass(store, ++step, plan, slab, *voxelImage));
+        _passes.emplace_back(new BrickExtractionPass(store, ++step, plan, slab, *extraction));
     }
 }
 

@@ -42,6 +42,9 @@ public:
     {
     }
 
+    /** Whether the program uses a uniform of this name. */
+    bool has(const UniformName& name) const { return find(name) >= 0; }
+
     void set(const UniformName& name, int value) const { _extensions.glUniform1i(find(name), value); }
     void set(const UniformName& name, float value) const { _extensions.glUniform1f(find(name), value); }
     void set(const UniformName& name, const int* values, GLsizei count) const

@@ -60,12 +60,15 @@ std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) cons
     const ProgramUniforms uniforms(state);
     setAddressing(uniforms, grid, slab, _plan.imageSize);
 
+    work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
+    work.occupancy.beginMarking(state);
     if (_plan.method == VoxelizationMethod::EXACT)
         drawExact(state, work);
     else if (_plan.target == VoxelizationTarget::PROJECTED)
         drawPicture(state, work);
     else
         drawPoints(state, work);
+    work.occupancy.endMarking(state);
     if (work.source->readBack) readBack(work, slab);
     return {};
 }

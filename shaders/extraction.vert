@@ -1,8 +1,10 @@
-// Extraction, the vertices: one for a run of RUN_LENGTH cells along x; only its number counts.
+// Extraction, the vertices: one for a word of the occupancy that is not empty.
 
-flat out int run;
+layout(location = 0) in uint vertexWord;
+
+flat out int word;
 
 void main()
 {
-    run = gl_VertexID;
+    word = int(vertexWord);
 }

@@ -2,12 +2,13 @@
 // the weight of its area inside the cell. The source triangle is asked, not the fine one, so that subdivision leaves no
 // trace. Blending adds up weighted colours, and weights in alpha; extraction divides.
 
+#include "occupancy_marking.glsl"
+
 flat in float weight;
 flat in uint sourceTriangle;
 
 uniform usamplerBuffer sourceVertices; // two texels a vertex: position, triangle | coordinate, colour and level
 
-#include "addressing.glsl"
 #include "surface_color.glsl"
 
 // The barycentric coordinates of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
@@ -67,7 +68,9 @@ void main()
         colorsAndLevels[corner] = unpackColorAndLevel(rest.zw);
     }
 
-    vec3 center = vec3(cellOfTexel(ivec2(gl_FragCoord.xy))) + 0.5;
+    ivec3 cell = cellOfTexel(ivec2(gl_FragCoord.xy));
+    markCovered(cell);
+    vec3 center = vec3(cell) + 0.5;
     vec3 weights =
         nearestPoint(vec3(0.0), positions[0] - center, positions[1] - center, positions[2] - center);
     vec3 color = surfaceColor(weights.x * colorsAndLevels[0].rgb + weights.y * colorsAndLevels[1].rgb +

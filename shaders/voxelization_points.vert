@@ -5,6 +5,7 @@ layout(location = 2) in vec2 vertexCoordinate;
 layout(location = 3) in uvec2 vertexColorAndLevel;
 
 flat out vec3 color;
+flat out ivec3 cell;
 
 #include "addressing.glsl"
 #include "surface_color.glsl"
@@ -13,7 +14,7 @@ void main()
 {
     vec4 colorAndLevel = unpackColorAndLevel(vertexColorAndLevel);
     color = surfaceColor(colorAndLevel.rgb, vertexCoordinate, colorAndLevel.a);
-    ivec3 cell = ivec3(vertexPosition);
+    cell = ivec3(vertexPosition);
     bool inSlab = cell.z >= slab.x && cell.z < slab.y;
     gl_Position = inSlab ? positionOfTexel(texelOfCell(cell), voxelImageSize) : NOWHERE;
 }

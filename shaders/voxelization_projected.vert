@@ -5,6 +5,7 @@ uniform sampler2D picture; // alpha below 0: nothing there
 uniform float numberScale;
 
 flat out vec3 color;
+flat out ivec3 cell;
 
 #include "addressing.glsl"
 
@@ -14,7 +15,7 @@ void main()
     vec4 pixel = texelFetch(picture, ivec2(gl_VertexID % pictureSize.x, gl_VertexID / pictureSize.x), 0);
     int number = int(pixel.a * numberScale); // exact, as the scale is a power of two
     int row = number / gridSize.x;
-    ivec3 cell = ivec3(number - row * gridSize.x, row % gridSize.y, row / gridSize.y);
+    cell = ivec3(number - row * gridSize.x, row % gridSize.y, row / gridSize.y);
     bool inSlab = pixel.a >= 0.0 && cell.z >= slab.x && cell.z < slab.y;
     color = pixel.rgb;
     gl_Position = inSlab ? positionOfTexel(texelOfCell(cell), voxelImageSize) : NOWHERE;
