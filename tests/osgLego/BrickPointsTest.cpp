@@ -75,6 +75,25 @@ TEST(BrickPoints, ABlockKnowsWhereItsBricksAreAndWhatIsOpen)
     EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
 }
 
+TEST(BrickPoints, BlocksAreFoundInPointsThatLieBlockByBlock)
+{
+    for (const unsigned int resolution : {1u, 9u, 50u})
+    {
+        const BrickPoints expected = createBrickPoints(*createModel(resolution));
+        const std::vector<BrickBlock> found = findBlocks(expected.points);
+        ASSERT_EQ(found.size(), expected.blocks.size());
+        for (std::size_t block = 0; block < found.size(); ++block)
+        {
+            EXPECT_EQ(found[block].first, expected.blocks[block].first);
+            EXPECT_EQ(found[block].count, expected.blocks[block].count);
+            EXPECT_EQ(found[block].minimum, expected.blocks[block].minimum);
+            EXPECT_EQ(found[block].maximum, expected.blocks[block].maximum);
+            EXPECT_EQ(found[block].openSides, expected.blocks[block].openSides);
+        }
+    }
+    EXPECT_TRUE(findBlocks({}).empty());
+}
+
 } // namespace
 
 } // namespace osgLego
