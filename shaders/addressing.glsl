@@ -3,19 +3,12 @@
 uniform ivec3 gridSize;       // cells along x, y and z
 uniform ivec2 slab;           // the first layer (z) that the image holds, and the one after the last
 uniform ivec2 voxelImageSize; // texels; the width is a power of two
-uniform int voxelImageShift;  // its logarithm: integer division is slow where no hardware does it
+uniform int voxelImageShift;  // its logarithm
 
 ivec2 texelOfCell(ivec3 cell)
 {
     int number = cell.x + gridSize.x * (cell.y + gridSize.y * (cell.z - slab.x));
     return ivec2(number & (voxelImageSize.x - 1), number >> voxelImageShift);
-}
-
-ivec3 cellOfTexel(ivec2 texel)
-{
-    int number = texel.x + (texel.y << voxelImageShift);
-    int row = number / gridSize.x;
-    return ivec3(number - row * gridSize.x, row % gridSize.y, row / gridSize.y + slab.x);
 }
 
 // The clip coordinates of a point that falls on a texel of an image.

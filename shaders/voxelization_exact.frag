@@ -6,6 +6,7 @@
 
 flat in float weight;
 flat in uint sourceTriangle;
+flat in uvec2 packedCell;
 
 uniform usamplerBuffer sourceVertices; // two texels a vertex: position, triangle | coordinate, colour and level
 
@@ -68,7 +69,7 @@ void main()
         colorsAndLevels[corner] = unpackColorAndLevel(rest.zw);
     }
 
-    ivec3 cell = cellOfTexel(ivec2(gl_FragCoord.xy));
+    ivec3 cell = ivec3(packedCell.x & 0xffffu, packedCell.x >> 16, packedCell.y);
     markCovered(cell);
     vec3 center = vec3(cell) + 0.5;
     vec3 weights =

@@ -12,6 +12,7 @@ flat in uint triangle[];
 
 flat out float weight;        // the fine triangle's area inside the cell
 flat out uint sourceTriangle; // the triangle that it was cut from
+flat out uvec2 packedCell;    // x | y << 16, z; finding it by the texel would take divisions
 
 #include "addressing.glsl"
 
@@ -162,6 +163,7 @@ void main()
                 if (apart) continue;
                 weight = areaInCell(a - corner, b - corner, c - corner, lowest - corner, highest - corner) + LEAST_WEIGHT;
                 sourceTriangle = triangle[0];
+                packedCell = uvec2(cell.x | cell.y << 16, cell.z);
                 gl_Position = positionOfTexel(texelOfCell(cell), voxelImageSize);
                 EmitVertex();
                 EndPrimitive();
