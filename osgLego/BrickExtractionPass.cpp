@@ -4,7 +4,7 @@
 #include <osgLego/GlMemory.h>
 #include <osgLego/ProgramUniforms.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace osgLego

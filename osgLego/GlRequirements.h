@@ -23,7 +23,7 @@ enum class Renderer
  *
  * OpenGL 4.0 in the compatibility profile (OSG's fixed-function state and geometry shaders side by side), GLSL 4.00,
  * two geometry shader invocations, 1024 components out of a geometry shader, and buffer textures and textures as large
- * as the passes make them.
+ * as the passes make them. Images that fragments write into (OpenGL 4.2) are used where they are, and not needed.
  */
 class OSGLEGO_EXPORT GlRequirements : public osg::Referenced
 {
