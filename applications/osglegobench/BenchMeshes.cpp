@@ -109,6 +109,12 @@ std::vector<MeshSource> findMeshSources(const std::string& folder)
     return sources;
 }
 
+MeshSource findBunny(const std::string& folder)
+{
+    const std::string path = folder + "/bunny.ply";
+    return fs::exists(path) ? MeshSource{"bunny", path, UpAxis::Y} : MeshSource{"car", "", UpAxis::Z};
+}
+
 osg::ref_ptr<osg::Node> readMesh(const MeshSource& source)
 {
     osg::ref_ptr<osg::Node> node = source.path.empty() ? createRacingCar() : osgDB::readRefNodeFile(source.path);

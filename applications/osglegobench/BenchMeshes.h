@@ -25,6 +25,9 @@ struct MeshSource
 /** The built-in car, and the meshes (.ply, .dae) of a folder in the order of their names. */
 std::vector<MeshSource> findMeshSources(const std::string& folder);
 
+/** The Stanford bunny of a folder, or the built-in car where it is not there. */
+MeshSource findBunny(const std::string& folder);
+
 /** Read a mesh; one without colours is given some by vertex, from where the vertex lies, so that nobody is spared the
  * work of colours. Throws std::runtime_error when it can't be read or has no triangles. */
 osg::ref_ptr<osg::Node> readMesh(const MeshSource& source);

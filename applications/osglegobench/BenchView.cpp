@@ -111,8 +111,7 @@ void BenchView::drawFrame(const AmbientOcclusionSettings& settings)
     _scene->setSettings(settings);
     _viewer.frame();
     glFinish();
-    const osg::GraphicsContext& context = *_viewer.getCamera()->getGraphicsContext();
-    const std::string failure = _lego->getFailure(context.getState()->getContextID());
+    const std::string failure = _lego->getFailure(getContextID());
     if (!failure.empty()) throw std::runtime_error(failure);
 }
 
@@ -139,7 +138,12 @@ osg::Vec3d BenchView::toModel(const osg::Vec3d& eyeDirection) const
 
 AmbientOcclusionTimes BenchView::getTimes() const
 {
-    return _scene->getTimes(_viewer.getCamera()->getGraphicsContext()->getState()->getContextID());
+    return _scene->getTimes(getContextID());
+}
+
+LegoStatistics BenchView::getStatistics() const
+{
+    return _lego->getStatistics(getContextID());
 }
 
 } // namespace osgLego

@@ -47,10 +47,15 @@ public:
 
     LegoNode& getLegoNode() const { return *_lego; }
     AmbientOcclusionScene& getScene() const { return *_scene; }
+    osg::GraphicsContext& getContext() { return *_viewer.getCamera()->getGraphicsContext(); }
     AmbientOcclusionTimes getTimes() const;
+    /** Of the last legolization. */
+    LegoStatistics getStatistics() const;
 
 private:
     void attachTarget(PictureUse use);
+
+    unsigned int getContextID() const { return _viewer.getCamera()->getGraphicsContext()->getState()->getContextID(); }
 
     osgViewer::Viewer _viewer; // closes the context when it goes
     glm::ivec2 _size;

@@ -10,8 +10,9 @@ namespace osgLego
 void addOcclusionCommand(CLI::App& app);
 void addVoxelizeCommand(CLI::App& app);
 void addFrameCommand(CLI::App& app);
+void addMemoryCommand(CLI::App& app);
 void addPlotsCommand(CLI::App& app);
-/** What the plots of memory call in a process of its own; not for users. */
+/** What measures memory calls in a process of its own; not for users. */
 void addFootprintCommand(CLI::App& app);
 
 } // namespace osgLego

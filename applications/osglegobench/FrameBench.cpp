@@ -1,16 +1,13 @@
 #include "FrameBench.h"
 
 #include "BenchView.h"
-
-#include <offscreen/OffscreenContext.h>
+#include "FrameResults.h"
+#include "FrameViewer.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,19 +21,14 @@ namespace osgLego
 namespace
 {
 
-constexpr int WIDTH = 1280;
-constexpr int HEIGHT = 720;
 constexpr const char* SHADER_PATH = "OSGLEGO_SHADER_PATH";
 
 /** The same bricks twice, each under what draws them, before one camera. */
 class FramePair
 {
 public:
-    FramePair(const BenchScene& scene, FrameLook look) : _look(look)
+    FramePair(const BenchScene& scene, FrameLook look, const glm::ivec2& size) : _look(look), _viewer(size)
     {
-        std::string error;
-        _context = createOffscreenContext(WIDTH, HEIGHT, error);
-        if (!_context) throw std::runtime_error(error);
         const osg::ref_ptr<osg::Node> mesh = createBenchMesh(scene.mesh);
         // Of bricks that the passes found no blocks are known, which could be left out as a whole.
         LegoSettings reference = scene.settings;
@@ -46,17 +38,7 @@ public:
             _root->addChild(way);
         // Geometry that is offset is drawn by triangles, not by rays; this offset moves nothing.
         _ways[0]->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
-        osg::Camera& camera = *_viewer.getCamera();
-        camera.setGraphicsContext(_context);
-        camera.setViewport(0, 0, WIDTH, HEIGHT);
-        camera.setDrawBuffer(GL_BACK);
-        camera.setReadBuffer(GL_BACK);
-        camera.setClearColor(osg::Vec4(0.0f, 0.0f, 0.2f, 1.0f));
-        camera.setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-        _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
-        _viewer.setReleaseContextAtEndOfFrameHint(false);
-        _viewer.setSceneData(_root);
-        placeCamera(camera, scene, _root->getBound(), static_cast<double>(WIDTH) / HEIGHT);
+        _viewer.show(*_root, scene);
         makePrograms();
     }
 
@@ -66,21 +48,14 @@ public:
         for (std::size_t other = 0; other < _ways.size(); ++other)
             _ways[other]->setNodeMask(other == way ? ~0u : 0u);
         const osg::Timer_t start = osg::Timer::instance()->tick();
-        _viewer.frame();
+        _viewer.drawFrame();
         glFinish();
         if (_look == FrameLook::BUFFER)
-            return dynamic_cast<AmbientOcclusionScene&>(*_ways[way])
-                .getTimes(_context->getState()->getContextID())
-                .geometry;
+            return dynamic_cast<AmbientOcclusionScene&>(*_ways[way]).getTimes(_viewer.getContextID()).geometry;
         return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     }
 
-    osg::ref_ptr<osg::Image> read() const
-    {
-        osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->readPixels(0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE);
-        return image;
-    }
+    osg::ref_ptr<osg::Image> read() const { return _viewer.read(); }
 
 private:
     static osg::ref_ptr<osg::Group> createWay(osg::Node& mesh, LegoSettings settings, FrameLook look)
@@ -110,8 +85,7 @@ private:
     }
 
     FrameLook _look;
-    osgViewer::Viewer _viewer; // closes the context when it goes
-    osg::ref_ptr<osg::GraphicsContext> _context;
+    FrameViewer _viewer;
     osg::ref_ptr<osg::Group> _root = new osg::Group;
     std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and what is compared with it
 };
@@ -120,11 +94,11 @@ FrameDifference differenceOf(const osg::Image& a, const osg::Image& b)
 {
     FrameDifference result;
     double squares = 0.0;
-    for (unsigned int row = 0; row < HEIGHT; ++row)
-        for (unsigned int column = 0; column < WIDTH; ++column)
+    for (int row = 0; row < a.t(); ++row)
+        for (int column = 0; column < a.s(); ++column)
         {
-            const unsigned char* first = a.data(column, row);
-            const unsigned char* second = b.data(column, row);
+            const unsigned char* first = a.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
+            const unsigned char* second = b.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
             int largest = 0;
             for (int channel = 0; channel < 3; ++channel)
             {
@@ -136,36 +110,16 @@ FrameDifference differenceOf(const osg::Image& a, const osg::Image& b)
             if (largest > 2) ++result.numPixels;
             if (first[0] != 0 || first[1] != 0 || first[2] != 51) ++result.numDrawn;
         }
-    result.rootMeanSquare = std::sqrt(squares / (3.0 * WIDTH * HEIGHT));
+    result.rootMeanSquare = std::sqrt(squares / (3.0 * a.s() * a.t()));
     return result;
 }
 
-constexpr double GOAL = 4.0; // as fast as the reference, so many times
-
-void printComparison(const BenchScene& scene, const char* look, const FrameComparison& comparison)
-{
-    const FrameDifference& difference = comparison.difference;
-    fmt::print("| {:6} | {:3} | {:7} | {:9} | {:6.1f} ({:.1f} to {:.1f}) | {:6.1f} ({:.1f} to {:.1f}) | {:5.2f} | {:3} "
-               "| {:6.3f} | {:6} of {:6} | {} | {} |\n",
-               std::filesystem::path(scene.mesh).stem().string(), scene.settings.resolution, scene.name, look,
-               comparison.reference.median, comparison.reference.lowerQuartile, comparison.reference.upperQuartile,
-               comparison.present.median, comparison.present.lowerQuartile, comparison.present.upperQuartile,
-               comparison.reference.median / comparison.present.median, difference.largest, difference.rootMeanSquare,
-               difference.numPixels, difference.numDrawn, difference.isSame() ? "same" : "different",
-               comparison.reference.median >= GOAL * comparison.present.median ? "yes" : "no");
-    std::fflush(stdout);
-}
-
 /** The places that a mesh is looked at from, at one resolution. */
-std::vector<BenchScene> createViews(const std::string& modelFolder, unsigned int resolution)
+std::vector<BenchScene> createViews(const MeshSource& source, unsigned int resolution)
 {
     BenchScene scene;
-    const std::string bunny = modelFolder + "/bunny.ply";
-    if (std::filesystem::exists(bunny))
-    {
-        scene.mesh = bunny;
-        scene.settings.upAxis = UpAxis::Y;
-    }
+    scene.mesh = source.path;
+    scene.settings.upAxis = source.upAxis;
     scene.settings.resolution = resolution;
     const auto from = [&scene](const char* name, double elevation, double distance)
     {
@@ -194,12 +148,13 @@ bool FrameDifference::isSame() const
     return rootMeanSquare < 1.0 && numPixels * 100 <= numDrawn;
 }
 
-FrameComparison compareFrames(const BenchScene& scene, FrameLook look, int numFrames, const std::string& pictureName)
+FrameComparison compareFrames(const BenchScene& scene, FrameLook look, unsigned int numFrames, const glm::ivec2& size,
+                              const std::string& pictureName)
 {
-    FramePair pair(scene, look);
+    FramePair pair(scene, look, size);
     std::array<osg::ref_ptr<osg::Image>, 2> pictures;
     std::array<std::vector<double>, 2> times;
-    for (int frame = 0; frame < numFrames; ++frame)
+    for (unsigned int frame = 0; frame < numFrames; ++frame)
         for (std::size_t way = 0; way < 2; ++way)
         {
             times[way].push_back(pair.draw(way));
@@ -213,24 +168,29 @@ FrameComparison compareFrames(const BenchScene& scene, FrameLook look, int numFr
     return {Spread::create(times[0]), Spread::create(times[1]), differenceOf(*pictures[0], *pictures[1])};
 }
 
-void printFrames(const std::string& modelFolder, int numFrames, const std::string& pictureFolder)
+FrameResults measureFrames(const FrameOptions& options)
 {
-    fmt::print(
-        "Milliseconds a frame at {} x {}, medians and quartiles of {}: the reference, every face and stud drawn, "
-        "of 16 sides; and the present way\n\n",
-        WIDTH, HEIGHT, numFrames);
-    fmt::print(
-        "| mesh | N | view | look | reference | present | ratio | largest of 255 | RMSE | pixels off by more than 2 "
-        "| picture | 4 times as fast |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const unsigned int resolution : {64u, 128u, 256u})
-        for (const BenchScene& view : createViews(modelFolder, resolution))
+    FrameResults results;
+    results.environment = BenchEnvironment::find(FrameViewer(options.size).getContext());
+    results.size = options.size;
+    results.numFrames = options.numFrames;
+    const std::string& mesh = options.mesh.name;
+    for (const unsigned int resolution : options.resolutions)
+        for (const BenchScene& view : createViews(options.mesh, resolution))
             for (const auto& [look, name] : LOOKS)
             {
+                fmt::print(stderr, "drawing {} at {} from {}, {}\n", mesh, resolution, view.name, name);
                 std::string picture;
-                if (!pictureFolder.empty())
-                    picture = fmt::format("{}/{}-{}-{}", pictureFolder, resolution, view.name, name);
-                printComparison(view, name, compareFrames(view, look, numFrames, picture));
+                if (!options.pictureFolder.empty())
+                    picture = fmt::format("{}/{}-{}-{}", options.pictureFolder, resolution, view.name, name);
+                results.rows.push_back({mesh, resolution, view.name, name,
+                                        compareFrames(view, look, options.numFrames, options.size, picture)});
             }
+    const unsigned int resolution = options.resolutions.front();
+    fmt::print(stderr, "drawing {} at {}, nothing changing\n", mesh, resolution);
+    results.unchangedMesh = fmt::format("{} at {}", mesh, resolution);
+    results.unchanged = countInUnchangedFrames(createViews(options.mesh, resolution).front(), options.size);
+    return results;
 }
 
 } // namespace osgLego

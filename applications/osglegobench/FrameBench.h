@@ -1,11 +1,14 @@
 #pragma once
 
+#include "BenchMeshes.h"
 #include "OcclusionBench.h"
 #include "Spread.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 namespace osgLego
 {
@@ -37,6 +40,21 @@ struct FrameComparison
     Spread reference; //!< milliseconds
     Spread present;
     FrameDifference difference;
+
+    /** How many times as fast as the reference. */
+    double getRatio() const { return reference.median / present.median; }
+};
+
+struct FrameResults;
+
+/** What to measure by measureFrames(). */
+struct FrameOptions
+{
+    MeshSource mesh;
+    std::vector<unsigned int> resolutions;
+    unsigned int numFrames = 5;
+    glm::ivec2 size{1280, 720};
+    std::string pictureFolder; //!< for pictures of all that is compared; empty: none
 };
 
 /** Draw frames of a scene in both ways in turn, in one context, and compare their pictures.
@@ -44,10 +62,11 @@ struct FrameComparison
  * Needs GL by EGL; throws std::runtime_error when there is none or a mesh can't be read. One thread.
  * @param pictureName names two pictures that are written, "-reference.png" and "-present.png" being added; empty: none
  */
-FrameComparison compareFrames(const BenchScene& scene, FrameLook look, int numFrames, const std::string& pictureName);
+FrameComparison compareFrames(const BenchScene& scene, FrameLook look, unsigned int numFrames, const glm::ivec2& size,
+                              const std::string& pictureName);
 
-/** Compare frames of a mesh at several resolutions from several places, and print a table.
- * @param pictureFolder for pictures of all of them; empty: none */
-void printFrames(const std::string& modelFolder, int numFrames, const std::string& pictureFolder);
+/** Compare frames of a mesh at several resolutions from several places, and count in frames in which nothing changes.
+ * Throws as compareFrames() does. */
+FrameResults measureFrames(const FrameOptions& options);
 
 } // namespace osgLego

@@ -1,8 +1,15 @@
+#include "BenchMeshes.h"
 #include "Commands.h"
 #include "FrameBench.h"
+#include "FrameReport.h"
+#include "ReportFiles.h"
 
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+
+#include <fmt/format.h>
 
 namespace osgLego
 {
@@ -10,26 +17,55 @@ namespace osgLego
 namespace
 {
 
-struct FrameOptions
+struct FrameCommandOptions
 {
     std::string models = "build/models";
     std::string pictures;
-    int numFrames = 5;
+    std::vector<unsigned int> resolutions;
+    unsigned int numFrames = 5;
+    bool isQuick = false;
+    ReportFiles files;
 };
+
+void runFrame(const FrameCommandOptions& options)
+{
+    options.files.check();
+    if (!options.pictures.empty() && !std::filesystem::is_directory(options.pictures))
+        throw std::runtime_error("there is no folder '" + options.pictures + "'");
+    FrameOptions measured;
+    measured.mesh = options.isQuick ? MeshSource::parse("car") : findBunny(options.models);
+    measured.resolutions = options.resolutions;
+    if (measured.resolutions.empty())
+        measured.resolutions =
+            options.isQuick ? std::vector<unsigned int>{16} : std::vector<unsigned int>{64, 128, 256};
+    if (options.isQuick) measured.size = {160, 90};
+    measured.numFrames = options.isQuick ? 1 : options.numFrames;
+    measured.pictureFolder = options.pictures;
+    const FrameResults results = measureFrames(measured);
+    fmt::print("{}", formatTables(results));
+    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
+}
 
 } // namespace
 
 void addFrameCommand(CLI::App& app)
 {
     CLI::App* command = app.add_subcommand(
-        "frame", "Drawing: the time of a frame, and its picture, beside every face and every stud drawn");
-    const auto options = std::make_shared<FrameOptions>();
+        "frame", "Drawing: the time of a frame, and its picture, beside every face and every stud drawn; and what "
+                 "happens in frames in which nothing has changed");
+    const auto options = std::make_shared<FrameCommandOptions>();
     command->add_option("--models", options->models, "The folder of bunny.ply (build/models)")
         ->type_name("FOLDER")
         ->check(CLI::ExistingDirectory);
-    command->add_option("--frames", options->numFrames, "Frames of each kind (5)")->check(CLI::Range(1, 1000));
+    command->add_option("--resolution", options->resolutions, "Cells along the longest side (64,128,256)")
+        ->delimiter(',')
+        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
+        ->type_name("N,...");
+    command->add_option("--frames", options->numFrames, "Frames of each kind (5)")->check(CLI::Range(1u, 1000u));
     command->add_option("--pictures", options->pictures, "A folder to write the pictures to")->type_name("FOLDER");
-    command->callback([options] { printFrames(options->models, options->numFrames, options->pictures); });
+    command->add_flag("--quick", options->isQuick, "Little, to see that it works: the car at 16, small, one frame");
+    options->files.addTo(*command);
+    command->callback([options] { runFrame(*options); });
 }
 
 } // namespace osgLego

@@ -1,6 +1,9 @@
 #include "Goals.h"
 
 #include "Contenders.h"
+#include "FrameResults.h"
+#include "MemoryResults.h"
+#include "VoxelizeResults.h"
 
 #include <algorithm>
 
@@ -32,9 +35,10 @@ std::string describe(const MeshResult& mesh)
     return fmt::format("{} at {}", mesh.mesh, mesh.resolution);
 }
 
-Goal makeGoal(const std::string& text, const std::string& where, double ratio, double bound, bool isAtMost)
+Goal makeGoal(const std::string& text, const std::string& where, double figure, double bound, bool isAtMost,
+              const std::string& unit = {})
 {
-    return {text, where, ratio, bound, isAtMost, isAtMost ? ratio <= bound : ratio >= bound};
+    return {text, where, figure, bound, isAtMost, isAtMost ? figure <= bound : figure >= bound, unit};
 }
 
 void checkSpeed(const MeshResult& mesh, const SpeedGoal& goal, std::vector<Goal>& goals)
@@ -82,11 +86,58 @@ void checkDoubling(const VoxelizeResults& results, const MeshResult& mesh, std::
                              after->time.median / before->time.median, 4.5, true));
 }
 
+/** Bricks drawn as they are now, over every face and stud drawn; the picture may not become another. */
+Goal checkComparison(const FrameRow& row)
+{
+    const bool isSame = row.comparison.difference.isSame();
+    Goal goal = makeGoal(
+        fmt::format("reference / present, {}, from {}, {} picture", row.look, row.view, isSame ? "same" : "another"),
+        fmt::format("{} at {}", row.mesh, row.resolution), row.comparison.getRatio(), 4.0, false);
+    goal.isReached = goal.isReached && isSame;
+    return goal;
+}
+
+void checkUnchanged(const FrameResults& results, const UnchangedFrames& frames, std::vector<Goal>& goals)
+{
+    const std::string drawn = fmt::format("{}, {}, nothing changing: ", frames.name, frames.look);
+    const auto add = [&](const std::string& what, std::size_t figure, std::size_t bound)
+    {
+        goals.push_back(makeGoal(drawn + what, results.unchangedMesh, static_cast<double>(figure),
+                                 static_cast<double>(bound), true, "times"));
+    };
+    add("legolizations", frames.numPasses, 0);
+    add("waits for the renderer", frames.numWaits, 0);
+    // What any node of OSG's costs in a frame is not the bricks'.
+    add("allocations, a box of OSG's as the goal", frames.numAllocations, results.unchanged.front().numAllocations);
+}
+
+/** What grows with the volume grows by eight where the resolution doubles, what grows with the surface by four. */
+void checkGrowth(const MemoryResults& results, const MemoryRow& half, const MemoryRow& whole, std::vector<Goal>& goals)
+{
+    constexpr double BOUND = 4.5;
+    if (half.device != whole.device || 2 * half.resolution != whole.resolution || !half.footprint || !whole.footprint)
+        return;
+    const auto add = [&](const char* what, double before, double after)
+    {
+        goals.push_back(makeGoal(fmt::format("{}, twice the resolution, device={}", what, whole.device),
+                                 fmt::format("{}, {} to {}", results.mesh, half.resolution, whole.resolution),
+                                 after / before, BOUND, true));
+    };
+    add("largest buffer or picture of GL", half.footprint->largestGl, whole.footprint->largestGl);
+    add("largest block of main memory", half.footprint->largestBlock, whole.footprint->largestBlock);
+}
+
 } // namespace
+
+std::string Goal::getFigureText() const
+{
+    if (unit.empty()) return fmt::format("{:.2f}", figure);
+    return fmt::format("{:.0f} {}", figure, unit);
+}
 
 std::string Goal::getBoundText() const
 {
-    return fmt::format("{} {}", isAtMost ? "<=" : ">=", bound);
+    return fmt::format("{} {}{}{}", isAtMost ? "<=" : ">=", bound, unit.empty() ? "" : " ", unit);
 }
 
 std::vector<Goal> checkGoals(const VoxelizeResults& results)
@@ -102,6 +153,30 @@ std::vector<Goal> checkGoals(const VoxelizeResults& results)
         checkSpeed(mesh, {OPENVDB_NARROW, nullptr, 20.0, {}}, goals);
         checkDoubling(results, mesh, goals);
     }
+    return goals;
+}
+
+std::vector<Goal> checkGoals(const FrameResults& results)
+{
+    std::vector<Goal> goals;
+    for (const FrameRow& row : results.rows)
+        goals.push_back(checkComparison(row));
+    for (const UnchangedFrames& frames : results.unchanged)
+        if (frames.hasGoal) checkUnchanged(results, frames, goals);
+    return goals;
+}
+
+std::vector<Goal> checkGoals(const MemoryResults& results)
+{
+    constexpr double BOUND = 2048.0;
+    std::vector<Goal> goals;
+    for (const MemoryRow& row : results.rows)
+        if (row.footprint)
+            goals.push_back(makeGoal(fmt::format("memory of both sides, device={}", row.device),
+                                     fmt::format("{} at {}", results.mesh, row.resolution), row.footprint->getSum(),
+                                     BOUND, true, "MiB"));
+    for (std::size_t row = 1; row < results.rows.size(); ++row)
+        checkGrowth(results, results.rows[row - 1], results.rows[row], goals);
     return goals;
 }
 

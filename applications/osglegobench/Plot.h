@@ -16,6 +16,7 @@ struct Plot
     {
         std::string name;
         std::vector<std::pair<double, double>> points;
+        bool isVariant = false; //!< of the curve before: it has the same colour, and is dashed
     };
 
     std::string title;

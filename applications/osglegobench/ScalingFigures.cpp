@@ -11,7 +11,10 @@ namespace osgLego
 Plot measureTimes(const MeshSource& source, const std::vector<unsigned int>& resolutions,
                   const std::vector<std::string>& contenders, const BenchRuns& runs, osg::GraphicsContext& context)
 {
-    Plot plot{"Time over the resolution: " + source.name, "cells along the longest side", "milliseconds", {}};
+    Plot plot{"Time over the resolution: " + source.name,
+              "cells along the longest side",
+              "milliseconds from triangles to bricks",
+              {}};
     const ContenderList entrants = createContenders(contenders);
     const osg::ref_ptr<osg::Node> node = readMesh(source);
     for (const unsigned int resolution : resolutions)
@@ -29,10 +32,10 @@ Plot measureTimes(const MeshSource& source, const std::vector<unsigned int>& res
 Plot measureFootprints(const MeshSource& source, const std::vector<unsigned int>& resolutions,
                        const std::vector<std::string>& contenders)
 {
-    constexpr double LEAST = 0.1; // megabytes; less is noise, and 0 has no place on a logarithmic axis
+    constexpr double LEAST = 0.1; // MiB; less is noise, and 0 has no place on a logarithmic axis
     Plot plot{"Memory over the resolution: " + source.name,
               "cells along the longest side",
-              "megabytes by which the peak of resident memory grows",
+              fmt::format("MiB by which the peak of resident memory grows ({}: or less)", LEAST),
               {}};
     for (const auto& contender : createContenders(contenders))
         for (const unsigned int resolution : resolutions)

@@ -1,6 +1,6 @@
-#include "BenchFiles.h"
 #include "Commands.h"
 #include "MeasureOptions.h"
+#include "ReportFiles.h"
 #include "VoxelizeBench.h"
 #include "VoxelizeReport.h"
 
@@ -19,14 +19,12 @@ struct VoxelizeCommandOptions
     MeasureOptions measure;
     std::vector<unsigned int> resolutions;
     std::vector<std::string> contenders;
-    std::string jsonFile;
-    std::string csvFile;
+    ReportFiles files;
 };
 
 void runVoxelize(const VoxelizeCommandOptions& options)
 {
-    checkPlace(options.jsonFile);
-    checkPlace(options.csvFile);
+    options.files.check();
     VoxelizeOptions measured{options.measure.getMeshes(), options.resolutions, options.measure.getRuns(),
                              options.contenders};
     if (measured.resolutions.empty())
@@ -34,8 +32,7 @@ void runVoxelize(const VoxelizeCommandOptions& options)
             options.measure.isQuick ? std::vector<unsigned int>{32} : std::vector<unsigned int>{64, 128};
     const VoxelizeResults results = measureVoxelization(measured);
     fmt::print("{}", formatTables(results));
-    if (!options.jsonFile.empty()) writeTextFile(options.jsonFile, formatJson(results));
-    if (!options.csvFile.empty()) writeTextFile(options.csvFile, formatCsv(results));
+    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
 }
 
 } // namespace
@@ -52,8 +49,7 @@ void addVoxelizeCommand(CLI::App& app)
         ->type_name("N,...");
     command->add_option("--contenders", options->contenders, "Only these, by their names in the table")
         ->type_name("NAME...");
-    command->add_option("--json", options->jsonFile, "Write everything that was measured")->type_name("FILE");
-    command->add_option("--csv", options->csvFile, "Write a line for each time")->type_name("FILE");
+    options->files.addTo(*command);
     command->callback([options] { runVoxelize(*options); });
 }
 

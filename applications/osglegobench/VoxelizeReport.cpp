@@ -1,11 +1,9 @@
 #include "VoxelizeReport.h"
 
 #include "Goals.h"
-
-#include <algorithm>
+#include "ReportParts.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -60,20 +58,6 @@ std::string formatMesh(const MeshResult& mesh)
     return text;
 }
 
-std::string formatGoals(const std::vector<Goal>& goals)
-{
-    if (goals.empty()) return {};
-    std::string text = "\nGoals, ratios of medians of this run\n\n"
-                       "| what                                     | mesh                     | ratio   | goal    | "
-                       "reached |\n"
-                       "|------------------------------------------|--------------------------|---------|---------|"
-                       "---------|\n";
-    for (const Goal& goal : goals)
-        text += fmt::format("| {:40} | {:24} | {:7.2f} | {:7} | {:7} |\n", goal.text, goal.where, goal.ratio,
-                            goal.getBoundText(), goal.isReached ? "yes" : "no");
-    return text;
-}
-
 ordered_json toJson(const ContenderResult& result)
 {
     ordered_json json{{"name", result.contender}, {"hasColors", result.hasColors}};
@@ -82,12 +66,7 @@ ordered_json toJson(const ContenderResult& result)
         json["failure"] = result.failure;
         return json;
     }
-    const Spread& time = result.time;
-    json["milliseconds"] = {{"median", time.median},
-                            {"minimum", time.minimum},
-                            {"lowerQuartile", time.lowerQuartile},
-                            {"upperQuartile", time.upperQuartile},
-                            {"maximum", time.maximum}};
+    json["milliseconds"] = toJson(result.time);
     for (const auto& [name, median] : result.stages)
         json["parts"][name] = median;
     json["cells"] = result.quality.numCells;
@@ -110,28 +89,11 @@ ordered_json toJson(const MeshResult& mesh)
     return json;
 }
 
-ordered_json toJson(const Goal& goal)
-{
-    return {{"what", goal.text},
-            {"mesh", goal.where},
-            {"ratio", goal.ratio},
-            {"goal", goal.getBoundText()},
-            {"reached", goal.isReached}};
-}
-
-/** A text as a field of CSV. */
-std::string quoted(std::string text)
-{
-    for (auto place = text.find('"'); place != std::string::npos; place = text.find('"', place + 2))
-        text.insert(place, 1, '"');
-    return '"' + text + '"';
-}
-
 std::string formatCsvRow(const MeshResult& mesh, const ContenderResult& result)
 {
-    std::string text = fmt::format("{},{},{},{},{},", quoted(mesh.mesh), mesh.numTriangles, mesh.resolution,
-                                   mesh.numCells, quoted(result.contender));
-    if (!result.failure.empty()) return text + fmt::format(",,,,,,,,,,,{}\n", quoted(result.failure));
+    std::string text = fmt::format("{},{},{},{},{},", quotedField(mesh.mesh), mesh.numTriangles, mesh.resolution,
+                                   mesh.numCells, quotedField(result.contender));
+    if (!result.failure.empty()) return text + fmt::format(",,,,,,,,,,,{}\n", quotedField(result.failure));
     const Spread& time = result.time;
     const VoxelQuality& quality = result.quality;
     text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", time.median, time.minimum, time.lowerQuartile,
@@ -144,9 +106,7 @@ std::string formatCsvRow(const MeshResult& mesh, const ContenderResult& result)
 
 std::string formatTables(const VoxelizeResults& results)
 {
-    std::string text;
-    for (const auto& [name, value] : results.environment.toFields())
-        text += fmt::format("{}: {}\n", name, value);
+    std::string text = formatEnvironment(results.environment, "");
     text += fmt::format("runs: {}, after {} to warm up, contenders in turns\n", results.numRuns, results.numWarmUps);
     for (const MeshResult& mesh : results.meshes)
         text += formatMesh(mesh);
@@ -155,24 +115,17 @@ std::string formatTables(const VoxelizeResults& results)
 
 std::string formatJson(const VoxelizeResults& results)
 {
-    ordered_json json;
-    for (const auto& [name, value] : results.environment.toFields())
-        json["environment"][name] = value;
-    json["runs"] = results.numRuns;
-    json["warmUps"] = results.numWarmUps;
+    ordered_json json{
+        {"environment", toJson(results.environment)}, {"runs", results.numRuns}, {"warmUps", results.numWarmUps}};
     for (const MeshResult& mesh : results.meshes)
         json["meshes"].push_back(toJson(mesh));
-    json["goals"] = ordered_json::array();
-    for (const Goal& goal : checkGoals(results))
-        json["goals"].push_back(toJson(goal));
+    json["goals"] = toJson(checkGoals(results));
     return json.dump(4) + '\n';
 }
 
 std::string formatCsv(const VoxelizeResults& results)
 {
-    std::string text;
-    for (const auto& [name, value] : results.environment.toFields())
-        text += fmt::format("# {}: {}\n", name, value);
+    std::string text = formatCsvHead(results.environment, checkGoals(results));
     text += "mesh,triangles,resolution,coveredCells,contender,median,minimum,lowerQuartile,upperQuartile,maximum,gpu,"
             "cells,precision,recall,tunnels,colorError,failure\n";
     for (const MeshResult& mesh : results.meshes)

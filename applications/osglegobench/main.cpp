@@ -17,6 +17,7 @@ int run(int argc, char** argv)
     addOcclusionCommand(app);
     addVoxelizeCommand(app);
     addFrameCommand(app);
+    addMemoryCommand(app);
     addPlotsCommand(app);
     addFootprintCommand(app);
     CLI11_PARSE(app, argc, argv);

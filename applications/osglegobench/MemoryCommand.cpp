@@ -1,0 +1,86 @@
+#include "Commands.h"
+#include "MemoryReport.h"
+#include "ReportFiles.h"
+#include "VoxelizeBench.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+struct MemoryOptions
+{
+    std::string mesh;
+    std::string models = "build/models";
+    std::vector<unsigned int> resolutions;
+    std::vector<std::string> devices{"auto", "gpu"};
+    bool isQuick = false;
+    ReportFiles files;
+
+    MeshSource getMesh() const
+    {
+        if (!mesh.empty()) return MeshSource::parse(mesh);
+        return isQuick ? MeshSource::parse("car") : findBunny(models);
+    }
+    std::vector<unsigned int> getResolutions() const
+    {
+        if (resolutions.empty())
+            return isQuick ? std::vector<unsigned int>{16, 32}
+                           : std::vector<unsigned int>{LegoSettings::MAXIMUM_RESOLUTION / 2,
+                                                       LegoSettings::MAXIMUM_RESOLUTION};
+        std::vector<unsigned int> sorted = resolutions;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
+    }
+};
+
+void runMemory(const MemoryOptions& options)
+{
+    options.files.check();
+    const MeshSource source = options.getMesh();
+    MemoryResults results{BenchEnvironment::find(*createBenchContext()), source.name, {}};
+    for (const std::string& device : options.devices)
+        for (const unsigned int resolution : options.getResolutions())
+        {
+            fmt::print(stderr, "measuring {} at {} with device={}\n", source.name, resolution, device);
+            results.rows.push_back({device, resolution, SceneFootprint::measureApart(source, resolution, device)});
+        }
+    fmt::print("{}", formatTables(results));
+    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
+}
+
+} // namespace
+
+void addMemoryCommand(CLI::App& app)
+{
+    CLI::App* command = app.add_subcommand(
+        "memory", "Memory at 1024 cells along a side, and at half of that, and what of it is largest");
+    const auto options = std::make_shared<MemoryOptions>();
+    command
+        ->add_option("--mesh", options->mesh,
+                     "PATH or NAME=PATH, with ',up=y' behind it if the mesh stands so; or 'car', the built-in one "
+                     "(bunny.ply of --models, or the car)")
+        ->type_name("MESH");
+    command->add_option("--models", options->models, "The folder of bunny.ply (build/models)")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
+    command->add_option("--resolution", options->resolutions, "Cells along the longest side (512,1024)")
+        ->delimiter(',')
+        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
+        ->type_name("N,...");
+    command->add_option("--device", options->devices, "What finds the bricks: auto, gpu, cpu (auto,gpu)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"auto", "gpu", "cpu"}))
+        ->type_name("NAME,...");
+    command->add_flag("--quick", options->isQuick, "Little, to see that it works: the car at 16 and 32");
+    options->files.addTo(*command);
+    command->callback([options] { runMemory(*options); });
+}
+
+} // namespace osgLego
