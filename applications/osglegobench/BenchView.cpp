@@ -109,6 +109,7 @@ void BenchView::attachTarget(PictureUse use)
 void BenchView::drawFrame(const AmbientOcclusionSettings& settings)
 {
     _scene->setSettings(settings);
+    getContext().makeCurrent(); // another view's may be, which a viewer does not notice
     _viewer.frame();
     glFinish();
     const std::string failure = _lego->getFailure(getContextID());

@@ -29,7 +29,8 @@ osg::ref_ptr<osg::Node> createBenchMesh(const std::string& name);
 /** Let a camera look at bricks as a scene says. */
 void placeCamera(osg::Camera& camera, const BenchScene& scene, const osg::BoundingSphere& bound, double aspectRatio);
 
-/** A scene of the bench before a camera that draws pictures of floats. Throws std::runtime_error. One thread. */
+/** A scene of the bench before a camera that draws pictures of floats, each in a context of its own. Throws
+ * std::runtime_error. One thread. */
 class BenchView
 {
 public:

@@ -3,6 +3,7 @@
 #include "BenchView.h"
 #include "FrameResults.h"
 #include "FrameViewer.h"
+#include "ReferenceShaders.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,6 @@ namespace osgLego
 
 namespace
 {
-
-constexpr const char* SHADER_PATH = "OSGLEGO_SHADER_PATH";
 
 /** The same bricks twice, each under what draws them, before one camera. */
 class FramePair
@@ -73,14 +72,10 @@ private:
     /** Programs are made in the first frame: those of the reference from its own shaders. */
     void makePrograms()
     {
-        const char* path = std::getenv(SHADER_PATH);
-        const std::string former = path ? path : "";
-        setenv(SHADER_PATH, OSGLEGO_REFERENCE_SHADERS, 1);
-        draw(0);
-        if (path)
-            setenv(SHADER_PATH, former.c_str(), 1);
-        else
-            unsetenv(SHADER_PATH);
+        {
+            const ReferenceShaders reference;
+            draw(0);
+        }
         draw(1);
     }
 

@@ -2,6 +2,8 @@
 #include "Figures.h"
 #include "LegoNodeContender.h"
 
+#include <memory>
+
 #include <fmt/format.h>
 #include <osg/Timer>
 
@@ -19,19 +21,41 @@ std::string nameOf(const MeshSource& source, std::size_t numTriangles)
     return fmt::format("{}, {} triangles", source.name, numTriangles);
 }
 
-/** The median milliseconds of a frame. */
-double measureFrames(BenchView& view, const BenchRuns& runs, bool legolizesAnew)
+double measureFrame(BenchView& view)
 {
-    std::vector<double> times;
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    view.drawFrame(AmbientOcclusionSettings());
+    return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+}
+
+/** The milliseconds of frames of a mesh at one resolution. */
+struct FrameTimes
+{
+    std::vector<double> unchanged;
+    std::vector<double> legolizedAnew;
+};
+
+/** Those at all resolutions, in turns, so that whatever else the machine does meets all alike. */
+std::vector<FrameTimes> measureFrames(const std::vector<std::unique_ptr<BenchView>>& views, const BenchRuns& runs)
+{
+    std::vector<FrameTimes> times(views.size());
     for (unsigned int run = 0; run < runs.numWarmUps + runs.numRuns; ++run)
-    {
-        if (legolizesAnew) view.getLegoNode().dirty();
-        const osg::Timer_t start = osg::Timer::instance()->tick();
-        view.drawFrame(AmbientOcclusionSettings());
-        if (run >= runs.numWarmUps)
-            times.push_back(osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick()));
-    }
-    return Spread::create(times).median;
+        for (std::size_t index = 0; index < views.size(); ++index)
+        {
+            BenchView& view = *views[index];
+            view.getLegoNode().dirty();
+            const double legolizedAnew = measureFrame(view);
+            const double unchanged = measureFrame(view);
+            if (run < runs.numWarmUps) continue;
+            times[index].legolizedAnew.push_back(legolizedAnew);
+            times[index].unchanged.push_back(unchanged);
+        }
+    return times;
+}
+
+double toRate(const std::vector<double>& milliseconds)
+{
+    return 1000.0 / Spread::create(milliseconds).median;
 }
 
 BenchScene createScene(const MeshSource& source, unsigned int resolution)
@@ -82,15 +106,19 @@ Plot measureFrameRates(const std::vector<MeshSource>& meshes, const std::vector<
     for (const MeshSource& source : meshes)
     {
         const std::size_t numTriangles = SceneTriangles::create(*readMesh(source))->getNumTriangles();
+        fmt::print(stderr, "drawing {}\n", source.name);
+        std::vector<std::unique_ptr<BenchView>> views;
         for (const unsigned int resolution : resolutions)
+            views.push_back(std::make_unique<BenchView>(createScene(source, resolution), glm::ivec2(WIDTH, HEIGHT),
+                                                        PictureUse::DISCARD));
+        const std::vector<FrameTimes> times = measureFrames(views, runs);
+        const std::string name = nameOf(source, numTriangles);
+        for (std::size_t index = 0; index < resolutions.size(); ++index)
         {
-            fmt::print(stderr, "drawing {} at {}\n", source.name, resolution);
-            BenchView view(createScene(source, resolution), {WIDTH, HEIGHT}, PictureUse::DISCARD);
-            const std::string name = nameOf(source, numTriangles);
-            plot.getCurve(name).points.emplace_back(resolution, 1000.0 / measureFrames(view, runs, false));
+            plot.getCurve(name).points.emplace_back(resolutions[index], toRate(times[index].unchanged));
             Plot::Curve& anew = plot.getCurve(name + ", legolized in each frame");
             anew.isVariant = true;
-            anew.points.emplace_back(resolution, 1000.0 / measureFrames(view, runs, true));
+            anew.points.emplace_back(resolutions[index], toRate(times[index].legolizedAnew));
         }
     }
     return plot;
