@@ -59,8 +59,9 @@ void runMemory(const MemoryOptions& options)
 
 void addMemoryCommand(CLI::App& app)
 {
-    CLI::App* command = app.add_subcommand(
-        "memory", "Memory at 1024 cells along a side, and at half of that, and what of it is largest");
+    CLI::App* command = app.add_subcommand("memory", "Memory at 1024 cells along a side, and at half of that, and what "
+                                                     "of it is largest; takes a minute or more on a "
+                                                     "software renderer");
     const auto options = std::make_shared<MemoryOptions>();
     command
         ->add_option("--mesh", options->mesh,
