@@ -21,13 +21,15 @@ void include(const glm::ivec3& cell, std::uint8_t openSides, BrickBlock& block)
     ++block.count;
 }
 
-/** Appends the bricks of one layer of blocks after the other. */
+/** Appends the bricks of one layer of blocks after the other: those with studs, then the others. */
 class BlockLayers
 {
 public:
-    BlockLayers(const glm::ivec3& dimensions, BrickPoints& result) :
-        _width(static_cast<std::size_t>((dimensions.x + SIDE - 1) / SIDE)),
-        _blocks(_width * static_cast<std::size_t>((dimensions.y + SIDE - 1) / SIDE)), _result(result)
+    BlockLayers(const BrickGrid& grid, BrickPoints& result) :
+        _stud(SIDE_RIGHT << (2 * grid.getUpIndex())),
+        _width(static_cast<std::size_t>((grid.dimensions.x + SIDE - 1) / SIDE)),
+        _size(_width * static_cast<std::size_t>((grid.dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size),
+        _result(result)
     {
     }
 
@@ -54,11 +56,14 @@ public:
 private:
     BrickBlock& blockOf(const Brick& brick)
     {
-        return _blocks[static_cast<std::size_t>(brick.cell[0] / SIDE) +
-                       _width * static_cast<std::size_t>(brick.cell[1] / SIDE)];
+        const std::size_t place =
+            static_cast<std::size_t>(brick.cell[0] / SIDE) + _width * static_cast<std::size_t>(brick.cell[1] / SIDE);
+        return _blocks[brick.openSides & _stud ? place : _size + place];
     }
 
+    int _stud; // the side that has one when it is open
     std::size_t _width;
+    std::size_t _size;
     std::vector<BrickBlock> _blocks; // of one layer, with and without bricks
     BrickPoints& _result;
 };
@@ -76,8 +81,7 @@ BrickPoints createBrickPoints(const BrickModel& model)
 {
     BrickPoints result;
     result.points.reserve(model.getBricks().size());
-    const glm::ivec3& dimensions = model.getGrid().dimensions;
-    BlockLayers layers(dimensions, result);
+    BlockLayers layers(model.getGrid(), result);
     auto begin = model.getBricks().begin();
     for (int layer = SIDE; begin != model.getBricks().end(); layer += SIDE)
     {

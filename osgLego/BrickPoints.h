@@ -21,7 +21,8 @@ struct BrickPoints
     static constexpr int BLOCK_SIDE = 8; //!< of a block, in cells
 
     std::vector<BrickPoint> points;
-    std::vector<BrickBlock> blocks; //!< by z, y and x; none is empty
+    /** None is empty. In one place there may be two: bricks with studs, and bricks without. */
+    std::vector<BrickBlock> blocks;
 };
 
 /** The points of a model's visible bricks; in a block they are sorted by z, y and x. May be called from any thread. */
