@@ -51,8 +51,9 @@ bool isClockwise(const osg::State& state)
 
 } // namespace
 
-BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState) :
-    _store(&store), _geometryState(&geometryState), _splats(splatState)
+BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
+                             osg::StateSet& splatStateByOneLight) :
+    _store(&store), _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -109,7 +110,7 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     // So that fewer pixels are shaded in vain.
     if (!showsInsides) workspace.ranges.sortFrontToBack();
     setBrickUniforms(state, grid, view, showsInsides);
-    drawBrickPoints(state, bricks, workspace.ranges);
+    drawBrickPoints(state, bricks, workspace.ranges.getAll());
 }
 
 void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const

@@ -23,8 +23,10 @@ class BrickDrawable : public osg::Drawable
 {
 public:
     /** @param geometryState what it is drawn under, its program that of the geometry shader.
-     * @param splatState the same for splats, its program that of their shading. */
-    BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState);
+     * @param splatState the same for splats, its program that of their shading.
+     * @param splatStateByOneLight likewise, where the scene has one light. */
+    BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
+                  osg::StateSet& splatStateByOneLight);
 
     osg::BoundingBox computeBoundingBox() const override;
     void drawImplementation(osg::RenderInfo& renderInfo) const override;

@@ -52,15 +52,26 @@ osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fra
     return stateSet;
 }
 
-/** A node under a state for triangles; for splats there is another, which differs in its program. */
+/** That state for the shading of splats, which differs in its program. */
+osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, const std::string& name,
+                                             const char* fragments, const std::string& definitions)
+{
+    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
+    splats->setAttributeAndModes(ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions),
+                                 OURS);
+    return splats;
+}
+
+/** A node under a state for triangles. */
 osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
                                     const char* fragments, const std::string& definitions = {})
 {
-    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
-    splats->setAttributeAndModes(
-        ShaderLibrary::createProgram(name, {"splat_shading.vert", fragments}, definitions + "#define SPLATS\n"), OURS);
+    constexpr const char* SPLATS = "#define SPLATS\n";
+    constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(new BrickDrawable(store, triangles, *splats));
+    node->addDrawable(
+        new BrickDrawable(store, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
     node->setStateSet(&triangles);
     return node;
 }

@@ -48,6 +48,11 @@ public:
             if (isLower && _view.eye[axis] < last * _view.eye.w) return true;
             if (isUpper && _view.eye[axis] > first * _view.eye.w) return true;
         }
+        return hasSeenStuds(block);
+    }
+
+    bool hasSeenStuds(const BrickBlock& block) const
+    {
         return (block.openSides & (SIDE_RIGHT << (2 * _up))) && areStudsSeen(block);
     }
 
@@ -79,39 +84,62 @@ private:
 
 } // namespace
 
+void BrickRanges::Parts::clear()
+{
+    firsts.clear();
+    counts.clear();
+}
+
+void BrickRanges::Parts::add(const BrickBlock& block)
+{
+    if (!firsts.empty() && firsts.back() + counts.back() == block.first)
+    {
+        counts.back() += block.count;
+        return;
+    }
+    firsts.push_back(block.first);
+    counts.push_back(block.count);
+}
+
 void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view,
                        bool showsInsides)
 {
     const int up = grid.getUpIndex();
     const BlockTest test(view, up, static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
     _seen.clear();
+    _studded.clear();
+    _others.clear();
     for (const BrickBlock& block : blocks)
-        if (test.isInPicture(block) && (showsInsides || test.isTurnedToEye(block)))
-            _seen.push_back({test.distanceOf(block), &block});
-    fill();
+    {
+        if (!test.isInPicture(block) || !(showsInsides || test.isTurnedToEye(block))) continue;
+        _seen.push_back({test.distanceOf(block), &block});
+        (test.hasSeenStuds(block) ? _studded : _others).add(block);
+    }
+    fillAll();
+}
+
+void BrickRanges::addTo(PictureTiles& tiles, const BrickGrid& grid, const CellView& view) const
+{
+    const int up = grid.getUpIndex();
+    for (const Seen& seen : _seen)
+    {
+        glm::dvec3 upper(seen.block->maximum + 1);
+        upper[up] += BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up];
+        tiles.add(view.areaOf(seen.block->minimum, upper));
+    }
 }
 
 void BrickRanges::sortFrontToBack()
 {
     std::sort(_seen.begin(), _seen.end(), [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
-    fill();
+    fillAll();
 }
 
-void BrickRanges::fill()
+void BrickRanges::fillAll()
 {
-    _firsts.clear();
-    _counts.clear();
+    _all.clear();
     for (const Seen& seen : _seen)
-    {
-        const bool goesOn = !_firsts.empty() && _firsts.back() + _counts.back() == seen.block->first;
-        if (goesOn)
-            _counts.back() += seen.block->count;
-        else
-        {
-            _firsts.push_back(seen.block->first);
-            _counts.push_back(seen.block->count);
-        }
-    }
+        _all.add(*seen.block);
 }
 
 } // namespace osgLego

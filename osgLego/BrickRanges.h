@@ -4,6 +4,7 @@
 #include <osgLego/BrickGrid.h>
 #include <osgLego/CellView.h>
 #include <osgLego/Export.h>
+#include <osgLego/PictureTiles.h>
 
 #include <vector>
 
@@ -20,6 +21,16 @@ namespace osgLego
 class OSGLEGO_EXPORT BrickRanges
 {
 public:
+    /** As glMultiDrawArrays takes them: the first brick of each range, and how many there are. */
+    struct Parts
+    {
+        void clear();
+        void add(const BrickBlock& block);
+
+        std::vector<int> firsts;
+        std::vector<int> counts;
+    };
+
     /** In the order of the buffer, blocks that follow each other in one range, as each range costs a draw of its own.
      * @param showsInsides whether sides that are turned away from the eye are seen, too. */
     void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, bool showsInsides);
@@ -27,9 +38,14 @@ public:
     /** Put the nearest blocks first, for renderers that shade what they see before it is hidden. */
     void sortFrontToBack();
 
-    // What was found, as glMultiDrawArrays takes it: the first brick of each range, and how many there are.
-    const std::vector<int>& getFirsts() const { return _firsts; }
-    const std::vector<int>& getCounts() const { return _counts; }
+    const Parts& getAll() const { return _all; }
+
+    // Of all, those whose bricks have studs that may be seen, and the others; in the order of the buffer.
+    const Parts& getStudded() const { return _studded; }
+    const Parts& getOthers() const { return _others; }
+
+    /** Add all of them to the tiles of a picture. */
+    void addTo(PictureTiles& tiles, const BrickGrid& grid, const CellView& view) const;
 
 private:
     struct Seen
@@ -38,11 +54,12 @@ private:
         const BrickBlock* block = nullptr;
     };
 
-    void fill();
+    void fillAll();
 
     std::vector<Seen> _seen;
-    std::vector<int> _firsts;
-    std::vector<int> _counts;
+    Parts _all;
+    Parts _studded;
+    Parts _others;
 };
 
 } // namespace osgLego

@@ -85,28 +85,22 @@ bool applyState(osg::State& state, const osg::StateSet& stateSet)
     return true;
 }
 
-/** Clear the depths of the part of a picture that bricks lie in. */
-void clearDepths(const CellView& view, const glm::ivec2& size)
+/** What draws points draws squares of the size that vertices say. */
+void setPointModes(osg::StateSet& stateSet)
 {
-    const glm::vec4 area = (view.area * 0.5f + 0.5f) * glm::vec4(size, size);
-    const glm::ivec2 lower(std::floor(area.x), std::floor(area.y));
-    const glm::ivec2 upper(std::ceil(area.z), std::ceil(area.w));
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(lower.x, lower.y, upper.x - lower.x, upper.y - lower.y);
-    glClearDepth(1.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
-}
-
-osg::ref_ptr<osg::StateSet> createPointState()
-{
-    const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram("splats", {"splats.vert", "splats.frag"});
-    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
-    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
-    stateSet->setAttribute(new osg::PolygonMode, OURS);
+    stateSet.setAttribute(new osg::PolygonMode, OURS);
     // A point sprite is as large as it says; another point is rounded.
     for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
-        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+}
+
+osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
+{
+    const osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::createProgram("splats", {"splats.vert", "splats.frag"}, definitions);
+    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
+    setPointModes(*stateSet);
     return stateSet;
 }
 
@@ -204,11 +198,16 @@ private:
 
 } // namespace
 
-BrickSplats::BrickSplats(osg::StateSet& shading) : _points(createPointState()), _shading(&shading)
+BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight) :
+    _boxes(createPointState("")), _studded(createPointState("#define STUDS\n")), _shading(&shading),
+    _shadingByOneLight(&shadingByOneLight)
 {
-    _shading->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | OURS);
-    _shading->addUniform(new osg::Uniform("splats", static_cast<int>(SPLATS_UNIT)));
-    _shading->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_shading, _shadingByOneLight})
+    {
+        setPointModes(*stateSet);
+        stateSet->addUniform(new osg::Uniform("splats", static_cast<int>(SPLATS_UNIT)));
+        stateSet->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
+    }
 }
 
 BrickSplats::~BrickSplats() = default;
@@ -220,47 +219,82 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
     SplatTarget& target = *held;
     if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    if (ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
     // Planes and ranges of depth that rays know nothing of.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
     const CellView::Rays rays = view.computeRays(destination.getSize());
-    if (!view.areDistinct(rays)) return false;
+    if (!view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
     if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
 
-    const BrickGrid& grid = bricks.source->triangles->getGrid();
-    const glm::ivec2 size = destination.getSize();
-    const bool isReady = applyState(state, *_points) && target.bind(state, size);
-    if (isReady)
-    {
-        glViewport(0, 0, size.x, size.y);
-        clearDepths(view, size);
-        setBrickUniforms(state, grid, view, false);
-        setRays(state, rays, size);
-        drawBrickPoints(state, bricks, ranges);
-    }
+    const bool isReady = drawPoints(state, target, bricks, ranges, view, rays, destination.getSize());
     destination.restore();
-    if (!isReady || !applyState(state, *_shading))
+    if (!isReady || !applyState(state, hasOneLight(state) ? *_shadingByOneLight : *_shading))
     {
         target.fail();
         return false;
     }
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
-    setBrickUniforms(state, grid, view, false);
-    setRays(state, rays, size);
+    setBrickUniforms(state, bricks.source->triangles->getGrid(), view, false);
+    setRays(state, rays, destination.getSize());
     static const UniformName ORIGIN("origin");
-    static const UniformName AREA("area");
     ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
-    ProgramUniforms(state).set(AREA, view.area);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    drawTiles(state, bricks, ranges, view, destination.getSize());
     return true;
+}
+
+bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks,
+                             const BrickRanges& ranges, const CellView& view, const CellView::Rays& rays,
+                             const glm::ivec2& size) const
+{
+    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    bool isCleared = false;
+    for (const bool hasStuds : {false, true})
+    {
+        const BrickRanges::Parts& parts = hasStuds ? ranges.getStudded() : ranges.getOthers();
+        const bool isAll = hasStuds && bricks.blocks.empty();
+        if (parts.firsts.empty() && !isAll) continue;
+        if (!applyState(state, hasStuds ? *_studded : *_boxes)) return false;
+        if (!isCleared && !target.bind(state, size)) return false;
+        // Points to the left of the picture are dropped: it is the right half of the viewport.
+        glViewport(-size.x, 0, 2 * size.x, size.y);
+        // All of it, which is quicker than a part.
+        glClearDepth(1.0);
+        if (!isCleared) glClear(GL_DEPTH_BUFFER_BIT);
+        isCleared = true;
+        setBrickUniforms(state, grid, view, false);
+        setRays(state, rays.onAxesOfStud(grid.getUpIndex()), size);
+        drawBrickPoints(state, bricks, parts);
+    }
+    return true;
+}
+
+void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                            const CellView& view, const glm::ivec2& size) const
+{
+    PictureTiles& tiles = _tiles[state.getContextID()];
+    tiles.clear(size);
+    if (bricks.blocks.empty())
+        tiles.add(view.area);
+    else
+        ranges.addTo(tiles, bricks.source->triangles->getGrid(), view);
+    tiles.findRuns();
+    static const UniformName NUM_ACROSS("tilesAcross");
+    static const UniformName SIDE("tileSide");
+    const ProgramUniforms uniforms(state);
+    uniforms.set(NUM_ACROSS, tiles.getNumAcross());
+    uniforms.set(SIDE, static_cast<float>(PictureTiles::SIDE));
+    state.get<osg::GLExtensions>()->glMultiDrawArrays(GL_POINTS, tiles.getFirsts().data(), tiles.getCounts().data(),
+                                                      static_cast<GLsizei>(tiles.getFirsts().size()));
 }
 
 void BrickSplats::resizeGLObjectBuffers(unsigned int maxSize)
 {
     _targets.resize(maxSize);
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
+    _tiles.resize(maxSize);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_boxes, _studded, _shading, _shadingByOneLight})
         stateSet->resizeGLObjectBuffers(maxSize);
 }
 
@@ -270,7 +304,7 @@ void BrickSplats::releaseGLObjects(osg::State* state) const
         _targets[state->getContextID()] = nullptr;
     else
         _targets.setAllElementsTo(nullptr);
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_points, _shading})
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_boxes, _studded, _shading, _shadingByOneLight})
         stateSet->releaseGLObjects(state);
 }
 

@@ -3,6 +3,7 @@
 #include <osgLego/BrickRanges.h>
 #include <osgLego/BrickStore.h>
 #include <osgLego/CellView.h>
+#include <osgLego/PictureTiles.h>
 
 #include <osg/State>
 #include <osg/StateSet>
@@ -24,8 +25,9 @@ class BrickSplats
 {
 public:
     /** @param shading the state of the last pass: a program of splat_shading.vert and of fragments that SPLATS is
-     * defined for. */
-    explicit BrickSplats(osg::StateSet& shading);
+     * defined for.
+     * @param shadingByOneLight the same where the scene has one light: that ONE_LIGHT is defined for, too. */
+    BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight);
     ~BrickSplats();
 
     /** Draw; leaves a state set of this class applied. Needs the context of the state current.
@@ -37,9 +39,20 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
-    osg::ref_ptr<osg::StateSet> _points;
+    /** Find what each pixel of a target shows; false when a program or the target can't be had. */
+    bool drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks, const BrickRanges& ranges,
+                    const CellView& view, const CellView::Rays& rays, const glm::ivec2& size) const;
+
+    /** Draw a point for each tile of the picture that bricks may lie in, by the program that is applied. */
+    void drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                   const CellView& view, const glm::ivec2& size) const;
+
+    osg::ref_ptr<osg::StateSet> _boxes;   // bricks whose studs, if any, are not seen
+    osg::ref_ptr<osg::StateSet> _studded; // the others
     osg::ref_ptr<osg::StateSet> _shading;
+    osg::ref_ptr<osg::StateSet> _shadingByOneLight;
     mutable osg::buffered_object<osg::ref_ptr<SplatTarget>> _targets; // one for all in a context
+    mutable osg::buffered_object<PictureTiles> _tiles;
 };
 
 } // namespace osgLego

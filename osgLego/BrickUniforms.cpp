@@ -14,18 +14,29 @@ namespace
 constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
 constexpr int NUM_LIGHTS = 8;
 
-/** Tell the program which lights the state has switched on. */
+/** The lights that a state has switched on. */
+struct LightNumbers
+{
+    explicit LightNumbers(const osg::State& state)
+    {
+        for (int light = 0; light < NUM_LIGHTS; ++light)
+            if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
+                numbers[static_cast<std::size_t>(count++)] = light;
+        if (!state.getLastAppliedMode(GL_LIGHTING)) count = -1;
+    }
+
+    std::array<int, NUM_LIGHTS> numbers{};
+    int count = 0; // below 0: lighting is off
+};
+
+/** Tell the program of them. */
 void setLights(const ProgramUniforms& uniforms, const osg::State& state)
 {
-    std::array<int, NUM_LIGHTS> numbers{};
-    int count = 0;
-    for (int light = 0; light < NUM_LIGHTS; ++light)
-        if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
-            numbers[static_cast<std::size_t>(count++)] = light;
+    const LightNumbers lights(state);
     static const UniformName NUMBER("numLights");
     static const UniformName NUMBERS("lightNumbers");
-    uniforms.set(NUMBER, state.getLastAppliedMode(GL_LIGHTING) ? count : -1);
-    uniforms.set(NUMBERS, numbers.data(), NUM_LIGHTS);
+    uniforms.set(NUMBER, lights.count);
+    uniforms.set(NUMBERS, lights.numbers.data(), NUM_LIGHTS);
 }
 
 } // namespace
@@ -50,18 +61,25 @@ void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const Cell
     setLights(uniforms, state);
 }
 
+bool hasOneLight(const osg::State& state)
+{
+    return LightNumbers(state).count == 1;
+}
+
 void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize)
 {
     static const UniformName ORIGIN("rayOrigin");
     static const UniformName DIRECTION("rayDirection");
+    static const UniformName DEPTH("depth");
     static const UniformName SIZE("pictureSize");
     const ProgramUniforms uniforms(state);
     uniforms.set(ORIGIN, rays.origin);
     uniforms.set(DIRECTION, rays.direction);
+    uniforms.set(DEPTH, glm::vec2(rays.depth.x, rays.depthSlope));
     uniforms.set(SIZE, glm::vec2(pictureSize));
 }
 
-void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges)
+void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges::Parts& parts)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     state.disableAllVertexArrays();
@@ -72,8 +90,8 @@ void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const Brick
     if (bricks.blocks.empty())
         glDrawArrays(GL_POINTS, 0, bricks.numBricks);
     else
-        extensions.glMultiDrawArrays(GL_POINTS, ranges.getFirsts().data(), ranges.getCounts().data(),
-                                     static_cast<GLsizei>(ranges.getFirsts().size()));
+        extensions.glMultiDrawArrays(GL_POINTS, parts.firsts.data(), parts.counts.data(),
+                                     static_cast<GLsizei>(parts.firsts.size()));
     extensions.glDisableVertexAttribArray(0);
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
 }

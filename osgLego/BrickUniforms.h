@@ -16,10 +16,13 @@ namespace osgLego
  * @param showsInsides whether sides that are turned away from the eye are seen, too. */
 void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides);
 
-/** Tell it the rays of the pixels of a picture. */
+/** Tell it the rays of the pixels of a picture, and what their depth goes by. */
 void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize);
 
+/** Whether a state has switched on lighting and one light. */
+bool hasOneLight(const osg::State& state);
+
 /** Draw a point for each brick, or, where the blocks of the bricks are known, for those in ranges of them. */
-void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges);
+void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges::Parts& parts);
 
 } // namespace osgLego

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <osg/BoundingBox>
 #include <osg/Vec4d>
 
@@ -91,15 +92,7 @@ void CellView::setArea(const BrickGrid& grid)
 {
     const glm::dvec3 brick = sizeOfBrick(grid);
     const glm::dvec3 all = sizeOfAll(grid);
-    area = glm::vec4(1.0f, 1.0f, -1.0f, -1.0f);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-        const osg::Vec3d place = osg::Vec3d((corner & 1) * all.x, (corner >> 1 & 1) * all.y, (corner >> 2) * all.z);
-        const osg::Vec3d seen = place * _toClip;
-        const glm::vec2 clamped(std::clamp(seen.x(), -1.0, 1.0), std::clamp(seen.y(), -1.0, 1.0));
-        area = glm::vec4(std::min(area.x, clamped.x), std::min(area.y, clamped.y), std::max(area.z, clamped.x),
-                         std::max(area.w, clamped.y));
-    }
+    area = glm::clamp(areaOf(glm::dvec3(0.0), sizeOfAll(grid)), -1.0f, 1.0f);
     // The quotients of two corners differ by no more than this while one of them is in the picture.
     const glm::dvec4 w = rowOf(_toClip, 3);
     for (int axis = 0; axis < 2; ++axis)
@@ -110,6 +103,21 @@ void CellView::setArea(const BrickGrid& grid)
     }
 }
 
+glm::vec4 CellView::areaOf(const glm::dvec3& lower, const glm::dvec3& upper) const
+{
+    glm::dvec2 least(1e30);
+    glm::dvec2 most(-1e30);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        const osg::Vec3d seen =
+            osg::Vec3d(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z) *
+            _toClip;
+        least = glm::min(least, glm::dvec2(seen.x(), seen.y()));
+        most = glm::max(most, glm::dvec2(seen.x(), seen.y()));
+    }
+    return {least, most};
+}
+
 bool CellView::areDistinct(const Rays& rays) const
 {
     constexpr float ROUNDING = 6e-8f;
@@ -118,6 +126,23 @@ bool CellView::areDistinct(const Rays& rays) const
     // What a pixel is as wide as where the bricks are; the direction of a ray has about the length of 1.
     const float width = eye.w == 0.0f ? glm::length(rays.origin[1]) : range * glm::length(rays.direction[1]);
     return range * ROUNDING < WANTED * width;
+}
+
+bool CellView::isDepthDistance(const Rays& rays)
+{
+    return std::max(std::abs(rays.depth.y), std::abs(rays.depth.z)) <= 1e-9f * std::abs(rays.depth.x);
+}
+
+CellView::Rays CellView::Rays::onAxesOfStud(int up) const
+{
+    Rays turned = *this;
+    for (int column = 0; column < 3; ++column)
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            turned.origin[column][axis] = origin[column][(up + 1 + axis) % 3];
+            turned.direction[column][axis] = direction[column][(up + 1 + axis) % 3];
+        }
+    return turned;
 }
 
 CellView::Rays CellView::computeRays(const glm::ivec2& size) const
@@ -134,6 +159,9 @@ CellView::Rays CellView::computeRays(const glm::ivec2& size) const
         rays.direction = glm::mat3(-glm::vec3(eye), glm::vec3(0.0f), glm::vec3(0.0f));
         for (int column = 0; column < 3; ++column)
             rays.origin[column] = glm::vec3(firstThree(places[static_cast<std::size_t>(column)]) / places[0].w());
+        // Rays start on the near plane.
+        const double deeper = glm::dot(glm::dvec3(rowOf(_toClip, 2)), -glm::dvec3(eye));
+        rays.depthSlope = static_cast<float>(0.5 * deeper * places[0].w());
         return rays;
     }
     const osg::Vec4d center = osg::Vec4d(0.0, 0.0, 1.0, 0.0) * _toCells;
@@ -145,7 +173,9 @@ CellView::Rays CellView::computeRays(const glm::ivec2& size) const
     {
         const osg::Vec4d& place = places[static_cast<std::size_t>(column)];
         rays.direction[column] = glm::vec3(scale * (firstThree(place) - place.w() * origin));
+        rays.depth[column] = static_cast<float>(-0.5 * place.w() / center.w());
     }
+    rays.depthSlope = static_cast<float>(0.5 / (center.w() * scale));
     return rays;
 }
 

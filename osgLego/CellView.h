@@ -29,6 +29,13 @@ struct OSGLEGO_EXPORT CellView
     {
         glm::mat3 origin{0.0f};
         glm::mat3 direction{0.0f};
+        /** Depth from 0 to 1 of a place on a ray: of the pixel likewise, */
+        glm::vec3 depth{0.0f};
+        /** and to add for how far on it is or, in perspective, for the reciprocal of that. */
+        float depthSlope = 0.0f;
+
+        /** The same on the axes of a stud, the last of which is up, by the axis of the grid that is. */
+        Rays onAxesOfStud(int up) const;
     };
 
     /** The rays of a picture of a size in pixels. */
@@ -37,6 +44,13 @@ struct OSGLEGO_EXPORT CellView
     /** Whether floats hold the places that rays start from so well that each pixel's own is told from the next: not so
      * where the eye is far away and sees little. */
     bool areDistinct(const Rays& rays) const;
+
+    /** Whether the depth of a place goes by how far on its ray it is alone: not so where the near plane is oblique. */
+    static bool isDepthDistance(const Rays& rays);
+
+    /** What part of the picture a box in cells lies in: left, lower, right, upper, from -1 to 1, and beyond where it
+     * reaches beyond; if isAllBehindNearPlane, and for a box in which bricks may lie. */
+    glm::vec4 areaOf(const glm::dvec3& lower, const glm::dvec3& upper) const;
 
     /** The eye's place in cells; where the last number is 0, the direction towards it. */
     glm::vec4 eye{0.0f};

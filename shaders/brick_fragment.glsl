@@ -5,11 +5,16 @@
 
 #if defined(SPLATS)
 
+#define PASSED flat in
+#include "splat_scene.glsl"
+#define upAxis sceneNumbers.x
+#define studHeight sceneRays[1].w
+#define eye sceneEye
+#define normalMatrix mat3(sceneNormals[0].xyz, sceneNormals[1].xyz, sceneNormals[2].xyz)
 #include "splat_rays.glsl"
 
 uniform usampler2D splats;
 uniform sampler2D splatDepths; // 1: there is none
-uniform ivec2 origin; // the picture's lower left pixel
 
 vec3 eyePosition;
 vec3 eyeNormal;
@@ -26,6 +31,13 @@ struct Plane
     vec4 first;
     vec4 second;
 };
+
+// From the lower corner of a cell on.
+Ray rayThrough(vec2 pixel, vec3 cell)
+{
+    vec3 change = pixel.x * sceneRays[0].xyz + pixel.y * sceneRays[1].xyz;
+    return Ray(sceneRays[2].xyz + (1.0 - sceneRays[0].w) * change - cell, sceneRays[3].xyz + sceneRays[0].w * change);
+}
 
 vec3 unitOf(int axis)
 {
@@ -72,12 +84,15 @@ Plane planeOfWall(vec2 facet)
 // Find what the pixel shows; false: nothing.
 bool findFragment()
 {
-    vec2 pixel = gl_FragCoord.xy - vec2(origin);
+    vec2 origin = vec2(sceneNumbers.yz);
+    vec2 pixel = gl_FragCoord.xy - origin;
+    // A picture smaller than a tile.
+    if (any(lessThan(pixel, vec2(0.0))) || pixel.x > sceneNormals[0].w || pixel.y > sceneNormals[1].w) return false;
     float depth = texelFetch(splatDepths, ivec2(pixel), 0).x;
     if (depth == 1.0) return false;
-    gl_FragDepth = gl_DepthRange.near + gl_DepthRange.diff * depth;
+    gl_FragDepth = sceneRays[2].w + sceneRays[3].w * depth;
     uvec2 splat = texelFetch(splats, ivec2(pixel), 0).xy;
-    vec3 cell = cellOf(splat);
+    vec3 cell = fromStud(cellOf(splat));
     uvec3 number = uvec3(cell);
     uvec3 brick = uvec3(number.x | number.y << 16, number.z, splat.y >> 8);
     uint open = splat.y >> 2 & 63u;
@@ -88,7 +103,8 @@ bool findFragment()
     if ((splat.y & 3u) == STUD)
     {
         vec2 facet;
-        meetStud(rayThrough(pixel, cell), facet);
+        Ray ray = rayThrough(pixel, cell);
+        meetStud(Ray(toStud(ray.origin), toStud(ray.direction)), studHeight, facet);
         bool isDisk = facet == vec2(0.0);
         plane = isDisk ? planeOfDisk() : planeOfWall(facet);
         vec3 place = toStud(meet(plane, pixel, cell));
@@ -97,8 +113,8 @@ bool findFragment()
     }
     else
     {
-        int axis = int(splat.y & 3u);
-        bool upper = upperSeen(cell)[axis];
+        int axis = (int(splat.y & 3u) + upAxis + 1) % 3;
+        bool upper = eye[axis] > (cell[axis] + 0.5) * eye.w;
         plane = planeOfFace(axis, upper);
         normal = upper ? unitOf(axis) : -unitOf(axis);
         detail = detailOf(brick, FACE, axis, upper, filledBeside(open, axesOf(axis, upper)));
@@ -106,13 +122,14 @@ bool findFragment()
     vec3 place = meet(plane, pixel, cell);
     coordinate = coordinateOn(plane, place);
     // As the differences between neighbours of four pixels, which dFdx and dFdy are.
-    vec2 first = floor(0.5 * gl_FragCoord.xy) * 2.0 + 0.5 - vec2(origin);
+    vec2 first = floor(0.5 * gl_FragCoord.xy) * 2.0 + 0.5 - origin;
     vec2 base = coordinateOn(plane, meet(plane, first, cell));
     vec2 right = coordinateOn(plane, meet(plane, first + vec2(1.0, 0.0), cell)) - base;
     vec2 above = coordinateOn(plane, meet(plane, first + vec2(0.0, 1.0), cell)) - base;
     coordinateSlopes = vec4(right.x, above.x, right.y, above.y);
-    eyePosition = (gl_ModelViewMatrix * vec4(cell + place, 1.0)).xyz;
-    eyeNormal = gl_NormalMatrix * normal;
+    vec4 position = vec4(cell + place, 1.0);
+    eyePosition = vec3(dot(sceneRows[0], position), dot(sceneRows[1], position), dot(sceneRows[2], position));
+    eyeNormal = normalMatrix * normal;
     return true;
 }
 
@@ -126,6 +143,7 @@ flat in uint detail;
 
 uniform bool isMirrored; // what winds counter-clockwise is seen from inside
 
+#define normalMatrix gl_NormalMatrix
 #define isOutside (gl_FrontFacing != isMirrored)
 #define coordinateSlopes vec4(dFdx(coordinate.x), dFdy(coordinate.x), dFdx(coordinate.y), dFdy(coordinate.y))
 

@@ -121,7 +121,7 @@ vec3 ownNumbers()
 // From the axes of the grid to the eye's.
 vec3 axisOf(int axis)
 {
-    return normalize(gl_NormalMatrix[axis]);
+    return normalize(normalMatrix[axis]);
 }
 
 Surface surfaceHere()

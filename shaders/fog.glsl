@@ -1,13 +1,26 @@
 // The scene's fog, as osg::Fog describes it.
 
-uniform int fogMode; // 0: none, 1: linear, 2: exponential, 3: exponential of the square
+// The mode: 0: none, 1: linear, 2: exponential, 3: exponential of the square.
+#if defined(SPLATS)
+#define fogMode sceneNumbers.w
+#define fogColor sceneFog[0].rgb
+#define fogDensity sceneFog[0].w
+#define fogEnd sceneFog[1].x
+#define fogScale sceneFog[1].y
+#else
+uniform int fogMode;
+#define fogColor gl_Fog.color.rgb
+#define fogDensity gl_Fog.density
+#define fogEnd gl_Fog.end
+#define fogScale gl_Fog.scale
+#endif
 
 // The part of a surface's light that comes through the fog from a depth in the eye's coordinates.
 float transmittanceAt(float eyeDepth)
 {
     float depth = abs(eyeDepth);
-    float density = gl_Fog.density * depth;
-    if (fogMode == 1) return clamp((gl_Fog.end - depth) * gl_Fog.scale, 0.0, 1.0);
+    float density = fogDensity * depth;
+    if (fogMode == 1) return clamp((fogEnd - depth) * fogScale, 0.0, 1.0);
     if (fogMode == 2) return exp(-density);
     return fogMode == 3 ? exp(-density * density) : 1.0;
 }

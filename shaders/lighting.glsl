@@ -1,28 +1,72 @@
 // The scene's lights, as osg::Light describes them.
 
+struct Light
+{
+    vec4 position;
+    vec3 ambient;
+    vec3 diffuse;
+    vec3 specular;
+    vec3 attenuation; // constant, linear, quadratic
+    vec3 spotDirection;
+    float spotCutoff;
+    float spotCosCutoff;
+    float spotExponent;
+};
+
+#if defined(SPLATS)
+#define ambientOfAll sceneAmbient.rgb
+#define eyeIsPlace (sceneNormals[2].w == 0.0)
+#else
+#define ambientOfAll gl_LightModel.ambient.rgb
+#define eyeIsPlace (gl_ProjectionMatrix[3][3] == 0.0)
+#endif
+
+#if defined(ONE_LIGHT)
+
+const int numLights = 1;
+
+Light lightAt(int place)
+{
+    return Light(sceneLight[0], sceneLight[1].rgb, sceneLight[2].rgb, sceneLight[3].rgb, sceneLight[4].xyz,
+                 sceneLight[5].xyz, sceneLight[1].w, sceneLight[2].w, sceneLight[3].w);
+}
+
+#else
+
 uniform int numLights;       // below 0: lighting is off, and colours show as they are
 uniform int lightNumbers[8]; // of the lights that are on
 
-// How much of a light comes to a place, by distance and spot.
-float attenuationOf(int number, vec3 toLight)
+Light lightAt(int place)
 {
-    if (gl_LightSource[number].position.w == 0.0) return 1.0;
-    float range = length(toLight);
-    float attenuation =
-        1.0 / (gl_LightSource[number].constantAttenuation +
-               range * (gl_LightSource[number].linearAttenuation + range * gl_LightSource[number].quadraticAttenuation));
-    if (gl_LightSource[number].spotCutoff > 90.0) return attenuation;
-    float spot = dot(-toLight / range, normalize(gl_LightSource[number].spotDirection));
-    if (spot < gl_LightSource[number].spotCosCutoff) return 0.0;
-    return attenuation * pow(max(spot, 0.0), gl_LightSource[number].spotExponent);
+    int number = lightNumbers[place];
+    return Light(gl_LightSource[number].position, gl_LightSource[number].ambient.rgb, gl_LightSource[number].diffuse.rgb,
+                 gl_LightSource[number].specular.rgb,
+                 vec3(gl_LightSource[number].constantAttenuation, gl_LightSource[number].linearAttenuation,
+                      gl_LightSource[number].quadraticAttenuation),
+                 gl_LightSource[number].spotDirection, gl_LightSource[number].spotCutoff,
+                 gl_LightSource[number].spotCosCutoff, gl_LightSource[number].spotExponent);
 }
 
-vec3 towardsLight(int number, vec3 eyePosition)
+#endif
+
+// How much of a light comes to a place, by distance and spot.
+float attenuationOf(Light light, vec3 toLight)
 {
-    return gl_LightSource[number].position.xyz - eyePosition * gl_LightSource[number].position.w;
+    if (light.position.w == 0.0) return 1.0;
+    float range = length(toLight);
+    float attenuation = 1.0 / (light.attenuation.x + range * (light.attenuation.y + range * light.attenuation.z));
+    if (light.spotCutoff > 90.0) return attenuation;
+    float spot = dot(-toLight / range, normalize(light.spotDirection));
+    if (spot < light.spotCosCutoff) return 0.0;
+    return attenuation * pow(max(spot, 0.0), light.spotExponent);
+}
+
+vec3 towardsLight(Light light, vec3 eyePosition)
+{
+    return light.position.xyz - eyePosition * light.position.w;
 }
 
 vec3 towardsEye(vec3 eyePosition)
 {
-    return gl_ProjectionMatrix[3][3] == 0.0 ? normalize(-eyePosition) : vec3(0.0, 0.0, 1.0);
+    return eyeIsPlace ? normalize(-eyePosition) : vec3(0.0, 0.0, 1.0);
 }

@@ -1,10 +1,10 @@
 // Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. Where ambient occlusion
 // follows (#define GEOMETRY_BUFFER), the light of the probe is left to it.
 
+#include "brick_surface.glsl"
 #include "lighting.glsl"
 #include "fog.glsl"
 #include "color_space.glsl"
-#include "brick_surface.glsl"
 #if defined(GEOMETRY_BUFFER)
 #include "geometry_buffer.glsl"
 #else
@@ -26,16 +26,16 @@ vec3 directLight(Surface surface, vec3 albedo)
     vec3 specular = vec3(0.0);
     float slope = surface.roughness * surface.roughness;
     float shininess = usesMaterial ? gl_FrontMaterial.shininess : 0.5 / (slope * slope + LIGHT_SIZE * LIGHT_SIZE);
-    for (int light = 0; light < numLights; ++light)
+    for (int place = 0; place < numLights; ++place)
     {
-        int number = lightNumbers[light];
-        vec3 toLight = towardsLight(number, eyePosition);
+        Light light = lightAt(place);
+        vec3 toLight = towardsLight(light, eyePosition);
         vec3 direction = normalize(toLight);
         float cosine = max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
-        float attenuation = attenuationOf(number, toLight) * cosine;
+        float attenuation = attenuationOf(light, toLight) * cosine;
         float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
-        diffuse += attenuation * gl_LightSource[number].diffuse.rgb;
-        specular += attenuation * pow(max(highlight, 1e-4), shininess) * gl_LightSource[number].specular.rgb;
+        diffuse += attenuation * light.diffuse;
+        specular += attenuation * pow(max(highlight, 1e-4), shininess) * light.specular;
     }
     vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
     if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;
@@ -52,7 +52,7 @@ void main()
     float transmittance = transmittanceAt(eyePosition.z);
     if (numLights < 0)
     {
-        vec3 shown = mix(gl_Fog.color.rgb, unpackUnorm4x8(color).rgb, transmittance);
+        vec3 shown = mix(fogColor, unpackUnorm4x8(color).rgb, transmittance);
         gl_FragData[0] = vec4(shown, 1.0);
         gl_FragData[1] = vec4(0.0);
         gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
@@ -79,7 +79,7 @@ void main()
                        reflectionAt(surface.shading, towardsEye(eyePosition), surface.roughness);
         shown = toColor((directLight(surface, albedo) + ambient) * surface.openness);
     }
-    gl_FragColor = vec4(mix(gl_Fog.color.rgb, shown, transmittance), 1.0);
+    gl_FragColor = vec4(mix(fogColor, shown, transmittance), 1.0);
 }
 
 #endif

@@ -2,14 +2,16 @@
 // within, and every pixel of it looks where its ray meets the brick (Majercik et al. 2018, "A Ray-Box Intersection
 // Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms of 16 sides, as the geometry shader makes them.
 //
-// A splat in two words: the cell, by 10, 10 and 12 bits, the last along the up axis | where the ray meets it: the axis of
-// a face, or STUD (2 bits), the open sides (6), the colour (24).
+// A splat in two words: the cell on the axes of a stud, the last of which is up, by 10, 10 and 12 bits | where the ray
+// meets it: the axis of a face, likewise, or STUD (2 bits), the open sides (6), the colour (24).
 
+#if !defined(SPLATS) // which are told otherwise, see splat_scene.glsl
 uniform int upAxis;
-uniform float studHeight; // in cells
-uniform vec4 eye;         // in cells: a place, or, where the last is 0, the direction towards it
+uniform float studHeight;  // in cells
+uniform vec4 eye;          // in cells: a place, or, where the last is 0, the direction towards it
 uniform mat3 rayOrigin;    // in cells, of the picture's lower left corner, and its change by pixels to the right and up
 uniform mat3 rayDirection; // likewise
+#endif
 
 const uint STUD = 3u;
 const float STUD_RADIUS = 0.3;
@@ -26,32 +28,6 @@ struct Ray
     vec3 direction;
 };
 
-// From the lower corner of a cell on.
-Ray rayThrough(vec2 pixel, vec3 cell)
-{
-    return Ray(rayOrigin * vec3(1.0, pixel) - cell, rayDirection * vec3(1.0, pixel));
-}
-
-// On each axis whether the upper side is the one that may be seen.
-bvec3 upperSeen(vec3 cell)
-{
-    return greaterThan(eye.xyz, (cell + 0.5) * eye.w);
-}
-
-uvec2 packSplat(uvec3 brick)
-{
-    uvec3 cell = uvec3(brick.x & 0xffffu, brick.x >> 16, brick.y & 0xffffu);
-    uvec3 turned = upAxis == 1 ? cell.zxy : cell;
-    return uvec2(turned.x | turned.y << 10 | turned.z << 20,
-                 (brick.y >> 16) << 2 | (brick.z & 0xffffffu) << 8);
-}
-
-vec3 cellOf(uvec2 splat)
-{
-    vec3 turned = vec3(splat.x & 1023u, splat.x >> 10 & 1023u, splat.x >> 20);
-    return upAxis == 1 ? turned.yzx : turned;
-}
-
 // From the axes of the grid to those across a stud, and its own.
 vec3 toStud(vec3 vector)
 {
@@ -63,11 +39,33 @@ vec3 fromStud(vec3 vector)
     return upAxis == 1 ? vector.yzx : vector;
 }
 
-// Where a ray meets the prism of a stud: how far on; `facet` is the normal of the side it comes in by, 0 for the disk.
-float meetStud(Ray ray, out vec2 facet)
+// Whether a stud is seen at all, by the way to the eye from the middle of its foot, on its axes: from far enough below, the
+// brick that it stands on hides it. From its rim to the edge of that brick it is 0.2 across or more.
+bool isStudSeen(vec3 toEye)
 {
-    vec3 origin = toStud(ray.origin) - vec3(0.5, 0.5, 1.0);
-    vec3 direction = toStud(ray.direction);
+    return studHeight * (length(toEye.xy) + STUD_RADIUS * eye.w) > -0.2 * toEye.z;
+}
+
+uvec2 packSplat(uvec3 brick)
+{
+    uvec3 cell = uvec3(brick.x & 0xffffu, brick.x >> 16, brick.y & 0xffffu);
+    uvec3 turned = upAxis == 1 ? cell.zxy : cell;
+    return uvec2(turned.x | turned.y << 10 | turned.z << 20,
+                 (brick.y >> 16) << 2 | (brick.z & 0xffffffu) << 8);
+}
+
+// The cell on the axes of a stud.
+vec3 cellOf(uvec2 splat)
+{
+    return vec3(splat.x & 1023u, splat.x >> 10 & 1023u, splat.x >> 20);
+}
+
+// Where a ray on the axes of a stud meets its prism: how far on; `facet` is the normal of the side it comes in by, 0 for
+// the disk.
+float meetStud(Ray ray, float height, out vec2 facet)
+{
+    vec3 origin = ray.origin - vec3(0.5, 0.5, 1.0);
+    vec3 direction = ray.direction;
     float first = -NEVER;
     float last = NEVER;
     vec2 normal = vec2(0.0);
@@ -84,16 +82,9 @@ float meetStud(Ray ray, out vec2 facet)
     }
     facet = normal;
     if (first > last) return NEVER;
-    float height = origin.z + first * direction.z;
-    if (height >= -1e-3 && height <= studHeight) return first;
+    float place = origin.z + first * direction.z;
+    if (place >= -1e-3 && place <= height) return first;
     facet = vec2(0.0);
-    float disk = (studHeight - origin.z) / direction.z;
+    float disk = (height - origin.z) / direction.z;
     return direction.z < 0.0 && disk >= first && disk <= last ? disk : NEVER;
-}
-
-// Depth from 0 to 1 of a place in cells; beyond that it is cut off.
-float depthAt(vec3 place)
-{
-    vec4 clip = gl_ModelViewProjectionMatrix * vec4(place, 1.0);
-    return 0.5 + 0.5 * clip.z / clip.w;
 }

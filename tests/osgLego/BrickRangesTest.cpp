@@ -30,10 +30,10 @@ protected:
         _ranges.find(blocks, _grid, cellView, showsInsides);
         _ranges.sortFrontToBack();
         std::vector<int> numbers;
-        for (std::size_t range = 0; range < _ranges.getFirsts().size(); ++range)
+        for (std::size_t range = 0; range < _ranges.getAll().firsts.size(); ++range)
         {
-            EXPECT_EQ(_ranges.getCounts()[range], 10);
-            numbers.push_back(_ranges.getFirsts()[range] / 100);
+            EXPECT_EQ(_ranges.getAll().counts[range], 10);
+            numbers.push_back(_ranges.getAll().firsts[range] / 100);
         }
         return numbers;
     }
@@ -70,6 +70,18 @@ TEST_F(Ranges, KeepStudsThatAreSeenFromBelow)
     EXPECT_EQ(find(blocks, {4, -50, 20}, {4, 4, 4}), (Numbers{0}));
     EXPECT_EQ(find(blocks, {4, -50, -10}, {4, 4, 4}), (Numbers{0}));
     EXPECT_EQ(find(blocks, {4, -2, -100}, {4, 4, 4}), Numbers());
+}
+
+TEST_F(Ranges, TellBricksWithStudsThatAreSeenFromOthers)
+{
+    const std::vector<BrickBlock> blocks{createBlock(0, {0, 0, 0}, {7, 7, 7}, SIDE_TOP | SIDE_FRONT),
+                                         createBlock(1, {8, 0, 0}, {15, 7, 7}, SIDE_FRONT)};
+    find(blocks, {8, -50, 20}, {8, 4, 4});
+    EXPECT_EQ(_ranges.getStudded().firsts, Numbers{0});
+    EXPECT_EQ(_ranges.getOthers().firsts, Numbers{100});
+    find(blocks, {8, -12, -60}, {8, 4, 4});
+    EXPECT_TRUE(_ranges.getStudded().firsts.empty());
+    EXPECT_EQ(_ranges.getOthers().firsts, (Numbers{0, 100}));
 }
 
 } // namespace
