@@ -27,7 +27,10 @@ struct RowBundle
     std::vector<std::uint64_t> occupancy;           //!< a bit a cell, the rows one after the other; empty: no bricks
     std::array<std::uint32_t, NUM_ROWS + 1> begins; //!< the first brick of each row, and the number of all
 
-    static std::size_t rowOf(int y, int z) { return static_cast<std::size_t>(y % SIDE + SIDE * (z % SIDE)); }
+    static std::size_t rowOf(int y, int z)
+    {
+        return static_cast<unsigned int>(y) % SIDE + SIDE * (static_cast<unsigned int>(z) % SIDE);
+    }
     /** How many words of occupancy a row of so many cells has. */
     static std::size_t numWords(int width) { return static_cast<std::size_t>((width + WORD_BITS - 1) / WORD_BITS); }
 };

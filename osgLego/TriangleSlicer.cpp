@@ -268,9 +268,11 @@ private:
     CellPart* addEmptyParts(int first, int last, glm::ivec3 cell)
     {
         const std::size_t number = _parts.size();
+        _parts.resize(number + static_cast<std::size_t>(last - first + 1));
+        CellPart* parts = &_parts[number];
         for (cell.x = first; cell.x <= last; ++cell.x)
-            _parts.push_back({cell, 0.0});
-        return &_parts[number];
+            parts[cell.x - first].cell = cell;
+        return parts;
     }
 
     /** Call `add` with the signed area below every piece of an edge, and the number of the cell that it lies in. */
