@@ -111,18 +111,6 @@ void findWords(const osg::State& state, const Occupancy& occupancy, int numBlock
     feedback.end();
 }
 
-/** Which blocks the bricks lie in: drawing drops those that can't be seen, on the CPU. */
-std::vector<BrickBlock> readBlocks(const osg::State& state, const Legolization& work)
-{
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    std::vector<BrickPoint> points(work.numBricks);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, work.bricks.get());
-    extensions.glGetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(points.size() * BRICK_BYTES),
-                                  points.data());
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
-    return findBlocks(points);
-}
-
 } // namespace
 
 BrickExtractionPass::BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
@@ -158,11 +146,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     const OccupancyTexture texture(state, work.occupancy);
     const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);
     if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
-    if (_slab + 1 == _plan.numSlabs)
-    {
-        work.blocks = readBlocks(state, work);
-        bricks.finish();
-    }
+    if (_slab + 1 == _plan.numSlabs) bricks.finish();
     return {};
 }
 

@@ -13,11 +13,12 @@ namespace
 
 constexpr int SIDE = BrickPoints::BLOCK_SIDE;
 
-void include(const glm::ivec3& cell, std::uint8_t openSides, BrickBlock& block)
+void include(const Brick& brick, BrickBlock& block)
 {
+    const glm::ivec3 cell = brick.getCell();
     block.minimum = block.count == 0 ? cell : glm::min(block.minimum, cell);
     block.maximum = block.count == 0 ? cell : glm::max(block.maximum, cell);
-    block.openSides |= openSides;
+    block.openSides |= brick.openSides;
     ++block.count;
 }
 
@@ -37,7 +38,7 @@ public:
     {
         std::fill(_blocks.begin(), _blocks.end(), BrickBlock());
         for (const Brick& brick : bricks)
-            if (brick.openSides != 0) include(brick.getCell(), brick.openSides, blockOf(brick));
+            if (brick.openSides != 0) include(brick, blockOf(brick));
 
         std::size_t next = _result.points.size();
         for (BrickBlock& block : _blocks)
@@ -91,23 +92,6 @@ BrickPoints createBrickPoints(const BrickModel& model)
         begin = end;
     }
     return result;
-}
-
-std::vector<BrickBlock> findBlocks(const std::vector<BrickPoint>& points)
-{
-    std::vector<BrickBlock> blocks;
-    for (std::size_t point = 0; point < points.size(); ++point)
-    {
-        const auto& [columns, layer, color] = points[point];
-        const glm::ivec3 cell(columns & 0xffff, columns >> 16, layer & 0xffff);
-        if (blocks.empty() || blocks.back().minimum / SIDE != cell / SIDE)
-        {
-            blocks.emplace_back();
-            blocks.back().first = static_cast<int>(point);
-        }
-        include(cell, static_cast<std::uint8_t>(layer >> 16), blocks.back());
-    }
-    return blocks;
 }
 
 } // namespace osgLego

@@ -28,8 +28,4 @@ struct BrickPoints
 /** The points of a model's visible bricks; in a block they are sorted by z, y and x. May be called from any thread. */
 BrickPoints createBrickPoints(const BrickModel& model);
 
-/** The blocks of points that already lie block by block; where a block's points lie in several places, there is one for
- * each of them. */
-std::vector<BrickBlock> findBlocks(const std::vector<BrickPoint>& points);
-
 } // namespace osgLego
