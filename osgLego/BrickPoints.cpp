@@ -1,9 +1,12 @@
 #include <osgLego/BrickPoints.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 
 #include <glm/common.hpp>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -22,36 +25,36 @@ void include(const Brick& brick, BrickBlock& block)
     ++block.count;
 }
 
-/** Appends the bricks of one layer of blocks after the other: those with studs, then the others. */
-class BlockLayers
+/** Sorts the bricks of one layer of blocks: those with studs, then the others. */
+class BlockLayer
 {
 public:
-    BlockLayers(const BrickGrid& grid, BrickPoints& result) :
+    explicit BlockLayer(const BrickGrid& grid) :
         _stud(SIDE_RIGHT << (2 * grid.getUpIndex())),
         _width(static_cast<std::size_t>((grid.dimensions.x + SIDE - 1) / SIDE)),
-        _size(_width * static_cast<std::size_t>((grid.dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size),
-        _result(result)
+        _size(_width * static_cast<std::size_t>((grid.dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size)
     {
     }
 
-    void append(std::span<const Brick> bricks)
+    BrickPoints sort(std::span<const Brick> bricks)
     {
-        std::fill(_blocks.begin(), _blocks.end(), BrickBlock());
         for (const Brick& brick : bricks)
             if (brick.openSides != 0) include(brick, blockOf(brick));
 
-        std::size_t next = _result.points.size();
+        BrickPoints result;
+        int next = 0;
         for (BrickBlock& block : _blocks)
         {
             if (block.count == 0) continue;
-            block.first = static_cast<int>(next);
-            next += static_cast<std::size_t>(block.count);
-            _result.blocks.push_back(block);
+            block.first = next;
+            next += block.count;
+            result.blocks.push_back(block);
         }
-        _result.points.resize(next);
+        result.points.resize(static_cast<std::size_t>(next));
         for (const Brick& brick : bricks)
             if (brick.openSides != 0)
-                _result.points[static_cast<std::size_t>(blockOf(brick).first++)] = packBrick(brick);
+                result.points[static_cast<std::size_t>(blockOf(brick).first++)] = packBrick(brick);
+        return result;
     }
 
 private:
@@ -65,9 +68,40 @@ private:
     int _stud; // the side that has one when it is open
     std::size_t _width;
     std::size_t _size;
-    std::vector<BrickBlock> _blocks; // of one layer, with and without bricks
-    BrickPoints& _result;
+    std::vector<BrickBlock> _blocks; // with and without bricks
 };
+
+/** Where the bricks of each layer of blocks begin, and the end. */
+std::vector<std::size_t> findLayers(const std::vector<Brick>& bricks)
+{
+    std::vector<std::size_t> begins{0};
+    for (int layer = SIDE; begins.back() < bricks.size(); layer += SIDE)
+    {
+        const auto end = std::partition_point(bricks.begin() + static_cast<std::ptrdiff_t>(begins.back()), bricks.end(),
+                                              [layer](const Brick& brick) { return brick.cell[2] < layer; });
+        begins.push_back(static_cast<std::size_t>(end - bricks.begin()));
+    }
+    return begins;
+}
+
+BrickPoints join(const std::vector<BrickPoints>& layers)
+{
+    BrickPoints result;
+    std::size_t count = 0;
+    for (const BrickPoints& layer : layers)
+        count += layer.points.size();
+    result.points.reserve(count);
+    for (const BrickPoints& layer : layers)
+    {
+        for (BrickBlock block : layer.blocks)
+        {
+            block.first += static_cast<int>(result.points.size());
+            result.blocks.push_back(block);
+        }
+        result.points.insert(result.points.end(), layer.points.begin(), layer.points.end());
+    }
+    return result;
+}
 
 } // namespace
 
@@ -80,18 +114,17 @@ BrickPoint packBrick(const Brick& brick)
 
 BrickPoints createBrickPoints(const BrickModel& model)
 {
-    BrickPoints result;
-    result.points.reserve(model.getBricks().size());
-    BlockLayers layers(model.getGrid(), result);
-    auto begin = model.getBricks().begin();
-    for (int layer = SIDE; begin != model.getBricks().end(); layer += SIDE)
+    const std::vector<Brick>& bricks = model.getBricks();
+    const std::vector<std::size_t> begins = findLayers(bricks);
+    std::vector<BrickPoints> layers(begins.size() - 1);
+    const auto sortLayer = [&](std::size_t layer)
     {
-        const auto end = std::partition_point(begin, model.getBricks().end(),
-                                              [layer](const Brick& brick) { return brick.cell[2] < layer; });
-        layers.append({begin, end});
-        begin = end;
-    }
-    return result;
+        layers[layer] = BlockLayer(model.getGrid())
+                            .sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
+    };
+    // A thread that waits here takes on none of the caller's tasks, which may want locks that it holds.
+    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(std::size_t(0), layers.size(), sortLayer); });
+    return join(layers);
 }
 
 } // namespace osgLego

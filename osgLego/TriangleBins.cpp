@@ -17,6 +17,8 @@ namespace
 constexpr std::size_t CHUNK = 16384;
 // In cells: rather one bundle too many than one too few.
 constexpr float GENEROSITY = 1e-2f;
+constexpr std::uint32_t NO_BUNDLE = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t SEVERAL_BUNDLES = NO_BUNDLE - 1;
 
 /** Places along an axis. */
 struct Range
@@ -85,6 +87,8 @@ struct Chunk
     const GridVertex* vertices;
     std::size_t count;
     std::uint32_t number; // of the first
+
+    const GridVertex* getCorners(std::size_t triangle) const { return &vertices[3 * triangle]; }
 };
 
 std::vector<Chunk> cutIntoChunks(const GridTriangles& triangles)
@@ -113,16 +117,23 @@ TriangleBins::TriangleBins(const GridTriangles& triangles)
     // A counting sort: of every chunk how many triangles go into each bundle, then where its first goes, then where
     // they all go. So the order of the triangles stays.
     std::vector<std::vector<std::size_t>> places(chunks.size(), std::vector<std::size_t>(numBundles));
-    const auto sortChunk = [&](std::size_t chunk, const auto& use)
+    // Most triangles go into one bundle, and need not be looked at again.
+    std::vector<std::uint32_t> onlyBundles(triangles.getNumTriangles());
+    const auto countChunk = [&](std::size_t chunk)
     {
         for (std::size_t triangle = 0; triangle < chunks[chunk].count; ++triangle)
-            forEachBundle(&chunks[chunk].vertices[3 * triangle], _size,
+        {
+            std::uint32_t& only = onlyBundles[chunks[chunk].number + triangle];
+            only = NO_BUNDLE;
+            forEachBundle(chunks[chunk].getCorners(triangle), _size,
                           [&](std::size_t bundle)
-                          { use(places[chunk][bundle], chunks[chunk].number + static_cast<std::uint32_t>(triangle)); });
+                          {
+                              only = only == NO_BUNDLE ? static_cast<std::uint32_t>(bundle) : SEVERAL_BUNDLES;
+                              ++places[chunk][bundle];
+                          });
+        }
     };
-    oneapi::tbb::parallel_for(std::size_t(0), chunks.size(),
-                              [&](std::size_t chunk)
-                              { sortChunk(chunk, [](std::size_t& count, std::uint32_t) { ++count; }); });
+    oneapi::tbb::parallel_for(std::size_t(0), chunks.size(), countChunk);
 
     std::size_t sum = 0;
     _begins.reserve(numBundles + 1);
@@ -135,10 +146,20 @@ TriangleBins::TriangleBins(const GridTriangles& triangles)
     _begins.push_back(sum);
 
     _triangles.resize(sum);
-    oneapi::tbb::parallel_for(
-        std::size_t(0), chunks.size(),
-        [&](std::size_t chunk)
-        { sortChunk(chunk, [&](std::size_t& place, std::uint32_t triangle) { _triangles[place++] = triangle; }); });
+    const auto placeChunk = [&](std::size_t chunk)
+    {
+        for (std::size_t triangle = 0; triangle < chunks[chunk].count; ++triangle)
+        {
+            const auto number = chunks[chunk].number + static_cast<std::uint32_t>(triangle);
+            const std::uint32_t only = onlyBundles[number];
+            const auto place = [&](std::size_t bundle) { _triangles[places[chunk][bundle]++] = number; };
+            if (only == SEVERAL_BUNDLES)
+                forEachBundle(chunks[chunk].getCorners(triangle), _size, place);
+            else if (only != NO_BUNDLE)
+                place(only);
+        }
+    };
+    oneapi::tbb::parallel_for(std::size_t(0), chunks.size(), placeChunk);
 }
 
 } // namespace osgLego
