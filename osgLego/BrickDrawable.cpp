@@ -53,7 +53,8 @@ bool isClockwise(const osg::State& state)
 
 BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
                              osg::StateSet& splatStateByOneLight) :
-    _store(&store), _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
+    _store(&store),
+    _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);

@@ -87,6 +87,11 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+std::string describeLackOfRoom(std::size_t numBricks)
+{
+    return "there is no room for " + std::to_string(numBricks) + " bricks; allowed: a lower resolution";
+}
+
 /** Fill the occupancy from the voxel image. */
 void findOccupancy(const osg::State& state, const Occupancy& occupancy, int numBlocks)
 {
@@ -138,6 +143,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     const GlBuffer wordBuffer(state);
     TransformFeedback words(*state.get<osg::GLExtensions>());
     findWords(state, work.occupancy, numBlocks, wordBuffer.get(), words);
+    if (takeOutOfMemoryError()) return "there is no room for the words of the occupancy; allowed: a lower resolution";
 
     if (!apply(state, _states->getBricks(), grid, slab)) return NO_SHADERS;
     const ProgramUniforms uniforms(state);
@@ -167,6 +173,7 @@ std::string BrickExtractionPass::capture(osg::State& state, Legolization& work, 
     constexpr std::size_t SPARE_BRICKS = 1024;
     if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + SPARE_BRICKS);
     if (work.brickCapacity == work.numBricks) reserve(state, work, 2 * work.brickCapacity);
+    if (takeOutOfMemoryError()) return describeLackOfRoom(work.brickCapacity);
     TransformFeedback feedback(*state.get<osg::GLExtensions>());
     while (true)
     {
@@ -183,8 +190,7 @@ std::string BrickExtractionPass::capture(osg::State& state, Legolization& work, 
         }
         const std::size_t needed = work.numBricks + result.generated;
         reserve(state, work, needed + needed / 8 + SPARE_BRICKS);
-        if (takeOutOfMemoryError())
-            return "there is no room for " + std::to_string(needed) + " bricks; allowed: a lower resolution";
+        if (takeOutOfMemoryError()) return describeLackOfRoom(needed);
     }
 }
 

@@ -6,9 +6,8 @@
 #include <osgLego/ProgramUniforms.h>
 #include <osgLego/ShaderLibrary.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 
 #include <osg/ContextData>
 #include <osg/Depth>
@@ -123,6 +122,10 @@ public:
             std::array<GLfloat, 2> range{};
             glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
             _maximumPointSize = range[1];
+            std::array<GLint, 2> viewport{};
+            glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+            // See drawPoints.
+            _maximumSize = {viewport[0] / 2, viewport[1]};
         }
         // Of contexts that share objects each would need frame buffer objects of its own.
         return _isSoftware && !_hasFailed && _owner.get() == state.getGraphicsContext();
@@ -132,6 +135,11 @@ public:
     void fail() { _hasFailed = true; }
 
     float getMaximumPointSize() const { return _maximumPointSize; }
+    /** Whether a picture of so many pixels can be drawn here, and there is one at all. */
+    bool isPossible(const glm::ivec2& size) const
+    {
+        return size.x > 0 && size.y > 0 && size.x <= _maximumSize.x && size.y <= _maximumSize.y;
+    }
     osg::Texture2D& getSplats() const { return *_splats; }
     osg::Texture2D& getDepths() const { return *_depths; }
 
@@ -144,6 +152,21 @@ public:
         state.applyTextureAttribute(DEPTHS_UNIT, _depths);
         _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
         return PassCamera::isTargetThere(state);
+    }
+
+    /** Clear the depths of a picture of so many pixels. */
+    void clearDepths(const glm::ivec2& size) const
+    {
+        glClearDepth(1.0);
+        // Clearing all of a target is quicker than a part of the same size; another node may want a larger one.
+        const bool isPart = size != _size;
+        if (isPart)
+        {
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(0, 0, size.x, size.y);
+        }
+        glClear(GL_DEPTH_BUFFER_BIT);
+        if (isPart) glDisable(GL_SCISSOR_TEST);
     }
 
 private:
@@ -166,6 +189,7 @@ private:
     bool _isSoftware = false;
     bool _hasFailed = false;
     float _maximumPointSize = 1.0f;
+    glm::ivec2 _maximumSize{0};
     glm::ivec2 _size{0};
     osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
     osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
@@ -223,6 +247,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     // Planes and ranges of depth that rays know nothing of.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
+    if (!target.isPossible(destination.getSize())) return false;
     const CellView::Rays rays = view.computeRays(destination.getSize());
     if (!view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
@@ -260,9 +285,7 @@ bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const Conte
         if (!isCleared && !target.bind(state, size)) return false;
         // Points to the left of the picture are dropped: it is the right half of the viewport.
         glViewport(-size.x, 0, 2 * size.x, size.y);
-        // All of it, which is quicker than a part.
-        glClearDepth(1.0);
-        if (!isCleared) glClear(GL_DEPTH_BUFFER_BIT);
+        if (!isCleared) target.clearDepths(size);
         isCleared = true;
         setBrickUniforms(state, grid, view, false);
         setRays(state, rays.onAxesOfStud(grid.getUpIndex()), size);

@@ -16,6 +16,7 @@ void PictureTiles::clear(const glm::ivec2& size)
 
 void PictureTiles::add(const glm::vec4& area)
 {
+    if (_isUsed.empty()) return;
     constexpr float MARGIN = 0.5f; // pixels, for what rounding may take off
     const glm::vec4 pixels = (0.5f * area + 0.5f) * glm::vec4(_size, _size);
     const glm::ivec2 last = _count - 1;

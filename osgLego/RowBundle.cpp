@@ -14,10 +14,10 @@ namespace
 {
 
 /** Looks into all bundles of a grid, row by row. */
-class Occupancy
+class RowOccupancy
 {
 public:
-    Occupancy(const std::vector<RowBundle>& bundles, const glm::ivec3& dimensions) :
+    RowOccupancy(const std::vector<RowBundle>& bundles, const glm::ivec3& dimensions) :
         _bundles(bundles), _dimensions(dimensions), _numBundles((dimensions.y + RowBundle::SIDE - 1) / RowBundle::SIDE),
         _numWords(RowBundle::numWords(dimensions.x)), _nothing(_numWords)
     {
@@ -47,7 +47,7 @@ private:
 };
 
 /** Copy the bricks of a row, and find their open sides. */
-void joinRow(const Occupancy& occupancy, int y, int z, const Brick* from, Brick* to)
+void joinRow(const RowOccupancy& occupancy, int y, int z, const Brick* from, Brick* to)
 {
     const std::uint64_t* here = occupancy.getRow(y, z);
     const std::array beside{occupancy.getRow(y - 1, z), occupancy.getRow(y + 1, z), occupancy.getRow(y, z - 1),
@@ -112,7 +112,7 @@ void RowBundleSums::takeRow(std::size_t row, const glm::ivec2& place, RowBundle&
 
 std::vector<Brick> joinBundles(const std::vector<RowBundle>& bundles, const glm::ivec3& dimensions)
 {
-    const Occupancy occupancy(bundles, dimensions);
+    const RowOccupancy occupancy(bundles, dimensions);
     std::vector<std::size_t> begins(static_cast<std::size_t>(dimensions.y) * static_cast<std::size_t>(dimensions.z));
     std::size_t count = 0;
     auto begin = begins.begin();

@@ -1,13 +1,11 @@
 #include <osgLego/VoxelizationPass.h>
 
+#include <osgLego/GlMemory.h>
 #include <osgLego/GridVertexArrays.h>
 #include <osgLego/ProgramUniforms.h>
 #include <osgLego/ProjectionPass.h>
 #include <osgLego/ShaderLibrary.h>
 #include <osgLego/WeightedColor.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include <osg/BlendFunc>
 
@@ -61,6 +59,7 @@ std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) cons
     setAddressing(uniforms, grid, slab, _plan.imageSize);
 
     work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
+    if (takeOutOfMemoryError()) return "there is no room for the occupancy of the grid; allowed: a lower resolution";
     work.occupancy.beginMarking(state);
     if (_plan.method == VoxelizationMethod::EXACT)
         drawExact(state, work);

@@ -13,8 +13,7 @@ namespace osgLego
 /** The bytes of buffers, textures and render buffers of one GL context, noted as they are made and deleted.
  *
  * Those of textures are what GL says of their texels; how a driver pads and compresses them is its secret. The window's
- * own frame buffer has no part in it. Functions need the context
- * current, and only ask. */
+ * own frame buffer has no part in it. Functions need the context current, and only ask. */
 class GlLedger
 {
 public:

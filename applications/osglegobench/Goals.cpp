@@ -175,8 +175,9 @@ std::vector<Goal> checkGoals(const MemoryResults& results)
             goals.push_back(makeGoal(fmt::format("memory of both sides, device={}", row.device),
                                      fmt::format("{} at {}", results.mesh, row.resolution), row.footprint->getSum(),
                                      BOUND, true, "MiB"));
-    for (std::size_t row = 1; row < results.rows.size(); ++row)
-        checkGrowth(results, results.rows[row - 1], results.rows[row], goals);
+    for (const MemoryRow& row : results.rows)
+        for (const MemoryRow& larger : results.rows)
+            checkGrowth(results, row, larger, goals);
     return goals;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,7 @@ struct MemoryOptions
                                                        LegoSettings::MAXIMUM_RESOLUTION};
         std::vector<unsigned int> sorted = resolutions;
         std::sort(sorted.begin(), sorted.end());
+        sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
         return sorted;
     }
 };
@@ -51,6 +53,8 @@ void runMemory(const MemoryOptions& options)
             fmt::print(stderr, "measuring {} at {} with device={}\n", source.name, resolution, device);
             results.rows.push_back({device, resolution, SceneFootprint::measureApart(source, resolution, device)});
         }
+    if (std::none_of(results.rows.begin(), results.rows.end(), [](const MemoryRow& row) { return row.footprint; }))
+        throw std::runtime_error("no frame of '" + source.name + "' could be drawn; allowed: a mesh that can be read");
     fmt::print("{}", formatTables(results));
     options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
 }

@@ -24,8 +24,16 @@ constexpr const char* VARIABLE = "OSGLEGO_SHADER_PATH";
 ReferenceShaders::ReferenceShaders() : _folder(std::filesystem::temp_directory_path() / "osglegobench-XXXXXX")
 {
     if (!mkdtemp(_folder.data())) throw std::runtime_error("can't make a temporary folder '" + _folder + "'");
-    for (const auto& [name, text] : getReferenceShaders())
-        writeTextFile(_folder + "/" + std::string(name), std::string(text));
+    try
+    {
+        for (const auto& [name, text] : getReferenceShaders())
+            writeTextFile(_folder + "/" + std::string(name), std::string(text));
+    }
+    catch (...)
+    {
+        removeFolder();
+        throw;
+    }
     if (const char* path = std::getenv(VARIABLE)) _formerPath = path;
     setenv(VARIABLE, _folder.c_str(), 1);
 }
@@ -36,6 +44,11 @@ ReferenceShaders::~ReferenceShaders()
         setenv(VARIABLE, _formerPath->c_str(), 1);
     else
         unsetenv(VARIABLE);
+    removeFolder();
+}
+
+void ReferenceShaders::removeFolder() const
+{
     std::error_code ignored;
     std::filesystem::remove_all(_folder, ignored);
 }

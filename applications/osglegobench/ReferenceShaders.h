@@ -19,6 +19,8 @@ public:
     ReferenceShaders& operator=(const ReferenceShaders&) = delete;
 
 private:
+    void removeFolder() const;
+
     std::string _folder;
     std::optional<std::string> _formerPath;
 };

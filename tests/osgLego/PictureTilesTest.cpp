@@ -31,6 +31,18 @@ TEST(PictureTiles, GoOnFromRowToRow)
     EXPECT_EQ(tiles.getCounts(), Numbers{12});
 }
 
+TEST(PictureTiles, APictureWithoutPixelsHasNone)
+{
+    PictureTiles tiles;
+    for (const glm::ivec2& size : {glm::ivec2(0, 0), glm::ivec2(0, 20), glm::ivec2(40, 0)})
+    {
+        tiles.clear(size);
+        tiles.add({-1.0f, -1.0f, 1.0f, 1.0f});
+        tiles.findRuns();
+        EXPECT_TRUE(tiles.getFirsts().empty());
+    }
+}
+
 TEST(PictureTiles, StayInThePicture)
 {
     PictureTiles tiles;
