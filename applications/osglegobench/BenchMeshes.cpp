@@ -82,6 +82,7 @@ MeshSource MeshSource::parse(const std::string& text)
         source.name = source.path.substr(0, place);
         source.path.erase(0, place + 1);
     }
+    if (source.path.empty()) throw std::runtime_error("'" + text + "' names no mesh; allowed: a path, or 'car'");
     if (source.path == "car") source.path.clear();
     if (source.name.empty()) source.name = source.path.empty() ? "car" : fs::path(source.path).stem().string();
     if (!source.path.empty() && !fs::exists(source.path))

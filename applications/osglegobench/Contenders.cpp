@@ -9,6 +9,7 @@
 #include "baselines/SliceMapContender.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include <osgDB/DynamicLibrary>
@@ -20,12 +21,21 @@ namespace
 {
 
 constexpr const char* ON_GPU = ",device=gpu";
+constexpr const char* OPENVDB_LIBRARY = "osglegobench_openvdb.so";
+
+/** The library beside this program, in the build's folders or an installation's; elsewhere OSG_LIBRARY_PATH tells. */
+std::string findOpenVdbLibrary()
+{
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / ".." / "lib" / OPENVDB_LIBRARY;
+    return fs::exists(beside, ignored) ? beside.string() : OPENVDB_LIBRARY;
+}
 
 /** Add those of a library that is there only where OpenVDB was when it was built. */
 void addOpenVdb(ContenderList& contenders)
 {
-    static const osg::ref_ptr<osgDB::DynamicLibrary> library =
-        osgDB::DynamicLibrary::loadLibrary("osglegobench_openvdb.so");
+    static const osg::ref_ptr<osgDB::DynamicLibrary> library = osgDB::DynamicLibrary::loadLibrary(findOpenVdbLibrary());
     if (!library) return;
     using Create = Contender*(bool isNarrow);
     auto* create = reinterpret_cast<Create*>(library->getProcAddress("createOpenVdbContender"));

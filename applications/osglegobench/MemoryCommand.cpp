@@ -46,6 +46,7 @@ void runMemory(const MemoryOptions& options)
 {
     options.files.check();
     const MeshSource source = options.getMesh();
+    readMesh(source); // so that what can't be read is said once, and before anything is measured
     MemoryResults results{BenchEnvironment::find(*createBenchContext()), source.name, {}};
     for (const std::string& device : options.devices)
         for (const unsigned int resolution : options.getResolutions())

@@ -2,8 +2,21 @@
 
 #include "BenchFiles.h"
 
+#include <filesystem>
+#include <stdexcept>
+
 namespace osgLego
 {
+
+namespace
+{
+
+std::filesystem::path findPlace(const std::string& fileName)
+{
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(fileName));
+}
+
+} // namespace
 
 void ReportFiles::addTo(CLI::App& command)
 {
@@ -15,6 +28,8 @@ void ReportFiles::check() const
 {
     checkPlace(jsonFile);
     checkPlace(csvFile);
+    if (!jsonFile.empty() && !csvFile.empty() && findPlace(jsonFile) == findPlace(csvFile))
+        throw std::runtime_error("--json and --csv both name '" + csvFile + "'; allowed: a file each");
 }
 
 void ReportFiles::write(const std::function<std::string()>& formatJson,

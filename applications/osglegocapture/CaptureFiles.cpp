@@ -6,7 +6,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -39,6 +41,17 @@ void checkPicturePlace(const std::string& fileName)
     OIIO::geterror(); // or it stays for the next to ask
     throw cannotWrite(fileName, "its extension is that of no picture; allowed: .png, .tif, .exr and what else "
                                 "OpenImageIO writes");
+}
+
+void checkAreDistinct(const std::vector<std::string>& fileNames)
+{
+    std::set<std::filesystem::path> places;
+    for (const std::string& fileName : fileNames)
+    {
+        if (fileName.empty()) continue;
+        if (!places.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(fileName))).second)
+            throw cannotWrite(fileName, "two outputs have this name; allowed: a file each");
+    }
 }
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)

@@ -5,6 +5,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 #include <osg/Image>
@@ -17,6 +18,9 @@ void checkPlace(const std::string& fileName);
 
 /** Likewise of a picture, whose extension must be that of a format too. */
 void checkPicturePlace(const std::string& fileName);
+
+/** Throws CaptureError when two of some files are one and the same. Empty names are fine. */
+void checkAreDistinct(const std::vector<std::string>& fileNames);
 
 /** Write text. Throws CaptureError. */
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write);

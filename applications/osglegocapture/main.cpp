@@ -65,6 +65,7 @@ int capture(const CaptureOptions& options)
     checkPicturePlace(options.output);
     checkPlace(options.statistics);
     checkPlace(options.cells);
+    checkAreDistinct({options.output, options.statistics, options.cells});
 
     OIIO::ImageBuf reference;
     if (!options.reference.empty())
