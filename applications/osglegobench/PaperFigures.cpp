@@ -108,6 +108,7 @@ Plot measureFrameRates(const std::vector<MeshSource>& meshes, const std::vector<
         const std::size_t numTriangles = SceneTriangles::create(*readMesh(source))->getNumTriangles();
         fmt::print(stderr, "drawing {}\n", source.name);
         std::vector<std::unique_ptr<BenchView>> views;
+        views.reserve(resolutions.size());
         for (const unsigned int resolution : resolutions)
             views.push_back(std::make_unique<BenchView>(createScene(source, resolution), glm::ivec2(WIDTH, HEIGHT),
                                                         PictureUse::DISCARD));
