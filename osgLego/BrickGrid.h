@@ -48,6 +48,8 @@ struct OSGLEGO_EXPORT BrickGrid
     int getUpIndex() const { return upAxis == UpAxis::Y ? 1 : 2; }
     /** The width of a cell, in model units. */
     double getPitch() const { return cellSize.x; }
+    /** The height of a stud, in cells along the axis that it points along. */
+    double getStudHeight() const { return STUD_HEIGHT * getPitch() / cellSize[getUpIndex()]; }
     /** How many cells the grid has; up to 1024 * 1024 * 2560. */
     std::size_t getNumCells() const;
 

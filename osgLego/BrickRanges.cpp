@@ -104,8 +104,7 @@ void BrickRanges::Parts::add(const BrickBlock& block)
 void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view,
                        bool showsInsides)
 {
-    const int up = grid.getUpIndex();
-    const BlockTest test(view, up, static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
+    const BlockTest test(view, grid.getUpIndex(), static_cast<float>(grid.getStudHeight()));
     _seen.clear();
     _studded.clear();
     _others.clear();
@@ -120,11 +119,10 @@ void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& g
 
 void BrickRanges::addTo(PictureTiles& tiles, const BrickGrid& grid, const CellView& view) const
 {
-    const int up = grid.getUpIndex();
     for (const Seen& seen : _seen)
     {
         glm::dvec3 upper(seen.block->maximum + 1);
-        upper[up] += BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up];
+        upper[grid.getUpIndex()] += grid.getStudHeight();
         tiles.add(view.areaOf(seen.block->minimum, upper));
     }
 }

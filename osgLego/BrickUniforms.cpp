@@ -50,9 +50,8 @@ void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const Cell
     static const UniformName SHOWS_INSIDES("showsInsides");
     static const UniformName IS_MIRRORED("isMirrored");
     const ProgramUniforms uniforms(state);
-    const int up = grid.getUpIndex();
-    uniforms.set(UP_AXIS, up);
-    uniforms.set(STUD_HEIGHT, static_cast<float>(BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up]));
+    uniforms.set(UP_AXIS, grid.getUpIndex());
+    uniforms.set(STUD_HEIGHT, static_cast<float>(grid.getStudHeight()));
     uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
     uniforms.set(EYE, view.eye);
     uniforms.set(SHOWS_INSIDES, showsInsides ? 1 : 0);

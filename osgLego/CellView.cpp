@@ -29,8 +29,7 @@ glm::dvec4 rowOf(const osg::Matrixd& matrix, int row)
 glm::dvec3 sizeOfBrick(const BrickGrid& grid)
 {
     glm::dvec3 size(1.0);
-    const int up = grid.getUpIndex();
-    size[up] += BrickGrid::STUD_HEIGHT * grid.getPitch() / grid.cellSize[up];
+    size[grid.getUpIndex()] += grid.getStudHeight();
     return size;
 }
 

@@ -52,6 +52,12 @@ std::string findObstacleToWriting(const std::string& fileName)
     return {};
 }
 
+bool isSameFile(const std::string& fileName, const std::string& otherName)
+{
+    if (isSpecial(fileName)) return false;
+    return fs::weakly_canonical(fs::absolute(fileName)) == fs::weakly_canonical(fs::absolute(otherName));
+}
+
 std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(const std::string&)>& write)
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;

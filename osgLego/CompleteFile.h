@@ -13,6 +13,12 @@ namespace osgLego
  * May be called from any thread. */
 OSGLEGO_EXPORT std::string findObstacleToWriting(const std::string& fileName);
 
+/** Whether two names are of one file, be it there or not, so that writing both would lose the first. Devices and pipes,
+ * which keep nothing, are never one.
+ *
+ * May be called from any thread. */
+OSGLEGO_EXPORT bool isSameFile(const std::string& fileName, const std::string& otherName);
+
 /** Write a file so that it is there complete or not at all: under another name beside its own, got in the end. What
  * is no file but a device or a pipe is written as it is.
  *

@@ -39,6 +39,16 @@ osg::ref_ptr<osg::Node> createStair()
 
 } // namespace
 
+BenchScene createBenchScene(const MeshSource& source, unsigned int resolution)
+{
+    BenchScene scene;
+    scene.name = source.name;
+    scene.mesh = source.path;
+    scene.settings.resolution = resolution;
+    scene.settings.upAxis = source.upAxis;
+    return scene;
+}
+
 osg::ref_ptr<osg::Node> createBenchMesh(const std::string& name)
 {
     if (name.empty()) return createRacingCar();

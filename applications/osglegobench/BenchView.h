@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BenchMeshes.h"
 #include "OcclusionBench.h"
 
 #include <osgLego/AmbientOcclusionScene.h>
@@ -22,6 +23,9 @@ enum class PictureUse
     BRING_BACK, //!< to main memory, which takes time that drawing alone does not
     DISCARD
 };
+
+/** A mesh at a resolution, with the usual settings else, seen as scenes are. */
+BenchScene createBenchScene(const MeshSource& source, unsigned int resolution);
 
 /** The mesh that a scene names. Throws std::runtime_error when it can't be read. */
 osg::ref_ptr<osg::Node> createBenchMesh(const std::string& name);

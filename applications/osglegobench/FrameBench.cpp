@@ -12,7 +12,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <osg/PolygonOffset>
 #include <osg/Timer>
 #include <osgDB/WriteFile>
 
@@ -35,8 +34,7 @@ public:
         _ways = {createWay(*mesh, reference, look), createWay(*mesh, scene.settings, look)};
         for (const osg::ref_ptr<osg::Group>& way : _ways)
             _root->addChild(way);
-        // Geometry that is offset is drawn by triangles, not by rays; this offset moves nothing.
-        _ways[0]->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
+        drawByTriangles(*_ways[0]);
         _viewer.show(*_root, scene);
         makePrograms();
     }
@@ -112,10 +110,7 @@ FrameDifference differenceOf(const osg::Image& a, const osg::Image& b)
 /** The places that a mesh is looked at from, at one resolution. */
 std::vector<BenchScene> createViews(const MeshSource& source, unsigned int resolution)
 {
-    BenchScene scene;
-    scene.mesh = source.path;
-    scene.settings.upAxis = source.upAxis;
-    scene.settings.resolution = resolution;
+    const BenchScene scene = createBenchScene(source, resolution);
     const auto from = [&scene](const char* name, double elevation, double distance)
     {
         BenchScene view = scene;

@@ -3,13 +3,12 @@
 #include "FrameBench.h"
 #include "FrameReport.h"
 #include "ReportFiles.h"
+#include "SharedOptions.h"
 
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace osgLego
 {
@@ -41,9 +40,7 @@ void runFrame(const FrameCommandOptions& options)
     if (options.isQuick) measured.size = {160, 90};
     measured.numFrames = options.isQuick ? 1 : options.numFrames;
     measured.pictureFolder = options.pictures;
-    const FrameResults results = measureFrames(measured);
-    fmt::print("{}", formatTables(results));
-    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
+    options.files.report(measureFrames(measured));
 }
 
 } // namespace
@@ -54,13 +51,8 @@ void addFrameCommand(CLI::App& app)
         "frame", "Drawing: the time of a frame, and its picture, beside every face and every stud drawn; and what "
                  "happens in frames in which nothing has changed");
     const auto options = std::make_shared<FrameCommandOptions>();
-    command->add_option("--models", options->models, "The folder of bunny.ply (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--resolution", options->resolutions, "Cells along the longest side (64,128,256)")
-        ->delimiter(',')
-        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
-        ->type_name("N,...");
+    addModelsOption(*command, options->models, "bunny.ply");
+    addResolutionOption(*command, options->resolutions, "64,128,256");
     command->add_option("--frames", options->numFrames, "Frames of each kind (5)")->check(CLI::Range(1u, 1000u));
     command->add_option("--pictures", options->pictures, "A folder to write the pictures to")->type_name("FOLDER");
     command->add_flag("--quick", options->isQuick, "Little, to see that it works: the car at 16, small, one frame");

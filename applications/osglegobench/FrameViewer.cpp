@@ -7,8 +7,16 @@
 #include <stdexcept>
 #include <string>
 
+#include <osg/PolygonOffset>
+
 namespace osgLego
 {
+
+void drawByTriangles(osg::Node& node)
+{
+    // Geometry that is offset is, as rays know nothing of slopes; this offset moves nothing.
+    node.getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
+}
 
 FrameViewer::FrameViewer(const glm::ivec2& size) : _size(size)
 {

@@ -11,6 +11,9 @@
 namespace osgLego
 {
 
+/** Have bricks drawn by triangles where splats would be drawn. */
+void drawByTriangles(osg::Node& node);
+
 /** A viewer of a context without a display, as a program has one: its camera draws into the context's own frame
  * buffer. Throws std::runtime_error when there is no GL by EGL. One thread. */
 class FrameViewer

@@ -1,5 +1,7 @@
 #include "MeasureOptions.h"
 
+#include "SharedOptions.h"
+
 namespace osgLego
 {
 
@@ -10,9 +12,7 @@ void MeasureOptions::addTo(CLI::App& command)
                     "PATH or NAME=PATH, with ',up=y' behind it if the mesh stands so; or 'car', the built-in one "
                     "(the car and every .ply and .dae of --models)")
         ->type_name("MESH...");
-    command.add_option("--models", models, "The folder of meshes (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
+    addModelsOption(command, models, "meshes");
     command.add_option("--runs", numRuns, "How often all of them run (7)")->check(CLI::Range(1u, 10000u));
     command.add_option("--warm-up", numWarmUps, "Runs before, which do not count (2)")->check(CLI::Range(0u, 10000u));
     command.add_flag("--quick", isQuick, "Little, to see that it works: the car, few runs, low resolutions");

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "MemoryReport.h"
 #include "ReportFiles.h"
+#include "SharedOptions.h"
 #include "VoxelizeBench.h"
 
 #include <algorithm>
@@ -56,8 +57,7 @@ void runMemory(const MemoryOptions& options)
         }
     if (std::none_of(results.rows.begin(), results.rows.end(), [](const MemoryRow& row) { return row.footprint; }))
         throw std::runtime_error("no frame of '" + source.name + "' could be drawn; allowed: a mesh that can be read");
-    fmt::print("{}", formatTables(results));
-    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
+    options.files.report(results);
 }
 
 } // namespace
@@ -73,13 +73,8 @@ void addMemoryCommand(CLI::App& app)
                      "PATH or NAME=PATH, with ',up=y' behind it if the mesh stands so; or 'car', the built-in one "
                      "(bunny.ply of --models, or the car)")
         ->type_name("MESH");
-    command->add_option("--models", options->models, "The folder of bunny.ply (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--resolution", options->resolutions, "Cells along the longest side (512,1024)")
-        ->delimiter(',')
-        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
-        ->type_name("N,...");
+    addModelsOption(*command, options->models, "bunny.ply");
+    addResolutionOption(*command, options->resolutions, "512,1024");
     command->add_option("--device", options->devices, "What finds the bricks: auto, gpu, cpu (auto,gpu)")
         ->delimiter(',')
         ->check(CLI::IsMember({"auto", "gpu", "cpu"}))

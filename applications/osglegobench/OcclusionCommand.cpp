@@ -76,9 +76,7 @@ void addOcclusionCommand(CLI::App& app)
     CLI::App* command = app.add_subcommand(
         "occlusion", "Ambient occlusion: its error against rays cast at the bricks, and the time of each pass");
     const auto options = std::make_shared<OcclusionOptions>();
-    command->add_option("--models", options->models, "The folder of bunny.ply (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
+    addModelsOption(*command, options->models, "bunny.ply");
     command->add_option("--rays", options->numRays, "Rays a pixel (512)")->check(CLI::Range(1, 65536));
     command->add_option("--stride", options->stride, "Compare every so many pixels along both axes (3)")
         ->check(CLI::Range(1, 100));

@@ -58,16 +58,6 @@ double toRate(const std::vector<double>& milliseconds)
     return 1000.0 / Spread::create(milliseconds).median;
 }
 
-BenchScene createScene(const MeshSource& source, unsigned int resolution)
-{
-    BenchScene scene;
-    scene.name = source.name;
-    scene.mesh = source.path;
-    scene.settings.resolution = resolution;
-    scene.settings.upAxis = source.upAxis;
-    return scene;
-}
-
 } // namespace
 
 Plot measureFboSizes(const std::vector<MeshSource>& meshes, unsigned int resolution,
@@ -110,7 +100,7 @@ Plot measureFrameRates(const std::vector<MeshSource>& meshes, const std::vector<
         std::vector<std::unique_ptr<BenchView>> views;
         views.reserve(resolutions.size());
         for (const unsigned int resolution : resolutions)
-            views.push_back(std::make_unique<BenchView>(createScene(source, resolution), glm::ivec2(WIDTH, HEIGHT),
+            views.push_back(std::make_unique<BenchView>(createBenchScene(source, resolution), glm::ivec2(WIDTH, HEIGHT),
                                                         PictureUse::DISCARD));
         const std::vector<FrameTimes> times = measureFrames(views, runs);
         const std::string name = nameOf(source, numTriangles);

@@ -1,22 +1,11 @@
 #include "ReportFiles.h"
 
-#include "BenchFiles.h"
+#include <osgLego/CompleteFile.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 namespace osgLego
 {
-
-namespace
-{
-
-std::filesystem::path findPlace(const std::string& fileName)
-{
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(fileName));
-}
-
-} // namespace
 
 void ReportFiles::addTo(CLI::App& command)
 {
@@ -28,15 +17,8 @@ void ReportFiles::check() const
 {
     checkPlace(jsonFile);
     checkPlace(csvFile);
-    if (!jsonFile.empty() && !csvFile.empty() && findPlace(jsonFile) == findPlace(csvFile))
+    if (!jsonFile.empty() && !csvFile.empty() && isSameFile(jsonFile, csvFile))
         throw std::runtime_error("--json and --csv both name '" + csvFile + "'; allowed: a file each");
-}
-
-void ReportFiles::write(const std::function<std::string()>& formatJson,
-                        const std::function<std::string()>& formatCsv) const
-{
-    if (!jsonFile.empty()) writeTextFile(jsonFile, formatJson());
-    if (!csvFile.empty()) writeTextFile(csvFile, formatCsv());
 }
 
 } // namespace osgLego

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <functional>
+#include "BenchFiles.h"
+
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace osgLego
 {
@@ -17,8 +19,16 @@ struct ReportFiles
     void addTo(CLI::App& command);
     /** Throws std::runtime_error when one can't be written; for asking before hours of measuring. */
     void check() const;
-    /** Write those that are wanted, each completely or not at all. Throws std::runtime_error. */
-    void write(const std::function<std::string()>& formatJson, const std::function<std::string()>& formatCsv) const;
+    /** Print what was measured, and write the files that are wanted, each completely or not at all. Throws
+     * std::runtime_error.
+     * @param results what there are formatTables(), formatJson() and formatCsv() for. */
+    template <typename Results>
+    void report(const Results& results) const
+    {
+        fmt::print("{}", formatTables(results));
+        if (!jsonFile.empty()) writeTextFile(jsonFile, formatJson(results));
+        if (!csvFile.empty()) writeTextFile(csvFile, formatCsv(results));
+    }
 };
 
 } // namespace osgLego

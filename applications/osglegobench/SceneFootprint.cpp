@@ -26,10 +26,7 @@ double toMebibytes(std::size_t bytes)
 
 BenchScene createScene(const MeshSource& source, unsigned int resolution, const std::string& device)
 {
-    BenchScene scene;
-    scene.mesh = source.path;
-    scene.settings.resolution = resolution;
-    scene.settings.upAxis = source.upAxis;
+    BenchScene scene = createBenchScene(source, resolution);
     std::string error;
     if (!LegoSettings::parse("device=" + device, scene.settings, error)) throw std::runtime_error(error);
     return scene;

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include <osg/Geode>
-#include <osg/PolygonOffset>
 #include <osg/ShapeDrawable>
 
 namespace osgLego
@@ -69,11 +68,6 @@ osg::ref_ptr<LegoNode> createLego(const BenchScene& scene, Look look)
     return lego;
 }
 
-bool hasSplats(const glm::ivec2& size)
-{
-    return BenchEnvironment::find(FrameViewer(size).getContext()).isSoftware();
-}
-
 } // namespace
 
 std::vector<UnchangedFrames> countInUnchangedFrames(const BenchScene& scene, const glm::ivec2& size)
@@ -86,16 +80,16 @@ std::vector<UnchangedFrames> countInUnchangedFrames(const BenchScene& scene, con
         count(node, lego, scene, size, changes, results.back());
     };
     add("a box of OSG's", "none", false, *createBox(), nullptr);
+    const bool hasSplats = BenchEnvironment::find(FrameViewer(size).getContext()).isSoftware();
     for (const auto& [look, lookName] : {std::pair{Look::PLAIN, "plain"}, {Look::FULL, "full"}})
     {
-        if (hasSplats(size))
+        if (hasSplats)
         {
             const osg::ref_ptr<LegoNode> splats = createLego(scene, look);
             add("splats", lookName, true, *splats, splats);
         }
-        // Geometry that is offset is drawn by triangles, not by rays; this offset moves nothing.
         const osg::ref_ptr<LegoNode> triangles = createLego(scene, look);
-        triangles->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
+        drawByTriangles(*triangles);
         add("triangles", lookName, true, *triangles, triangles);
     }
     const osg::ref_ptr<LegoNode> lego = createLego(scene, Look::FULL);

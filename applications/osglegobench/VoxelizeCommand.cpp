@@ -1,12 +1,11 @@
 #include "Commands.h"
 #include "MeasureOptions.h"
 #include "ReportFiles.h"
+#include "SharedOptions.h"
 #include "VoxelizeBench.h"
 #include "VoxelizeReport.h"
 
 #include <memory>
-
-#include <fmt/format.h>
 
 namespace osgLego
 {
@@ -30,9 +29,7 @@ void runVoxelize(const VoxelizeCommandOptions& options)
     if (measured.resolutions.empty())
         measured.resolutions =
             options.measure.isQuick ? std::vector<unsigned int>{32} : std::vector<unsigned int>{64, 128};
-    const VoxelizeResults results = measureVoxelization(measured);
-    fmt::print("{}", formatTables(results));
-    options.files.write([&results] { return formatJson(results); }, [&results] { return formatCsv(results); });
+    options.files.report(measureVoxelization(measured));
 }
 
 } // namespace
@@ -43,10 +40,7 @@ void addVoxelizeCommand(CLI::App& app)
         "voxelize", "Finding bricks: times, exactness and colours of this project's methods and of others");
     const auto options = std::make_shared<VoxelizeCommandOptions>();
     options->measure.addTo(*command);
-    command->add_option("--resolution", options->resolutions, "Cells along the longest side (64,128)")
-        ->delimiter(',')
-        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
-        ->type_name("N,...");
+    addResolutionOption(*command, options->resolutions, "64,128");
     command->add_option("--contenders", options->contenders, "Only these, by their names in the table")
         ->type_name("NAME...");
     options->files.addTo(*command);

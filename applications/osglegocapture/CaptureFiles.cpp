@@ -6,9 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <set>
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -45,13 +43,10 @@ void checkPicturePlace(const std::string& fileName)
 
 void checkAreDistinct(const std::vector<std::string>& fileNames)
 {
-    std::set<std::filesystem::path> places;
-    for (const std::string& fileName : fileNames)
-    {
-        if (fileName.empty()) continue;
-        if (!places.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(fileName))).second)
-            throw cannotWrite(fileName, "two outputs have this name; allowed: a file each");
-    }
+    for (auto fileName = fileNames.begin(); fileName != fileNames.end(); ++fileName)
+        for (auto other = fileNames.begin(); other != fileName; ++other)
+            if (!fileName->empty() && !other->empty() && isSameFile(*fileName, *other))
+                throw cannotWrite(*fileName, "two outputs have this name; allowed: a file each");
 }
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)

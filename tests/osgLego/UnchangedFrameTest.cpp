@@ -1,7 +1,7 @@
 #include <osgLego/RacingCar.h>
 
-#include <AllocationCount.h>
 #include <LookTest.h>
+#include <osglegobench/AllocationCount.h>
 
 #include <osg/Geode>
 #include <osg/PolygonOffset>
@@ -23,10 +23,10 @@ protected:
         draw(scene, {osg::Vec3d(6, -12, 6), osg::Vec3d()});
         for (int frame = 0; frame < 20; ++frame) // longer than idle passes are kept
             _viewer.frame();
-        const std::size_t before = countAllocations();
+        const std::size_t before = AllocationCount::now().ofAllThreads;
         for (int frame = 0; frame < 20; ++frame)
             _viewer.frame();
-        return countAllocations() - before;
+        return AllocationCount::now().ofAllThreads - before;
     }
 
     static osg::ref_ptr<LegoNode> createLego(const std::string& settings)
