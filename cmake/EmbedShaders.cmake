@@ -1,11 +1,28 @@
-# Writes OUTPUT, a C++ source that holds the files of the list FILES (separated by "|") as string literals.
-# Called as a script: cmake -D OUTPUT=... -D "FILES=a|b" -P EmbedShaders.cmake
+# As a module: osglego_embed_shaders(OUTPUT FUNCTION FOLDER FILE...) makes OUTPUT, a C++ source whose FUNCTION returns the
+# texts of the files by their paths below FOLDER.
+# As a script: cmake -D OUTPUT=... -D FUNCTION=... -D FOLDER=... -D "FILES=a|b" -P EmbedShaders.cmake does it.
+set(OSGLEGO_EMBED_SHADERS ${CMAKE_CURRENT_LIST_FILE})
+
+function(osglego_embed_shaders output function folder)
+    list(JOIN ARGN "|" files)
+    add_custom_command(
+        OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D FUNCTION=${function} -D FOLDER=${folder} -D "FILES=${files}"
+                -P ${OSGLEGO_EMBED_SHADERS}
+        DEPENDS ${ARGN} ${OSGLEGO_EMBED_SHADERS}
+        COMMENT "Embedding the shaders of ${function}" VERBATIM)
+endfunction()
+
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+    return()
+endif()
+
 string(REPLACE "|" ";" FILES "${FILES}")
 set(text "#include <map>\n#include <string_view>\n\nnamespace osgLego\n{\n\n")
-string(APPEND text "const std::map<std::string_view, std::string_view>& getEmbeddedShaders()\n{\n")
+string(APPEND text "const std::map<std::string_view, std::string_view>& ${FUNCTION}()\n{\n")
 string(APPEND text "    static const std::map<std::string_view, std::string_view> shaders{\n")
 foreach(file IN LISTS FILES)
-    get_filename_component(name ${file} NAME)
+    file(RELATIVE_PATH name ${FOLDER} ${file})
     file(READ ${file} source)
     string(APPEND text "{\"${name}\", R\"glsl(${source})glsl\"},\n")
 endforeach()

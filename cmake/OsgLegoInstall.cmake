@@ -3,7 +3,6 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
 
 install(TARGETS osgLego EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 get_target_property(public_headers osgLego OSGLEGO_PUBLIC_HEADERS)
-list(TRANSFORM public_headers PREPEND ${PROJECT_SOURCE_DIR}/osgLego/)
 install(FILES ${public_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgLego)
 install(EXPORT osgLegoTargets NAMESPACE osgLego:: DESTINATION ${package_folder})
 

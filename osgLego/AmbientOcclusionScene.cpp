@@ -1,6 +1,6 @@
 #include <osgLego/AmbientOcclusionScene.h>
 
-#include <osgLego/AmbientOcclusionViews.h>
+#include <osgLego/occlusion/AmbientOcclusionViews.h>
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>

@@ -1,6 +1,6 @@
 #include <osgLego/AmbientOcclusionSettings.h>
 
-#include <osgLego/SettingsText.h>
+#include <osgLego/data/SettingsText.h>
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/Export.h>
-#include <osgLego/GridTriangles.h>
 #include <osgLego/LegoSettings.h>
 
 #include <osg/Node>
@@ -13,7 +12,7 @@ namespace osgLego
 
 /** The bricks of a mesh, found on the CPU, without GL: the same cells as VoxelizationMethod::EXACT finds on the GPU.
  *
- * A cell is covered when a triangle overlaps it, decided in double precision (TriangleOverlap). Its colour: every
+ * A cell is covered when a triangle overlaps it, decided in double precision. Its colour: every
  * covering triangle speaks for the point of it nearest the cell's centre (colour and texture coordinate interpolated
  * there, the texture filtered to the size of a cell), weighted by its area inside the cell. The method, target, FBO
  * size and edge limit of the settings play no part.
@@ -30,8 +29,5 @@ namespace osgLego
  *
  * @return null, with a warning that says why, when the node shows no triangles or the settings are not allowed. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings);
-
-/** The same from triangles that are in their grid already; without triangles, a model without bricks. */
-OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const GridTriangles& triangles);
 
 } // namespace osgLego

@@ -1,7 +1,8 @@
 #include <osgLego/LegoNode.h>
 
-#include <osgLego/LegoPipeline.h>
-#include <osgLego/SourceVisitor.h>
+#include <osgLego/flattening/SourceVisitor.h>
+#include <osgLego/gl/GlRequirements.h>
+#include <osgLego/node/LegoPipeline.h>
 
 #include <string_view>
 #include <typeinfo>
@@ -147,6 +148,11 @@ bool LegoNode::isLegolized(unsigned int contextID) const
     const BrickStore& store = _pipeline->getStore();
     const osg::ref_ptr<const LegoSource> source = store.getSource();
     return source && store.getContext(contextID)->isOf(*source);
+}
+
+bool LegoNode::isSupported(const osg::State& state)
+{
+    return GlRequirements::getMissing(state).empty();
 }
 
 std::string LegoNode::getFailure(unsigned int contextID) const

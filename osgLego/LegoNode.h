@@ -102,6 +102,9 @@ public:
     /** Whether a context has the bricks of the source as it is now. */
     bool isLegolized(unsigned int contextID) const;
 
+    /** Whether a context, which is current, has all that bricks are made and drawn with; see precondition 1. */
+    static bool isSupported(const osg::State& state);
+
     /** Why a context draws the source instead of bricks, in one sentence; empty when it does not. */
     std::string getFailure(unsigned int contextID) const;
 

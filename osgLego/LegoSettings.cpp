@@ -1,6 +1,6 @@
 #include <osgLego/LegoSettings.h>
 
-#include <osgLego/SettingsText.h>
+#include <osgLego/data/SettingsText.h>
 
 #include <array>
 #include <sstream>

@@ -1,7 +1,7 @@
 #include <osgLego/LightProbe.h>
 
-#include <osgLego/ProbeLight.h>
-#include <osgLego/RadiancePicture.h>
+#include <osgLego/light/ProbeLight.h>
+#include <osgLego/light/RadiancePicture.h>
 
 #include <cmath>
 #include <new>

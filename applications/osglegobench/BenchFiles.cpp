@@ -1,6 +1,6 @@
 #include "BenchFiles.h"
 
-#include <osgLego/CompleteFile.h>
+#include <common/CompleteFile.h>
 
 #include <cerrno>
 #include <cstring>

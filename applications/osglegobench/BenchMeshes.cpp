@@ -1,6 +1,6 @@
 #include "BenchMeshes.h"
 
-#include <osgLego/RacingCar.h>
+#include <common/RacingCar.h>
 
 #include <algorithm>
 #include <filesystem>

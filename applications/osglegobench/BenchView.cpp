@@ -1,6 +1,6 @@
 #include "BenchView.h"
 
-#include <osgLego/RacingCar.h>
+#include <common/RacingCar.h>
 
 #include <offscreen/OffscreenContext.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/BrickPoints.h>
+#include <osgLego/data/BrickPoints.h>
 
 #include <vector>
 

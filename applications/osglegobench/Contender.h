@@ -1,9 +1,9 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/GridTriangles.h>
 #include <osgLego/LegoSettings.h>
-#include <osgLego/SceneTriangles.h>
+#include <osgLego/flattening/GridTriangles.h>
+#include <osgLego/flattening/SceneTriangles.h>
 
 #include <string>
 

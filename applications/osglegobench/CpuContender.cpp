@@ -1,7 +1,7 @@
 #include "CpuContender.h"
 
-#include <osgLego/BrickPoints.h>
-#include <osgLego/CpuLegolizer.h>
+#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/data/BrickPoints.h>
 
 #include <osg/Timer>
 
@@ -20,7 +20,7 @@ double CpuContender::run()
     _bricks = nullptr; // letting go of the last ones is no part of making new ones
     const osg::Timer& timer = *osg::Timer::instance();
     const osg::Timer_t start = timer.tick();
-    _bricks = legolizeOnCpu(*_triangles);
+    _bricks = voxelizeOnCpu(*_triangles);
     const osg::Timer_t middle = timer.tick();
     _buffer.upload(createBrickPoints(*_bricks).points);
     const osg::Timer_t end = timer.tick();

@@ -3,7 +3,7 @@
 #include "BenchView.h"
 #include "Spread.h"
 
-#include <osgLego/BrickRayCaster.h>
+#include <common/BrickRayCaster.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "BenchFiles.h"
 
-#include <osgLego/CompleteFile.h>
+#include <common/CompleteFile.h>
 
 #include <algorithm>
 #include <array>

@@ -27,7 +27,11 @@ ReferenceShaders::ReferenceShaders() : _folder(std::filesystem::temp_directory_p
     try
     {
         for (const auto& [name, text] : getReferenceShaders())
-            writeTextFile(_folder + "/" + std::string(name), std::string(text));
+        {
+            const std::filesystem::path path = std::filesystem::path(_folder) / name;
+            std::filesystem::create_directories(path.parent_path());
+            writeTextFile(path, std::string(text));
+        }
     }
     catch (...)
     {

@@ -1,6 +1,6 @@
 #include "ReportFiles.h"
 
-#include <osgLego/CompleteFile.h>
+#include <common/CompleteFile.h>
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include "TunnelCounter.h"
 
-#include <osgLego/TriangleOverlap.h>
+#include <osgLego/cpu/TriangleOverlap.h>
 
 #include <algorithm>
 #include <array>

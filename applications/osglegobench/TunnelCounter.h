@@ -2,7 +2,7 @@
 
 #include "CellSet.h"
 
-#include <osgLego/GridTriangles.h>
+#include <osgLego/flattening/GridTriangles.h>
 
 #include <cstddef>
 

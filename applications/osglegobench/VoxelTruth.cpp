@@ -2,8 +2,8 @@
 
 #include "TunnelCounter.h"
 
-#include <osgLego/CpuLegolizer.h>
-#include <osgLego/TriangleOverlap.h>
+#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/TriangleOverlap.h>
 
 #include <cstdlib>
 
@@ -36,7 +36,7 @@ double ratio(std::size_t part, std::size_t whole)
 } // namespace
 
 VoxelTruth::VoxelTruth(const GridTriangles& triangles) :
-    _triangles(&triangles), _reference(legolizeOnCpu(triangles)), _cells(triangles.getGrid().dimensions)
+    _triangles(&triangles), _reference(voxelizeOnCpu(triangles)), _cells(triangles.getGrid().dimensions)
 {
     insertCells(triangles, _cells);
 }

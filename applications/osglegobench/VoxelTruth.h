@@ -3,7 +3,7 @@
 #include "CellSet.h"
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/GridTriangles.h>
+#include <osgLego/flattening/GridTriangles.h>
 
 #include <cstddef>
 #include <optional>

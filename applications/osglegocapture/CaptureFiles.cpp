@@ -2,7 +2,7 @@
 
 #include "ExitCode.h"
 
-#include <osgLego/CompleteFile.h>
+#include <common/CompleteFile.h>
 
 #include <cerrno>
 #include <cstring>

@@ -2,8 +2,7 @@
 
 #include "ExitCode.h"
 
-#include <osgLego/GlRequirements.h>
-#include <osgLego/RacingCar.h>
+#include <common/RacingCar.h>
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +184,7 @@ void CaptureScene::checkLegolized(const osg::State& state) const
 {
     const unsigned int contextID = state.getContextID();
     if (const std::string failure = _lego->getFailure(contextID); !failure.empty())
-        throw CaptureError(GlRequirements::getMissing(state).empty() ? EXIT_BAD_INPUT : EXIT_NO_GL, failure);
+        throw CaptureError(LegoNode::isSupported(state) ? EXIT_BAD_INPUT : EXIT_NO_GL, failure);
     if (!_lego->isLegolized(contextID))
         throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; allowed: a level of detail, or a view, "
                                            "in which they are seen");

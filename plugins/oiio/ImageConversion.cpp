@@ -1,6 +1,6 @@
 #include "ImageConversion.h"
 
-#include <osgLego/CompleteFile.h>
+#include <common/CompleteFile.h>
 
 #include <algorithm>
 #include <memory>

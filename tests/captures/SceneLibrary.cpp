@@ -1,8 +1,8 @@
 #include "SceneLibrary.h"
 
+#include <common/RacingCar.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
-#include <osgLego/RacingCar.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include <iostream>
+#include <osg/Geometry>
 #include <osgLego/LegoNode.h>
-#include <osgLego/RacingCar.h>
 
 int main()
 {
     osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode;
-    lego->addChild(osgLego::createRacingCar());
+    lego->addChild(osg::createTexturedQuadGeometry(osg::Vec3(), osg::Vec3(1, 0, 0), osg::Vec3(0, 0, 1)));
     std::cout << lego->getBricks()->getBricks().size() << " bricks\n";
 }

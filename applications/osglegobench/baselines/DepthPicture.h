@@ -3,7 +3,7 @@
 #include "GatheredCells.h"
 #include "GlRestoration.h"
 
-#include <osgLego/ProgramUniforms.h>
+#include <osgLego/gl/ProgramUniforms.h>
 
 #include <array>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "GatheredCells.h"
 
-#include <osgLego/GlMemory.h>
-#include <osgLego/ProgramUniforms.h>
-#include <osgLego/ShaderLibrary.h>
+#include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/ShaderLibrary.h>
 
 #include <algorithm>
 

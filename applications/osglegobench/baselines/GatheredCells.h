@@ -2,7 +2,7 @@
 
 #include <osgLego/BrickGrid.h>
 #include <osgLego/BrickModel.h>
-#include <osgLego/BrickPoints.h>
+#include <osgLego/data/BrickPoints.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,8 @@
 
 #include "GlRestoration.h"
 
-#include <osgLego/GlMemory.h>
+#include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/ShaderLibrary.h>
 
 #include <osg/GLObjects>
 #include <osg/Timer>
@@ -10,8 +11,12 @@
 namespace osgLego
 {
 
+/** The shaders of this folder by their names; made at build time, see CMakeLists.txt. */
+const ShaderLibrary::Sources& getBaselineShaders();
+
 std::string GlContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& context)
 {
+    ShaderLibrary::add(getBaselineShaders());
     _state = context.getState();
     _triangles = mesh.triangles;
     const GlRestoration restoration(*_state);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/GlObject.h>
+#include <osgLego/gl/GlObject.h>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "KarabassiContender.h"
 
-#include <osgLego/ShaderLibrary.h>
+#include <osgLego/gl/ShaderLibrary.h>
 
 namespace osgLego
 {

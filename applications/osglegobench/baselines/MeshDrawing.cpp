@@ -1,7 +1,7 @@
 #include "MeshDrawing.h"
 
-#include <osgLego/GridVertexArrays.h>
-#include <osgLego/SurfaceBinding.h>
+#include <osgLego/passes/GridVertexArrays.h>
+#include <osgLego/passes/SurfaceBinding.h>
 
 namespace osgLego
 {

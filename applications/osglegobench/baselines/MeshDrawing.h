@@ -1,7 +1,7 @@
 #pragma once
 
-#include <osgLego/GlObject.h>
-#include <osgLego/GridTriangles.h>
+#include <osgLego/flattening/GridTriangles.h>
+#include <osgLego/gl/GlObject.h>
 
 #include <vector>
 
@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** Takes the triangles of a mesh to the GPU and draws them, with what shaders/surface_color.glsl wants. */
+/** Takes the triangles of a mesh to the GPU and draws them, with what shaders/passes/surface_color.glsl wants. */
 class MeshDrawing
 {
 public:

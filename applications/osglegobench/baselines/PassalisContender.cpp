@@ -1,6 +1,6 @@
 #include "PassalisContender.h"
 
-#include <osgLego/ShaderLibrary.h>
+#include <osgLego/gl/ShaderLibrary.h>
 
 namespace osgLego
 {

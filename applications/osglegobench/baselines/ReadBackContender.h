@@ -3,7 +3,7 @@
 #include "GatheredCells.h"
 #include "GlContender.h"
 
-#include <osgLego/GlObject.h>
+#include <osgLego/gl/GlObject.h>
 
 namespace osgLego
 {

@@ -2,7 +2,7 @@
 
 #include "DepthPicture.h"
 
-#include <osgLego/ShaderLibrary.h>
+#include <osgLego/gl/ShaderLibrary.h>
 
 #include <algorithm>
 #include <bit>

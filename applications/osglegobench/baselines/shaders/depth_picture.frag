@@ -10,7 +10,7 @@ uniform sampler2D previousDepth;
 uniform int isFirstLayer;
 #endif
 
-#include "surface_color.glsl"
+#include "passes/surface_color.glsl"
 
 void main()
 {

@@ -12,7 +12,7 @@ noperspective out vec2 coordinate;
 noperspective out vec3 color;
 flat out float level;
 
-#include "vertex_packing.glsl"
+#include "passes/vertex_packing.glsl"
 
 // Peeling compares depths from pass to pass.
 invariant gl_Position;

@@ -21,7 +21,7 @@ layout(std430, binding = 1) buffer Cells { uint cells[]; };
 
 uniform ivec3 gridSize;
 
-#include "surface_color.glsl"
+#include "passes/surface_color.glsl"
 
 void listCell(ivec3 cell)
 {

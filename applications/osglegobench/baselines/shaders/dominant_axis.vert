@@ -8,7 +8,7 @@ out vec3 position;
 out vec2 coordinate;
 out vec4 colorAndLevel;
 
-#include "vertex_packing.glsl"
+#include "passes/vertex_packing.glsl"
 
 void main()
 {

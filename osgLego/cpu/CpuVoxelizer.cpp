@@ -1,0 +1,128 @@
+#include <osgLego/cpu/CpuVoxelizer.h>
+
+#include <osgLego/cpu/RowBundle.h>
+#include <osgLego/cpu/TriangleBins.h>
+#include <osgLego/cpu/TriangleColor.h>
+#include <osgLego/cpu/TriangleOverlap.h>
+#include <osgLego/cpu/TriangleSlicer.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// In cells squared: lets a triangle that only grazes a cell decide its colour when no other covers it.
+constexpr double LEAST_WEIGHT = 1e-9;
+
+/** The order in which TriangleSlicer finds parts. */
+bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
+{
+    return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+}
+
+/** Voxelizes bundles of rows, one after the other. One thread. */
+class BundleVoxelizer
+{
+public:
+    BundleVoxelizer(const GridTriangles& triangles, const TriangleBins& bins) :
+        _triangles(triangles), _bins(bins), _sums(triangles.getGrid().dimensions.x)
+    {
+    }
+
+    RowBundle voxelize(std::size_t bundle)
+    {
+        const int number = static_cast<int>(bundle);
+        const glm::ivec2 first = RowBundle::SIDE * glm::ivec2(number % _bins.getSize().x, number / _bins.getSize().x);
+        const glm::ivec3& dimensions = _triangles.getGrid().dimensions;
+        _minimum = {0, first.x, first.y};
+        _maximum = glm::min(_minimum + glm::ivec3(dimensions.x, RowBundle::SIDE, RowBundle::SIDE), dimensions) - 1;
+
+        auto batch = _triangles.getBatches().begin();
+        std::size_t batchBegin = 0;
+        for (const std::uint32_t triangle : _bins.getTriangles(bundle))
+        {
+            while (triangle - batchBegin >= batch->getNumTriangles())
+                batchBegin += batch++->getNumTriangles();
+            add(*batch, &batch->vertices[3 * (triangle - batchBegin)]);
+        }
+        return _sums.take(first);
+    }
+
+private:
+    void add(const GridBatch& batch, const GridVertex* corners)
+    {
+        _parts.clear();
+        const TriangleSlicer slicer(corners[0].position, corners[1].position, corners[2].position);
+        if (!slicer.slice(_minimum, _maximum, _parts)) decideParts(corners);
+        if (_parts.empty()) return;
+        _colors.resize(std::max(_colors.size(), _parts.size()));
+        TriangleColor(batch, corners).getColors(_parts, _colors.data());
+        auto color = _colors.begin();
+        for (const CellPart& part : _parts)
+            _sums.add(part.cell, static_cast<float>(part.area + LEAST_WEIGHT), *color++);
+    }
+
+    /** Let the overlap test say which parts there are. */
+    void decideParts(const GridVertex* corners)
+    {
+        const TriangleOverlap overlap(corners[0].position, corners[1].position, corners[2].position);
+        _cells.clear();
+        overlap.findCells(_minimum, _maximum, _cells);
+        std::sort(_cells.begin(), _cells.end(), isBefore);
+        _decided.clear();
+        auto part = _parts.begin();
+        for (const glm::ivec3& cell : _cells)
+        {
+            while (part != _parts.end() && isBefore(part->cell, cell))
+                ++part;
+            _decided.push_back({cell, part != _parts.end() && part->cell == cell ? part->area : 0.0});
+        }
+        std::swap(_parts, _decided);
+    }
+
+    const GridTriangles& _triangles;
+    const TriangleBins& _bins;
+    RowBundleSums _sums;
+    glm::ivec3 _minimum{0};
+    glm::ivec3 _maximum{0};
+    std::vector<CellPart> _parts;
+    std::vector<CellPart> _decided;
+    std::vector<glm::ivec3> _cells;
+    std::vector<glm::vec3> _colors; // of the parts
+};
+
+osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles)
+{
+    const TriangleBins bins(triangles);
+    std::vector<RowBundle> bundles(bins.getNumBundles());
+    oneapi::tbb::enumerable_thread_specific<BundleVoxelizer> voxelizers([&]
+                                                                        { return BundleVoxelizer(triangles, bins); });
+    oneapi::tbb::parallel_for(std::size_t(0), bundles.size(),
+                              [&](std::size_t bundle)
+                              {
+                                  if (!bins.getTriangles(bundle).empty())
+                                      bundles[bundle] = voxelizers.local().voxelize(bundle);
+                              });
+    const BrickGrid& grid = triangles.getGrid();
+    return BrickModel::createComplete(grid, joinBundles(bundles, grid.dimensions));
+}
+
+} // namespace
+
+osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles)
+{
+    // A thread that waits here takes on none of the caller's tasks, which may want locks that it holds.
+    return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles); });
+}
+
+} // namespace osgLego

@@ -1,0 +1,166 @@
+#include <osgLego/cpu/TriangleBins.h>
+
+#include <osgLego/cpu/RowBundle.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Triangles that one thread sorts at a time.
+constexpr std::size_t CHUNK = 16384;
+// In cells: rather one bundle too many than one too few.
+constexpr float GENEROSITY = 1e-2f;
+constexpr std::uint32_t NO_BUNDLE = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t SEVERAL_BUNDLES = NO_BUNDLE - 1;
+
+/** Places along an axis. */
+struct Range
+{
+    float lowest = std::numeric_limits<float>::max();
+    float highest = std::numeric_limits<float>::lowest();
+
+    void include(float place)
+    {
+        lowest = std::min(lowest, place);
+        highest = std::max(highest, place);
+    }
+};
+
+int bundleOf(float place, int last)
+{
+    return std::clamp(static_cast<int>(place) / RowBundle::SIDE, 0, last);
+}
+
+/** How far in y a triangle reaches between two layers. */
+Range reachBetween(const GridVertex* corners, float from, float to)
+{
+    Range reach;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+        const glm::vec3& a = corners[corner].position;
+        const glm::vec3& b = corners[(corner + 1) % 3].position;
+        if (a.z >= from && a.z <= to) reach.include(a.y);
+        for (const float layer : {from, to})
+            if ((a.z < layer) != (b.z < layer)) reach.include(a.y + (layer - a.z) / (b.z - a.z) * (b.y - a.y));
+    }
+    return reach;
+}
+
+/** Call `use` with the place of every bundle that a triangle may reach into. */
+template <typename Use>
+void forEachBundle(const GridVertex* corners, const glm::ivec2& size, const Use& use)
+{
+    Range y;
+    Range z;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+        y.include(corners[corner].position.y);
+        z.include(corners[corner].position.z);
+    }
+    const glm::ivec2 last = size - 1;
+    const int firstZ = bundleOf(z.lowest, last.y);
+    const int lastZ = bundleOf(z.highest, last.y);
+    const bool isSmall = firstZ == lastZ || bundleOf(y.lowest, last.x) == bundleOf(y.highest, last.x);
+    for (int bundle = firstZ; bundle <= lastZ; ++bundle)
+    {
+        // A long triangle reaches into few of the bundles around it.
+        const auto layer = static_cast<float>(bundle * RowBundle::SIDE);
+        const Range reach =
+            isSmall ? y : reachBetween(corners, layer - GENEROSITY, layer + RowBundle::SIDE + GENEROSITY);
+        if (reach.lowest > reach.highest) continue;
+        const int lastY = bundleOf(reach.highest + GENEROSITY, last.x);
+        for (int row = bundleOf(reach.lowest - GENEROSITY, last.x); row <= lastY; ++row)
+            use(static_cast<std::size_t>(row) + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(bundle));
+    }
+}
+
+/** Triangles of one batch that follow each other. */
+struct Chunk
+{
+    const GridVertex* vertices;
+    std::size_t count;
+    std::uint32_t number; // of the first
+
+    const GridVertex* getCorners(std::size_t triangle) const { return &vertices[3 * triangle]; }
+};
+
+std::vector<Chunk> cutIntoChunks(const GridTriangles& triangles)
+{
+    std::vector<Chunk> chunks;
+    std::uint32_t number = 0;
+    for (const GridBatch& batch : triangles.getBatches())
+        for (std::size_t first = 0; first < batch.getNumTriangles(); first += CHUNK)
+        {
+            const std::size_t count = std::min(CHUNK, batch.getNumTriangles() - first);
+            chunks.push_back({&batch.vertices[3 * first], count, number});
+            number += static_cast<std::uint32_t>(count);
+        }
+    return chunks;
+}
+
+} // namespace
+
+TriangleBins::TriangleBins(const GridTriangles& triangles)
+{
+    const glm::ivec3& dimensions = triangles.getGrid().dimensions;
+    _size = (glm::ivec2(dimensions.y, dimensions.z) + RowBundle::SIDE - 1) / RowBundle::SIDE;
+    const std::vector<Chunk> chunks = cutIntoChunks(triangles);
+    const std::size_t numBundles = getNumBundles();
+
+    // A counting sort: of every chunk how many triangles go into each bundle, then where its first goes, then where
+    // they all go. So the order of the triangles stays.
+    std::vector<std::vector<std::size_t>> places(chunks.size(), std::vector<std::size_t>(numBundles));
+    // Most triangles go into one bundle, and need not be looked at again.
+    std::vector<std::uint32_t> onlyBundles(triangles.getNumTriangles());
+    const auto countChunk = [&](std::size_t chunk)
+    {
+        for (std::size_t triangle = 0; triangle < chunks[chunk].count; ++triangle)
+        {
+            std::uint32_t& only = onlyBundles[chunks[chunk].number + triangle];
+            only = NO_BUNDLE;
+            forEachBundle(chunks[chunk].getCorners(triangle), _size,
+                          [&](std::size_t bundle)
+                          {
+                              only = only == NO_BUNDLE ? static_cast<std::uint32_t>(bundle) : SEVERAL_BUNDLES;
+                              ++places[chunk][bundle];
+                          });
+        }
+    };
+    oneapi::tbb::parallel_for(std::size_t(0), chunks.size(), countChunk);
+
+    std::size_t sum = 0;
+    _begins.reserve(numBundles + 1);
+    for (std::size_t bundle = 0; bundle < numBundles; ++bundle)
+    {
+        _begins.push_back(sum);
+        for (std::vector<std::size_t>& counts : places)
+            sum += std::exchange(counts[bundle], sum);
+    }
+    _begins.push_back(sum);
+
+    _triangles.resize(sum);
+    const auto placeChunk = [&](std::size_t chunk)
+    {
+        for (std::size_t triangle = 0; triangle < chunks[chunk].count; ++triangle)
+        {
+            const auto number = chunks[chunk].number + static_cast<std::uint32_t>(triangle);
+            const std::uint32_t only = onlyBundles[number];
+            const auto place = [&](std::size_t bundle) { _triangles[places[chunk][bundle]++] = number; };
+            if (only == SEVERAL_BUNDLES)
+                forEachBundle(chunks[chunk].getCorners(triangle), _size, place);
+            else if (only != NO_BUNDLE)
+                place(only);
+        }
+    };
+    oneapi::tbb::parallel_for(std::size_t(0), chunks.size(), placeChunk);
+}
+
+} // namespace osgLego

@@ -1,0 +1,410 @@
+#include <osgLego/cpu/TriangleSlicer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// A line that goes less far than this in y, for each cell in x, is nearly parallel to the planes across y.
+constexpr double PARALLELITY = 1e-4;
+
+/** A convex polygon: a triangle, with one more corner at most for each of the six planes that it is cut by. */
+struct Polygon
+{
+    std::size_t count = 0;
+    std::array<glm::dvec3, 9> corners;
+
+    void add(const glm::dvec3& corner) { corners[count++] = corner; }
+};
+
+/** Cut a polygon in two: what is below a plane, and what is on it and above. */
+template <int AXIS>
+void split(const Polygon& whole, double plane, Polygon& below, Polygon& above)
+{
+    below.count = 0;
+    above.count = 0;
+    const glm::dvec3* from = &whole.corners[whole.count - 1];
+    bool fromIsBelow = (*from)[AXIS] < plane;
+    for (std::size_t corner = 0; corner < whole.count; ++corner)
+    {
+        const glm::dvec3* to = &whole.corners[corner];
+        const bool toIsBelow = (*to)[AXIS] < plane;
+        if (fromIsBelow != toIsBelow)
+        {
+            glm::dvec3 crossing = *from + ((plane - (*from)[AXIS]) / ((*to)[AXIS] - (*from)[AXIS])) * (*to - *from);
+            crossing[AXIS] = plane;
+            below.add(crossing);
+            above.add(crossing);
+        }
+        (toIsBelow ? below : above).add(*to);
+        from = to;
+        fromIsBelow = toIsBelow;
+    }
+}
+
+bool isClear(double place)
+{
+    const double fraction = place - static_cast<double>(static_cast<int>(place));
+    return fraction > TriangleSlicer::NEARNESS && fraction < 1.0 - TriangleSlicer::NEARNESS;
+}
+
+struct Extent
+{
+    double lowest;
+    double highest;
+};
+
+template <int AXIS>
+Extent extentOf(const Polygon& polygon)
+{
+    Extent extent{polygon.corners[0][AXIS], polygon.corners[0][AXIS]};
+    for (std::size_t corner = 1; corner < polygon.count; ++corner)
+    {
+        extent.lowest = std::min(extent.lowest, polygon.corners[corner][AXIS]);
+        extent.highest = std::max(extent.highest, polygon.corners[corner][AXIS]);
+    }
+    return extent;
+}
+
+/** Call `use` with every part of a polygon between planes along an axis, and the number of its cells there. */
+template <int AXIS, typename Use>
+void forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int maximum, const Use& use)
+{
+    const int first = static_cast<int>(extent.lowest);
+    const int end = static_cast<int>(extent.highest);
+    if (first > maximum || end < minimum) return;
+    if (first == end)
+    {
+        use(polygon, first);
+        return;
+    }
+
+    std::array<Polygon, 3> parts;
+    const Polygon* rest = &polygon;
+    std::size_t spare = 0;
+    if (first < minimum)
+    {
+        split<AXIS>(*rest, minimum, parts[2], parts[spare]);
+        rest = &parts[spare];
+        spare = 1;
+    }
+    for (int cell = std::max(first, minimum); cell <= std::min(end - 1, maximum); ++cell)
+    {
+        split<AXIS>(*rest, cell + 1, parts[2], parts[spare]);
+        use(parts[2], cell);
+        rest = &parts[spare];
+        spare = 1 - spare;
+    }
+    if (end <= maximum) use(*rest, end);
+}
+
+/** Twice the area of a polygon's projection along an axis. */
+double projectedArea(const Polygon& polygon, std::size_t axis)
+{
+    const auto u = static_cast<int>((axis + 1) % 3);
+    const auto v = static_cast<int>((axis + 2) % 3);
+    const glm::dvec3& origin = polygon.corners[0];
+    double sum = 0.0;
+    for (std::size_t corner = 2; corner < polygon.count; ++corner)
+    {
+        const glm::dvec3 p = polygon.corners[corner - 1] - origin;
+        const glm::dvec3 q = polygon.corners[corner] - origin;
+        sum += p[u] * q[v] - q[u] * p[v];
+    }
+    return std::abs(sum);
+}
+
+/** Whether a small error in y, where a line is cut across y, is a large one in x. */
+bool isSteep(double x, double y)
+{
+    return y != 0.0 && std::abs(y) < PARALLELITY * std::abs(x);
+}
+
+/** How much of a triangle is below a plane, as a fraction of its area, from the places of its corners. */
+class FractionBelow
+{
+public:
+    FractionBelow(double a, double b, double c) :
+        _lowest(std::min(a, std::min(b, c))), _middle(std::max(std::min(a, b), std::min(std::max(a, b), c))),
+        _highest(std::max(a, std::max(b, c)))
+    {
+    }
+
+    double operator()(double plane) const
+    {
+        const double below = plane - _lowest;
+        const double above = _highest - plane;
+        return plane <= _middle ? below * below / ((_middle - _lowest) * (_highest - _lowest))
+                                : 1.0 - above * above / ((_highest - _middle) * (_highest - _lowest));
+    }
+
+private:
+    double _lowest;
+    double _middle;
+    double _highest;
+};
+
+} // namespace
+
+/** Cuts one triangle that lies across several rows of cells, along the planes across z first, then y, then x. */
+class TriangleSlicer::Cutter
+{
+public:
+    Cutter(const TriangleSlicer& slicer, const glm::ivec3& first, const glm::ivec3& last,
+           std::vector<CellPart>& parts) :
+        _corners(slicer._corners),
+        _minimum(slicer._minimum), _maximum(slicer._maximum), _first(first), _isCut(glm::notEqual(first, last)),
+        _parts(parts)
+    {
+        const glm::dvec3 edge1(glm::dvec3(_corners[1]) - glm::dvec3(_corners[0]));
+        const glm::dvec3 edge2(glm::dvec3(_corners[2]) - glm::dvec3(_corners[0]));
+        const glm::dvec3 normal = glm::cross(edge1, edge2);
+        const double length2 = glm::dot(normal, normal);
+        if (length2 > 0.0) chooseProjection(glm::abs(normal), std::sqrt(length2));
+        _isCertain = length2 > 0.0 && !(glm::all(_isCut) && isDelicate(normal));
+    }
+
+    /** @return whether it is certain that the parts' cells are all there are. */
+    bool cut(const glm::ivec3& minimum, const glm::ivec3& maximum)
+    {
+        Polygon triangle;
+        for (const glm::vec3& corner : _corners)
+            triangle.add(corner);
+        cutAcross<2>(triangle, minimum, maximum, _first);
+        return _isCertain;
+    }
+
+private:
+    void chooseProjection(const glm::dvec3& normal, double length)
+    {
+        _axis = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
+        _areaOfProjected = 0.5 * length / normal[static_cast<int>(_axis)];
+        // Nearly as good for areas, and shows how far along x something lies.
+        constexpr double STEEPEST = 1e-3;
+        _axisAcrossX = normal.y >= normal.z ? 1 : 2;
+        const double size = normal[static_cast<int>(_axisAcrossX)];
+        if (size > STEEPEST * length) _areaOfProjectedAcrossX = length / size;
+    }
+
+    /** Whether cuts across y, of what cuts across z have moved, may end elsewhere in x than they ought to. */
+    bool isDelicate(const glm::dvec3& normal) const
+    {
+        // A cut across z runs across the normal.
+        if (isSteep(normal.y, normal.x)) return true;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            const glm::dvec3 edge = glm::dvec3(_corners[(corner + 1) % 3]) - glm::dvec3(_corners[corner]);
+            if (isSteep(edge.x, edge.y)) return true;
+        }
+        return false;
+    }
+
+    /** Cut what lies in one cell of the axes behind AXIS. @param cell its place along those. */
+    template <int AXIS>
+    void cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
+    {
+        const auto goOn = [&](const Polygon& part, int place)
+        {
+            cell[AXIS] = place;
+            if constexpr (AXIS > 0)
+                cutAcross<AXIS - 1>(part, minimum, maximum, cell);
+            else
+                _parts.push_back({cell, _areaOfProjected * projectedArea(part, _axis)});
+        };
+        if (!_isCut[AXIS])
+        {
+            goOn(polygon, _first[AXIS]);
+            return;
+        }
+        // Of what is still whole the corners tell to the last digit which cells are met; of the rest the cuts do.
+        Extent extent{_minimum[AXIS], _maximum[AXIS]};
+        if (isCutBehind<AXIS>())
+        {
+            extent = extentOf<AXIS>(polygon);
+            _isCertain = _isCertain && isCertain<AXIS>(polygon, extent.lowest, false) &&
+                         isCertain<AXIS>(polygon, extent.highest, true);
+        }
+        if (AXIS == 0 && _areaOfProjectedAcrossX > 0.0)
+            addParts(polygon, extent, minimum.x, maximum.x, cell);
+        else
+            forEachPart<AXIS>(polygon, extent, minimum[AXIS], maximum[AXIS], goOn);
+    }
+
+    /** Add the parts of what lies in one row of cells along x, without cutting: the area of each is the sum of what is
+     * below the polygon's edges in that cell, in the projection across x. */
+    void addParts(const Polygon& polygon, const Extent& extent, int minimum, int maximum, glm::ivec3 cell)
+    {
+        const int first = std::max(static_cast<int>(extent.lowest), minimum);
+        const int last = std::min(static_cast<int>(extent.highest), maximum);
+        if (first > last) return;
+        CellPart* parts = addEmptyParts(first, last, cell);
+        const auto add = [&](int place, double area)
+        {
+            if (place >= first && place <= last) parts[place - first].area += area;
+        };
+
+        const auto across = static_cast<int>(3 - _axisAcrossX);
+        const double origin = polygon.corners[0][across];
+        const glm::dvec3* from = &polygon.corners[polygon.count - 1];
+        for (std::size_t corner = 0; corner < polygon.count; ++corner)
+        {
+            const glm::dvec3* to = &polygon.corners[corner];
+            addBelowEdge({from->x, (*from)[across] - origin}, {to->x, (*to)[across] - origin}, add);
+            from = to;
+        }
+        for (int place = first; place <= last; ++place)
+            parts[place - first].area = _areaOfProjectedAcrossX * std::abs(parts[place - first].area);
+    }
+
+    CellPart* addEmptyParts(int first, int last, glm::ivec3 cell)
+    {
+        const std::size_t number = _parts.size();
+        _parts.resize(number + static_cast<std::size_t>(last - first + 1));
+        CellPart* parts = &_parts[number];
+        for (cell.x = first; cell.x <= last; ++cell.x)
+            parts[cell.x - first].cell = cell;
+        return parts;
+    }
+
+    /** Call `add` with the signed area below every piece of an edge, and the number of the cell that it lies in. */
+    template <typename Add>
+    static void addBelowEdge(glm::dvec2 from, const glm::dvec2& to, const Add& add)
+    {
+        int place = static_cast<int>(from.x);
+        const int end = static_cast<int>(to.x);
+        if (place != end)
+        {
+            const double slope = (to.y - from.y) / (to.x - from.x);
+            const int step = place < end ? 1 : -1;
+            for (; place != end; place += step)
+            {
+                const double plane = step > 0 ? place + 1 : place;
+                const glm::dvec2 crossing(plane, to.y + slope * (plane - to.x));
+                add(place, 0.5 * (from.y + crossing.y) * (crossing.x - from.x));
+                from = crossing;
+            }
+        }
+        add(place, 0.5 * (from.y + to.y) * (to.x - from.x));
+    }
+
+    template <int AXIS>
+    bool isCutBehind() const
+    {
+        return (AXIS < 2 && _isCut.z) || (AXIS < 1 && _isCut.y);
+    }
+
+    /** Whether it is certain in which cell along an axis the end of a polygon lies that was cut along the axes behind.
+     */
+    template <int AXIS>
+    bool isCertain(const Polygon& polygon, double end, bool isHighest) const
+    {
+        return isClear(end) || isExact<AXIS>(polygon, end, isHighest);
+    }
+
+    /** Whether a polygon ends where a corner of the triangle is, or an edge that no cut moves along the axis. */
+    template <int AXIS>
+    bool isExact(const Polygon& polygon, double end, bool isHighest) const
+    {
+        if (std::none_of(_corners.begin(), _corners.end(),
+                         [end](const glm::vec3& corner) { return static_cast<double>(corner[AXIS]) == end; }))
+            return false;
+        glm::dvec3 sum(0.0);
+        double count = 0.0;
+        for (std::size_t number = 0; number < polygon.count; ++number)
+        {
+            const glm::dvec3& corner = polygon.corners[number];
+            if (std::abs(corner[AXIS] - end) > NEARNESS) continue;
+            // Where a cut meets another plane too, rounding may have put it on the other side of that.
+            if (corner[AXIS] != end || countUnclear<AXIS>(corner) > 1) return false;
+            sum += corner;
+            count += 1.0;
+        }
+        // A cell does not hold its upper faces: what ends there alone does not reach its end inside of the cell.
+        return !isHighest || countUnclear<AXIS>(sum / count) == 0;
+    }
+
+    /** Of the axes behind AXIS, along how many a place is near a plane. */
+    template <int AXIS>
+    static int countUnclear(const glm::dvec3& place)
+    {
+        int count = 0;
+        for (int axis = AXIS + 1; axis < 3; ++axis)
+            count += isClear(place[axis]) ? 0 : 1;
+        return count;
+    }
+
+    const std::array<glm::vec3, 3>& _corners;
+    const glm::vec3& _minimum;
+    const glm::vec3& _maximum;
+    const glm::ivec3& _first; // the cell of `_minimum`
+    glm::bvec3 _isCut;
+    std::vector<CellPart>& _parts;
+    std::size_t _axis = 0;                // along which the triangle's projection is largest
+    double _areaOfProjected = 0.0;        // half the area over that of the projection
+    std::size_t _axisAcrossX = 0;         // the same of the axes but x
+    double _areaOfProjectedAcrossX = 0.0; // the area over that of the projection; 0 where that is too small
+    bool _isCertain = false;
+};
+
+TriangleSlicer::TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) :
+    _corners{a, b, c}, _minimum(glm::min(a, glm::min(b, c))), _maximum(glm::max(a, glm::max(b, c)))
+{
+}
+
+bool TriangleSlicer::slice(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const
+{
+    const glm::ivec3 first(_minimum);
+    const glm::ivec3 last(_maximum);
+    if (glm::any(glm::greaterThan(first, maximum)) || glm::any(glm::lessThan(last, minimum))) return true;
+    const glm::ivec3 isCut(glm::notEqual(first, last));
+    switch (isCut.x + isCut.y + isCut.z)
+    {
+    case 0:
+        parts.push_back({first, getArea()});
+        return true;
+    case 1:
+        sliceRow(isCut.y + 2 * isCut.z, minimum, maximum, parts);
+        return true;
+    default:
+        return Cutter(*this, first, last, parts).cut(minimum, maximum);
+    }
+}
+
+double TriangleSlicer::getArea() const
+{
+    const glm::dvec3 origin(_corners[0]);
+    return 0.5 * glm::length(glm::cross(glm::dvec3(_corners[1]) - origin, glm::dvec3(_corners[2]) - origin));
+}
+
+void TriangleSlicer::sliceRow(int axis, const glm::ivec3& minimum, const glm::ivec3& maximum,
+                              std::vector<CellPart>& parts) const
+{
+    const FractionBelow fractionBelow(_corners[0][axis], _corners[1][axis], _corners[2][axis]);
+    const double area = getArea();
+    const int last = static_cast<int>(_maximum[axis]);
+    const int end = std::min(last, maximum[axis]);
+    glm::ivec3 cell(_minimum);
+    double before = 0.0;
+    if (cell[axis] < minimum[axis])
+    {
+        cell[axis] = minimum[axis];
+        before = fractionBelow(minimum[axis]);
+    }
+    for (; cell[axis] <= end; ++cell[axis])
+    {
+        const double upTo = cell[axis] < last ? fractionBelow(cell[axis] + 1) : 1.0;
+        parts.push_back({cell, area * (upTo - before)});
+        before = upTo;
+    }
+}
+
+} // namespace osgLego

@@ -1,0 +1,46 @@
+#include <osgLego/extraction/ExtractionStates.h>
+
+#include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/ShaderLibrary.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<const char*> shaders,
+                                        const char* captured, osg::Texture2D& voxelImage)
+{
+    osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, shaders);
+    program->addTransformFeedBackVarying(captured);
+    program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
+    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    stateSet->setTextureAttribute(0, &voxelImage, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    return stateSet;
+}
+
+} // namespace
+
+ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage) :
+    _occupancy(createState("extraction occupancy", {"extraction/extraction_occupancy.vert"}, "word", voxelImage)),
+    _words(createState("extraction words", {"extraction/extraction_words.vert", "extraction/extraction_words.geom"},
+                       "word", voxelImage)),
+    _bricks(
+        createState("extraction", {"extraction/extraction.vert", "extraction/extraction.geom"}, "brick", voxelImage))
+{
+}
+
+void ExtractionStates::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks})
+        stateSet->releaseGLObjects(state);
+}
+
+void ExtractionStates::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks})
+        stateSet->resizeGLObjectBuffers(maxSize);
+}
+
+} // namespace osgLego

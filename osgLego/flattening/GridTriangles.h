@@ -1,0 +1,85 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/flattening/SceneTriangles.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/packing.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** A corner of a triangle in a grid: 32 bytes, laid out as the shaders of the passes read it.
+ *
+ * `colorAndLevel` packs four 16-bit fractions: red, green (first word), blue, and the texture level over
+ * MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels wide, where
+ * linear filtering gathers what lies within one cell; all three corners carry the same.
+ */
+struct GridVertex
+{
+    static constexpr double MAXIMUM_LEVEL = 16.0;
+
+    glm::vec3 position{0.0f};   //!< in cell units, at least 0 and below the grid's dimensions on every axis
+    std::uint32_t triangle = 0; //!< the number of the source triangle in its batch
+    glm::vec2 coordinate{0.0f};
+    std::array<std::uint32_t, 2> colorAndLevel{};
+
+    glm::vec3 getColor() const
+    {
+        const glm::vec2 redGreen = glm::unpackUnorm2x16(colorAndLevel[0]);
+        return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
+    }
+    double getLevel() const { return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
+};
+static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
+
+/** Triangles in a grid that share one texture, three vertices each, at most MAXIMUM_TRIANGLES. */
+struct GridBatch
+{
+    // The passes look source triangles up in a buffer texture, whose size GL limits.
+    static constexpr std::size_t MAXIMUM_TRIANGLES = std::size_t(1) << 20;
+
+    osg::ref_ptr<const SurfaceTexture> texture;
+    TextureEnvironment environment = TextureEnvironment::MODULATE;
+    std::vector<GridVertex> vertices;
+    float longestEdge = 0.0f; //!< in cells
+
+    std::size_t getNumTriangles() const { return vertices.size() / 3; }
+    /** About how many triangles subdivision to edges of at most `edgeLimit` cells makes of these. */
+    std::size_t estimateFineTriangles(double edgeLimit) const;
+};
+
+/** A mesh in the grid of its bricks: what every method of voxelization, on the GPU and on the CPU, starts from.
+ *
+ * Positions are rounded to float once, here, so that all of them see the very same triangles. A surface on the far side
+ * of the grid belongs to the last cell.
+ *
+ * Free of GL, immutable once created; every function may be called from any thread.
+ */
+class GridTriangles : public osg::Referenced
+{
+public:
+    static osg::ref_ptr<const GridTriangles> create(const SceneTriangles& triangles, const LegoSettings& settings);
+
+    const BrickGrid& getGrid() const { return _grid; }
+    const std::vector<GridBatch>& getBatches() const { return _batches; }
+    std::size_t getNumTriangles() const;
+    float getLongestEdge() const;
+    /** About how many cells the triangles cover, rather too many than too few, and no more than the grid has. */
+    std::size_t estimateCoveredCells() const;
+
+private:
+    GridTriangles() = default;
+    ~GridTriangles() override = default;
+
+    BrickGrid _grid;
+    std::vector<GridBatch> _batches;
+};
+
+} // namespace osgLego

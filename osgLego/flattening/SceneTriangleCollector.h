@@ -1,0 +1,44 @@
+#pragma once
+
+#include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/flattening/SourceVisitor.h>
+#include <osgLego/flattening/SurfaceState.h>
+#include <osgLego/flattening/SurfaceTextureCache.h>
+
+#include <map>
+#include <tuple>
+
+#include <osg/Geometry>
+
+namespace osgLego
+{
+
+/** The visitor that fills SceneTriangles: each drawable's primitives, taken apart into triangles. */
+class SceneTriangleCollector : public SourceVisitor
+{
+public:
+    META_NodeVisitor(osgLego, SceneTriangleCollector)
+
+    SceneTriangleCollector(SceneTriangles& triangles, SurfaceTextureCache& textures) :
+        _triangles(triangles), _textures(textures)
+    {
+    }
+
+protected:
+    void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
+                      const std::vector<const osg::StateSet*>& stateSets) override;
+
+private:
+    using BatchKey = std::tuple<const SurfaceTexture*, TextureEnvironment>;
+
+    void collectGeometry(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state);
+    void collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot, const SurfaceState& state);
+    SceneBatch& findOrMakeBatch(const SurfaceState& state, bool hasCoordinates);
+    void addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b, const SceneVertex& c);
+
+    SceneTriangles& _triangles;
+    SurfaceTextureCache& _textures;
+    std::map<BatchKey, std::size_t> _batchIndices;
+};
+
+} // namespace osgLego

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <osgLego/flattening/SurfaceTexture.h>
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <osg/BoundingBox>
+#include <osg/Node>
+#include <osg/Referenced>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+class SurfaceTextureCache;
+
+/** A corner of a triangle, in the coordinates of the node that was flattened. */
+struct SceneVertex
+{
+    glm::dvec3 position{0.0};
+    glm::vec2 coordinate{0.0f}; //!< of the texture, its matrix applied; 1 = once around the image
+    glm::vec3 color{1.0f};      //!< before the texture joins, 0 to 1 a channel
+};
+
+/** Triangles that share one texture, three vertices each. */
+struct SceneBatch
+{
+    osg::ref_ptr<const SurfaceTexture> texture; //!< null: the vertices' colours are all there is
+    TextureEnvironment environment = TextureEnvironment::MODULATE;
+    std::vector<SceneVertex> vertices;
+};
+
+/** The triangles of any OSG subgraph, flattened: transforms applied, state resolved to plain colours and textures.
+ *
+ * Takes nested transforms, shared children, Switch, Sequence and LOD (the finest level there is), every primitive type
+ * of triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials, the
+ * Texture2D of the first unit with one, with wrap mode, matrix and environment, and inherited state with OVERRIDE and
+ * PROTECTED. A triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points
+ * are passed over, as are triangles with no area and, with a warning, triangles with a coordinate that is not finite
+ * or beyond MAXIMUM_COORDINATE, and sources smaller than MINIMUM_SIZE.
+ *
+ * Usage:
+ *
+ *     osg::ref_ptr<const osgLego::SceneTriangles> triangles = osgLego::SceneTriangles::create(*node);
+ *     if (triangles->getNumTriangles() == 0) ...
+ *
+ * Free of GL. create() may be called from any thread as long as no other thread changes the subgraph; the result is
+ * immutable and independent of it.
+ */
+class SceneTriangles : public osg::Referenced
+{
+public:
+    // OpenSceneGraph keeps bounding spheres in floats and squares their lengths, which must be possible.
+    static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, of either sign
+    static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
+
+    /** Flatten `node` itself and everything below it that would be shown, in the order of traversal. */
+    static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
+    /** The same with textures that are kept from one call to the next. */
+    static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
+
+    const std::vector<SceneBatch>& getBatches() const { return _batches; }
+    /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */
+    const osg::BoundingBoxd& getBounds() const { return _bounds; }
+    std::size_t getNumTriangles() const { return _numTriangles; }
+    /** Triangles left out because a coordinate is NaN, infinite, or beyond MAXIMUM_COORDINATE. */
+    std::size_t getNumOutOfRange() const { return _numOutOfRange; }
+
+private:
+    friend class SceneTriangleCollector;
+
+    SceneTriangles() = default;
+    ~SceneTriangles() override = default;
+
+    std::vector<SceneBatch> _batches;
+    osg::BoundingBoxd _bounds;
+    std::size_t _numTriangles = 0;
+    std::size_t _numOutOfRange = 0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,88 @@
+#include <osgLego/flattening/SourceVisitor.h>
+
+#include <algorithm>
+
+namespace osgLego
+{
+
+SourceVisitor::SourceVisitor() :
+    osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN)
+{
+}
+
+void SourceVisitor::apply(osg::Node& node)
+{
+    traverseWithState(node);
+}
+
+void SourceVisitor::apply(osg::Transform& transform)
+{
+    const osg::Matrixd outer = _matrix;
+    transform.computeLocalToWorldMatrix(_matrix, this);
+    traverseWithState(transform);
+    _matrix = outer;
+}
+
+void SourceVisitor::apply(osg::Camera& camera)
+{
+    if (camera.getRenderOrder() == osg::Camera::NESTED_RENDER) apply(static_cast<osg::Transform&>(camera));
+}
+
+void SourceVisitor::apply(osg::LOD& lod)
+{
+    const bool byDistance = lod.getRangeMode() == osg::LOD::DISTANCE_FROM_EYE_POINT;
+    const unsigned int count = std::min(lod.getNumChildren(), lod.getNumRanges());
+    float finest = 0.0f;
+    for (unsigned int child = 0; child < count; ++child)
+    {
+        const float begin = lod.getMinRange(child);
+        finest = child == 0 ? begin : byDistance ? std::min(finest, begin) : std::max(finest, begin);
+    }
+
+    const bool pushed = pushState(lod);
+    for (unsigned int child = 0; child < count; ++child)
+        if (lod.getMinRange(child) <= finest && finest < lod.getMaxRange(child)) lod.getChild(child)->accept(*this);
+    if (pushed) _stateSets.pop_back();
+}
+
+void SourceVisitor::apply(osg::Sequence& sequence)
+{
+    const bool begins = sequence.getValue() < 0 && sequence.getMode() == osg::Sequence::START;
+    if (!begins || sequence.getNumChildren() == 0)
+    {
+        traverseWithState(sequence);
+        return;
+    }
+    osg::Sequence::LoopMode mode = osg::Sequence::LOOP;
+    int first = 0;
+    int last = 0;
+    sequence.getInterval(mode, first, last);
+    const int end = static_cast<int>(sequence.getNumChildren()) - 1;
+    first = std::clamp(first < 0 ? end : first, 0, end); // -1 is the last child
+    const bool pushed = pushState(sequence);
+    sequence.getChild(static_cast<unsigned int>(first))->accept(*this);
+    if (pushed) _stateSets.pop_back();
+}
+
+void SourceVisitor::apply(osg::Drawable& drawable)
+{
+    const bool pushed = pushState(drawable);
+    applySurface(drawable, _matrix, _stateSets);
+    if (pushed) _stateSets.pop_back();
+}
+
+void SourceVisitor::traverseWithState(osg::Node& node)
+{
+    const bool pushed = pushState(node);
+    traverse(node);
+    if (pushed) _stateSets.pop_back();
+}
+
+bool SourceVisitor::pushState(const osg::Node& node)
+{
+    if (!node.getStateSet()) return false;
+    _stateSets.push_back(node.getStateSet());
+    return true;
+}
+
+} // namespace osgLego

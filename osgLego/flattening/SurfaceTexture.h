@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <osg/Image>
+#include <osg/Referenced>
+#include <osg/Texture2D>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** How a texture joins the colour that is already there, as glTexEnv says. */
+enum class TextureEnvironment
+{
+    MODULATE, //!< colour x texture
+    REPLACE,  //!< texture
+    DECAL,    //!< colour and texture mixed by the texture's alpha
+    ADD       //!< colour + texture
+};
+
+/** The picture on a surface, filtered to any size, the same with and without GL.
+ *
+ * Holds the image of an osg::Texture2D as 8-bit RGBA together with its mipmaps (box filter), its wrap modes and its
+ * border colour, and samples it as GL_LINEAR_MIPMAP_LINEAR does at a given level. A copy: the osg::Texture2D may drop
+ * its image, or change, afterwards.
+ *
+ * Preconditions:
+ * 1. The image is uncompressed; a compressed one can't be read without GL, and create() answers null.
+ * 2. Sides beyond MAXIMUM_SIZE texels are halved until they fit: bricks are never that small.
+ *
+ * Usage:
+ *
+ *     osg::ref_ptr<osgLego::SurfaceTexture> surface = osgLego::SurfaceTexture::create(*texture2D);
+ *     if (surface) colour = surface->sample({0.5, 0.5}, 0.0);
+ *
+ * Immutable once created, and free of GL: every function may be called from any thread.
+ */
+class SurfaceTexture : public osg::Referenced
+{
+public:
+    static constexpr int MAXIMUM_SIZE = 4096;
+
+    /** Copy a texture's image. @return null when it has none, or one that can't be read; a warning says why. */
+    static osg::ref_ptr<SurfaceTexture> create(const osg::Texture2D& texture);
+
+    /** The colour at a texture coordinate (1 = once around the image), 0 to 1 a channel.
+     * @param level 0 for the image itself, 1 for half its size, and so on, with fractions; clamped to what there is. */
+    glm::dvec4 sample(const glm::dvec2& coordinate, double level) const;
+
+    /** Texels of level 0. */
+    glm::ivec2 getSize() const { return _levels.front().size; }
+
+    /** Level 0 and its mipmaps in one GL_RGBA, GL_UNSIGNED_BYTE image, to be given to GL. */
+    osg::Image* getImage() const { return _image.get(); }
+    osg::Texture::WrapMode getWrapS() const { return _wrapS; }
+    osg::Texture::WrapMode getWrapT() const { return _wrapT; }
+    const osg::Vec4d& getBorderColor() const { return _borderColor; }
+
+private:
+    struct Level
+    {
+        glm::ivec2 size{0};
+        const unsigned char* texels = nullptr;
+    };
+
+    SurfaceTexture() = default;
+    ~SurfaceTexture() override = default;
+
+    glm::dvec4 fetch(const Level& level, int column, int row) const;
+    glm::dvec4 sampleLevel(const Level& level, const glm::dvec2& coordinate) const;
+
+    osg::ref_ptr<osg::Image> _image;
+    std::vector<Level> _levels;
+    osg::Texture::WrapMode _wrapS = osg::Texture::CLAMP_TO_EDGE;
+    osg::Texture::WrapMode _wrapT = osg::Texture::CLAMP_TO_EDGE;
+    osg::Vec4d _borderColor;
+};
+
+} // namespace osgLego

@@ -1,0 +1,40 @@
+#include <osgLego/flattening/SurfaceTextureCache.h>
+
+namespace osgLego
+{
+
+bool SurfaceTextureCache::Entry::isOf(const osg::Texture2D& texture) const
+{
+    if (texture.getWrap(osg::Texture::WRAP_S) != wrapS || texture.getWrap(osg::Texture::WRAP_T) != wrapT ||
+        osg::Vec4d(texture.getBorderColor()) != borderColor)
+        return false;
+    const osg::Image* current = texture.getImage();
+    return !current || (image == current && current->getModifiedCount() == modifiedCount);
+}
+
+osg::ref_ptr<const SurfaceTexture> SurfaceTextureCache::findOrMake(const osg::Texture2D& texture)
+{
+    const auto [place, isNew] = _entries.try_emplace(&texture);
+    Entry& entry = place->second;
+    entry.isUsed = true;
+    if (!isNew && entry.isOf(texture)) return entry.surface;
+
+    const osg::Image* image = texture.getImage();
+    // A wrap mode that changes once the image has gone comes too late.
+    if (isNew || image) entry.surface = SurfaceTexture::create(texture);
+    entry.image = image;
+    entry.modifiedCount = image ? image->getModifiedCount() : 0;
+    entry.wrapS = texture.getWrap(osg::Texture::WRAP_S);
+    entry.wrapT = texture.getWrap(osg::Texture::WRAP_T);
+    entry.borderColor = texture.getBorderColor();
+    return entry.surface;
+}
+
+void SurfaceTextureCache::dropUnused()
+{
+    std::erase_if(_entries, [](const auto& entry) { return !entry.second.isUsed; });
+    for (auto& [texture, entry] : _entries)
+        entry.isUsed = false;
+}
+
+} // namespace osgLego

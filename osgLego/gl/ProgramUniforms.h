@@ -1,0 +1,119 @@
+#pragma once
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <osg/Fog>
+#include <osg/GLExtensions>
+#include <osg/Matrixd>
+#include <osg/Program>
+#include <osg/State>
+#include <osg/Uniform>
+
+namespace osgLego
+{
+
+/** The name of a uniform, as OSG numbers them: a static one spares every draw call the search for it. */
+struct UniformName
+{
+    UniformName(const char* name) : id(osg::Uniform::getNameID(name)) {}
+
+    unsigned int id;
+};
+
+/** Sets uniforms of the program that a state has applied last, at once and by name.
+ *
+ * For values that change from draw call to draw call; a name that the program does not use is passed over. Needs the
+ * context of the state current.
+ */
+class ProgramUniforms
+{
+public:
+    explicit ProgramUniforms(const osg::State& state) :
+        _extensions(*state.get<osg::GLExtensions>()), _program(*state.getLastAppliedProgramObject())
+    {
+    }
+
+    /** Whether the program uses a uniform of this name. */
+    bool has(const UniformName& name) const { return find(name) >= 0; }
+
+    void set(const UniformName& name, int value) const { _extensions.glUniform1i(find(name), value); }
+    void set(const UniformName& name, float value) const { _extensions.glUniform1f(find(name), value); }
+    void set(const UniformName& name, const int* values, GLsizei count) const
+    {
+        _extensions.glUniform1iv(find(name), count, values);
+    }
+    void set(const UniformName& name, const glm::ivec2& value) const
+    {
+        _extensions.glUniform2iv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec2& value) const
+    {
+        _extensions.glUniform2fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec3& value) const
+    {
+        _extensions.glUniform3fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::vec4& value) const
+    {
+        _extensions.glUniform4fv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::ivec3& value) const
+    {
+        _extensions.glUniform3iv(find(name), 1, &value.x);
+    }
+    void set(const UniformName& name, const glm::mat3& value) const
+    {
+        _extensions.glUniformMatrix3fv(find(name), 1, GL_FALSE, &value[0].x);
+    }
+    void set(const UniformName& name, const glm::mat4& value) const
+    {
+        _extensions.glUniformMatrix4fv(find(name), 1, GL_FALSE, &value[0].x);
+    }
+
+private:
+    GLint find(const UniformName& name) const { return _program.getUniformLocation(name.id); }
+
+    const osg::GLExtensions& _extensions;
+    const osg::Program::PerContextProgram& _program;
+};
+
+/** A matrix of OSG's, which multiplies rows, as GLSL's, which multiplies columns. */
+inline glm::mat4 toGlsl(const osg::Matrixd& matrix)
+{
+    return glm::mat4(glm::make_mat4(matrix.ptr()));
+}
+
+/** The rotation, without scale, of a transform that has no other skew. */
+inline glm::mat3 rotationOf(const osg::Matrixd& matrix)
+{
+    const glm::mat3 linear(toGlsl(matrix));
+    return {glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2])};
+}
+
+/** That as the value of a uniform. */
+inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
+{
+    const glm::mat3 rotation = rotationOf(matrix);
+    osg::Matrix3 result;
+    std::copy_n(&rotation[0].x, 9, result.ptr());
+    return result;
+}
+
+/** Tell shaders/light/fog.glsl what fog the state has applied; the colour and the rest are GL's own. */
+inline void setFog(const ProgramUniforms& uniforms, const osg::State& state)
+{
+    const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));
+    const bool isOn = fog && state.getLastAppliedMode(GL_FOG);
+    const bool isLinear = isOn && fog->getMode() == osg::Fog::LINEAR;
+    static const UniformName FOG_MODE("fogMode");
+    uniforms.set(FOG_MODE, !isOn ? 0 : isLinear ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3);
+}
+
+} // namespace osgLego

@@ -1,0 +1,123 @@
+#include <osgLego/gl/ShaderLibrary.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <string_view>
+
+#include <osg/Notify>
+#include <osg/Shader>
+
+namespace osgLego
+{
+
+/** The embedded files by name; made at build time, see CMakeLists.txt. */
+const ShaderLibrary::Sources& getEmbeddedShaders();
+
+namespace
+{
+
+constexpr const char* VERSION_LINE = "#version 400 compatibility\n";
+
+bool readFile(const std::string& path, std::string& text)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return false;
+    std::ostringstream stream;
+    stream << file.rdbuf();
+    text = stream.str();
+    return true;
+}
+
+/** All files that are known. */
+class KnownSources
+{
+public:
+    void add(const ShaderLibrary::Sources& sources)
+    {
+        const std::lock_guard lock(_mutex);
+        _sources.insert(sources.begin(), sources.end());
+    }
+
+    bool find(const std::string& fileName, std::string& text) const
+    {
+        const std::lock_guard lock(_mutex);
+        const auto place = _sources.find(fileName);
+        if (place == _sources.end()) return false;
+        text = place->second;
+        return true;
+    }
+
+private:
+    mutable std::mutex _mutex;
+    ShaderLibrary::Sources _sources = getEmbeddedShaders();
+};
+
+KnownSources& getKnownSources()
+{
+    static KnownSources sources;
+    return sources;
+}
+
+bool readShader(const std::string& fileName, std::string& text)
+{
+    if (const char* folder = std::getenv("OSGLEGO_SHADER_PATH"))
+        if (readFile(std::string(folder) + "/" + fileName, text)) return true;
+    return getKnownSources().find(fileName, text);
+}
+
+osg::Shader::Type stageOf(const std::string& fileName)
+{
+    if (fileName.ends_with(".vert")) return osg::Shader::VERTEX;
+    if (fileName.ends_with(".geom")) return osg::Shader::GEOMETRY;
+    return osg::Shader::FRAGMENT;
+}
+
+} // namespace
+
+void ShaderLibrary::add(const Sources& sources)
+{
+    getKnownSources().add(sources);
+}
+
+std::string ShaderLibrary::getSource(const std::string& fileName)
+{
+    std::string text;
+    if (!readShader(fileName, text))
+    {
+        OSG_WARN << "osgLego: there is no shader '" << fileName << "'" << std::endl;
+        return {};
+    }
+
+    constexpr std::string_view INCLUDE = "#include \"";
+    std::ostringstream result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        if (line.starts_with(INCLUDE))
+            result << getSource(line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size()));
+        else
+            result << line << '\n';
+    }
+    return result.str();
+}
+
+osg::ref_ptr<osg::Program> ShaderLibrary::createProgram(const std::string& pass,
+                                                        std::initializer_list<const char*> fileNames,
+                                                        const std::string& definitions)
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("osgLego::" + pass + " " + definitions);
+    for (const std::string fileName : fileNames)
+    {
+        osg::ref_ptr<osg::Shader> shader =
+            new osg::Shader(stageOf(fileName), VERSION_LINE + definitions + getSource(fileName));
+        shader->setName("osgLego/" + fileName);
+        program->addShader(shader);
+    }
+    return program;
+}
+
+} // namespace osgLego

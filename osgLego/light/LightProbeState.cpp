@@ -1,0 +1,112 @@
+#include <osgLego/light/LightProbeState.h>
+
+#include <osgLego/gl/ProgramUniforms.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <osg/Math>
+#include <osg/Matrixd>
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** A texture of a latitude-longitude picture: it goes on around the sides, and ends at top and bottom. */
+void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::Image& image, bool hasLevels)
+{
+    // Both the same, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    image.setInternalTextureFormat(GL_RGB16F_ARB);
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&image);
+    texture->setInternalFormat(GL_RGB16F_ARB);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    texture->setFilter(osg::Texture::MIN_FILTER, hasLevels ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    stateSet.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
+}
+
+/** The convolved map as shaders/light/ambient_light.glsl wants it, the poles in the middle of the first and the last
+ * row; where harmonics do, a pixel that nobody looks at. */
+osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
+{
+    const bool isUsed = probe.usesConvolvedMap();
+    const int width = isUsed ? LightProbe::CONVOLVED_WIDTH : 1;
+    const int height = isUsed ? LightProbe::CONVOLVED_WIDTH / 2 + 1 : 1;
+    osg::ref_ptr<LightProbe> plain = new LightProbe(probe);
+    plain->setRotation(osg::Quat());
+    plain->setIntensity(1.0);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGB, GL_FLOAT);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+        {
+            const double longitude = ((column + 0.5) / width - 0.5) * 2.0 * osg::PI;
+            const double latitude = isUsed ? (static_cast<double>(row) / (height - 1) - 0.5) * osg::PI : 0.0;
+            const osg::Vec3d direction(std::sin(longitude) * std::cos(latitude),
+                                       std::cos(longitude) * std::cos(latitude), std::sin(latitude));
+            const osg::Vec3d light = plain->getIrradiance(direction);
+            auto* pixel = reinterpret_cast<float*>(
+                image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row)));
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = static_cast<float>(light[channel]);
+        }
+    return image;
+}
+
+/** The reflection maps of all roughnesses as the levels of one picture; below the last, which needs be there for GL's
+ * sake alone, its first pixel. */
+osg::ref_ptr<osg::Image> createLevels(const LightProbe& probe)
+{
+    std::vector<float> all;
+    osg::Image::MipmapDataType offsets;
+    const osg::Image& first = *probe.getReflectionMap(0);
+    for (int level = 0, width = first.s(), height = first.t();; ++level)
+    {
+        if (level > 0) offsets.push_back(static_cast<unsigned int>(all.size() * sizeof(float)));
+        const osg::Image& map = *probe.getReflectionMap(std::min(level, LightProbe::REFLECTION_LEVELS - 1));
+        const auto* pixels = reinterpret_cast<const float*>(map.data());
+        const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        for (std::size_t value = 0; value < count; ++value)
+            all.push_back(level < LightProbe::REFLECTION_LEVELS ? pixels[value] : pixels[value % 3]);
+        if (width == 1 && height == 1) break;
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+    }
+
+    auto* data = new unsigned char[all.size() * sizeof(float)];
+    std::copy_n(reinterpret_cast<const unsigned char*>(all.data()), all.size() * sizeof(float), data);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setImage(first.s(), first.t(), 1, GL_RGB16F_ARB, GL_RGB, GL_FLOAT, data, osg::Image::USE_NEW_DELETE);
+    image->setMipmapLevels(offsets);
+    return image;
+}
+
+} // namespace
+
+void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
+{
+    osg::ref_ptr<osg::Uniform> coefficients = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "irradianceCoefficients",
+                                                               static_cast<int>(probe.getCoefficients().size()));
+    for (unsigned int index = 0; index < probe.getCoefficients().size(); ++index)
+    {
+        // Of radiance; the cosine lobe turns them into those of irradiance over pi (Ramamoorthi and Hanrahan 2001).
+        const float lobe = index == 0 ? 1.0f : index < 4 ? 2.0f / 3.0f : 0.25f;
+        coefficients->setElement(index, osg::Vec3(probe.getCoefficients()[index]) * lobe);
+    }
+    stateSet.addUniform(coefficients);
+    stateSet.addUniform(new osg::Uniform("usesConvolvedMap", probe.usesConvolvedMap()));
+    stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
+    stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));
+    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *createConvolvedMap(probe), false);
+    setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", *createLevels(probe), true);
+}
+
+} // namespace osgLego

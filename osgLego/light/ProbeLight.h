@@ -1,0 +1,49 @@
+#pragma once
+
+#include <osgLego/light/RadianceGrid.h>
+#include <osgLego/light/SphericalHarmonics.h>
+
+#include <array>
+
+#include <osg/Image>
+#include <osg/Referenced>
+#include <osg/Vec3d>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** What follows from the picture of a light probe (see LightProbe for what each is).
+ *
+ * Immutable once created: every function may be called from any thread, and probes of the same light share one. */
+class ProbeLight : public osg::Referenced
+{
+public:
+    /** Throws std::bad_alloc when memory runs out. */
+    static osg::ref_ptr<const ProbeLight> create(const RadiancePicture& picture);
+    /** That of the built-in sky, made when it is first asked for. */
+    static const ProbeLight& getSky();
+
+    const SphericalHarmonics::Coefficients& getCoefficients() const { return _coefficients; }
+    osg::Image* getConvolvedMap() const { return _convolvedMap.get(); }
+    osg::Image* getReflectionMap(int level) const { return _reflectionMaps[static_cast<std::size_t>(level)].get(); }
+    double getHarmonicError() const { return _harmonicError; }
+
+    osg::Vec3d getHarmonicIrradiance(const osg::Vec3d& normal) const;
+    /** The convolved map, interpolated. */
+    osg::Vec3d getConvolvedIrradiance(const osg::Vec3d& normal) const;
+
+private:
+    explicit ProbeLight(const RadiancePicture& picture);
+    ~ProbeLight() override = default;
+
+    double computeHarmonicError() const;
+    osg::Vec3d getConvolvedPixel(int column, int row) const;
+
+    SphericalHarmonics::Coefficients _coefficients;
+    osg::ref_ptr<osg::Image> _convolvedMap;
+    std::array<osg::ref_ptr<osg::Image>, LightProbe::REFLECTION_LEVELS> _reflectionMaps;
+    double _harmonicError = 0.0;
+};
+
+} // namespace osgLego

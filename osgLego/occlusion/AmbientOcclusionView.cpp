@@ -1,0 +1,348 @@
+#include <osgLego/occlusion/AmbientOcclusionView.h>
+
+#include <osgLego/gl/PerVisit.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/light/LightProbeState.h>
+#include <osgLego/occlusion/OcclusionNoise.h>
+
+#include <string>
+
+#include <osg/BlendFunc>
+#include <osg/ColorMask>
+#include <osg/Texture2D>
+#include <osg/Texture2DMultisample>
+#include <osg/Uniform>
+#include <osg/Viewport>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr float NOTHING = -1e15f; // beyond that of shaders/occlusion/view_position.glsl
+// Behind what is opaque in the frame around, before what is transparent.
+constexpr int COMPOSITE_BIN = osg::StateSet::TRANSPARENT_BIN - 1;
+
+/** What a quality stands for. Few steps miss what is between them, and no pixel knows what is hidden behind others;
+ * both leave pictures too bright, which radius and power make good. They were found by `osglegobench occlusion` on its
+ * first view. */
+struct Effort
+{
+    int slices;   // by pixel
+    int steps;    // to each side of a slice
+    float radius; // over the one that is asked for
+    float power;  // of visibility
+};
+
+Effort effortOf(AmbientOcclusionQuality quality)
+{
+    switch (quality)
+    {
+    case AmbientOcclusionQuality::LOW:
+        return {2, 6, 1.2f, 1.15f};
+    case AmbientOcclusionQuality::HIGH:
+        return {4, 10, 1.25f, 1.05f};
+    case AmbientOcclusionQuality::MEDIUM:
+        break;
+    }
+    return {3, 8, 1.2f, 1.1f};
+}
+
+void setUpTexture(osg::Texture& texture, GLint internalFormat, GLenum format, GLenum type)
+{
+    texture.setInternalFormat(internalFormat);
+    texture.setSourceFormat(format);
+    texture.setSourceType(type);
+    texture.setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture.setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture.setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture.setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+}
+
+osg::ref_ptr<osg::Texture2D> createTexture(const glm::ivec2& size, GLint internalFormat, GLenum format, GLenum type)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(size.x, size.y);
+    texture->setResizeNonPowerOfTwoHint(false);
+    setUpTexture(*texture, internalFormat, format, type);
+    return texture;
+}
+
+osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint internalFormat)
+{
+    return createTexture(size, internalFormat, GL_RGBA, GL_FLOAT);
+}
+
+/** A texture with the samples of a format, to be attached to a frame buffer object. */
+osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& format, GLint internalFormat, GLenum pixels)
+{
+    if (format.samples == 1) return createTexture(format.size, internalFormat, pixels, GL_FLOAT);
+    osg::ref_ptr<osg::Texture2DMultisample> texture = new osg::Texture2DMultisample(format.samples, GL_TRUE);
+    texture->setTextureSize(format.size.x, format.size.y);
+    setUpTexture(*texture, internalFormat, pixels, GL_FLOAT);
+    // Textures of several samples have no borders, so that it is without effect but one: OSG takes
+    // glTexImage2DMultisample instead of glTextureStorage2DMultisample, which it calls for a texture that is none.
+    texture->setBorderWidth(1);
+    return texture;
+}
+
+void attach(osg::FrameBufferObject& buffer, osg::Camera::BufferComponent component, osg::Texture& texture)
+{
+    if (auto* plain = dynamic_cast<osg::Texture2D*>(&texture))
+        buffer.setAttachment(component, osg::FrameBufferAttachment(plain));
+    else
+        buffer.setAttachment(component, osg::FrameBufferAttachment(dynamic_cast<osg::Texture2DMultisample*>(&texture)));
+}
+
+osg::ref_ptr<osg::Program> createProgram(const char* pass, const std::string& definitions = {})
+{
+    return ShaderLibrary::createProgram(
+        pass, {"occlusion/screen.vert", ("occlusion/" + std::string(pass) + ".frag").c_str()}, definitions);
+}
+
+std::string define(const char* name, int value)
+{
+    return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
+
+/** The place of a state graph's state with another in the place of one of its state sets. */
+osgUtil::StateGraph* replaceState(osgUtil::StateGraph* graph, const osg::StateSet& from, const osg::StateSet& to)
+{
+    if (!graph->_parent) return graph;
+    const osg::StateSet* state = graph->getStateSet() == &from ? &to : graph->getStateSet();
+    return replaceState(graph->_parent, from, to)->find_or_insert(state);
+}
+
+/** The name of the kind of a bin. */
+const char* kindOf(const osgUtil::RenderBin& bin)
+{
+    if (bin.getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT) return "DepthSortedBin";
+    return bin.getSortMode() == osgUtil::RenderBin::TRAVERSAL_ORDER ? "TraversalOrderBin" : "RenderBin";
+}
+
+/** Moves what is transparent from a stage to the frame around: nothing there needs occlusion, and all of it must come
+ * after what is opaque on both sides. */
+class TransparentHandOver
+{
+public:
+    /** @param inside the state of the stage.
+     * @param outside what stands for it in the frame around. */
+    TransparentHandOver(const osg::StateSet& inside, const osg::StateSet& outside) : _inside(inside), _outside(outside)
+    {
+    }
+
+    /** Move the transparent bins of a bin, and of those within it. */
+    void handOn(osgUtil::RenderBin& from, osgUtil::RenderBin& outer) const
+    {
+        osgUtil::RenderBin::RenderBinList& bins = from.getRenderBinList();
+        for (auto place = bins.begin(); place != bins.end();)
+        {
+            if (place->first < osg::StateSet::TRANSPARENT_BIN)
+            {
+                handOn(*place->second, outer);
+                ++place;
+                continue;
+            }
+            moveAll(*place->second, *outer.find_or_insert(place->first, kindOf(*place->second)));
+            place = bins.erase(place);
+        }
+    }
+
+private:
+    void moveAll(osgUtil::RenderBin& from, osgUtil::RenderBin& to) const
+    {
+        for (osgUtil::StateGraph* graph : from.getStateGraphList())
+        {
+            osgUtil::StateGraph* moved = replaceState(graph, _inside, _outside);
+            if (moved->leaves_empty()) to.addStateGraph(moved);
+            for (const osg::ref_ptr<osgUtil::RenderLeaf>& leaf : graph->_leaves)
+                moved->addLeaf(leaf);
+            graph->_leaves.clear();
+        }
+        for (const auto& [number, bin] : from.getRenderBinList())
+            moveAll(*bin, *to.find_or_insert(number, kindOf(*bin)));
+    }
+
+    const osg::StateSet& _inside;
+    const osg::StateSet& _outside;
+};
+
+/** Let lights and clip planes among the children act on the frame around, as those of other groups do. */
+void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& outer)
+{
+    osgUtil::PositionalStateContainer& state = *stage.getPositionalStateContainer();
+    for (const auto& [attribute, matrix] : state.getAttrMatrixList())
+        outer.addPositionedAttribute(matrix, attribute);
+    for (const auto& [unit, attributes] : state.getTexUnitAttrMatrixListMap())
+        for (const auto& [attribute, matrix] : attributes)
+            outer.addPositionedTextureAttribute(unit, matrix, attribute);
+}
+
+} // namespace
+
+AmbientOcclusionPrograms::AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality,
+                                                   const LightProbe& probe) :
+    resolve(createProgram("occlusion_resolve", define("SAMPLES", samples))),
+    occlusion(createProgram("occlusion",
+                            define("SLICES", effortOf(quality).slices) + define("STEPS", effortOf(quality).steps))),
+    denoise(createProgram("occlusion_denoise")), composite(createProgram("occlusion_composite")),
+    noise(createOcclusionNoise()), light(new osg::StateSet)
+{
+    applyLightProbe(probe, *light);
+}
+
+AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOcclusionPrograms& programs) :
+    _format(format), _programs(&programs), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
+    _childState(new osg::StateSet), _transparentState(new osg::StateSet)
+{
+    // The viewport of the camera is part of the state above, and has another origin.
+    _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
+    // These act on the composite, and what is in the buffer is no colour.
+    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+    _childState->setAttribute(new osg::ColorMask, OURS);
+    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OURS);
+    createGeometryBuffer();
+    createPasses();
+}
+
+void AmbientOcclusionView::createGeometryBuffer()
+{
+    _light = createTarget(_format, GL_RGBA16F_ARB, GL_RGBA);
+    _albedo = createTarget(_format, GL_RGBA8, GL_RGBA);
+    _normals = createTarget(_format, GL_RGBA16F_ARB, GL_RGBA);
+    _depth = createTarget(_format, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER0, *_light);
+    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER1, *_albedo);
+    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER2, *_normals);
+    attach(*_geometryBuffer, osg::Camera::DEPTH_BUFFER, *_depth);
+}
+
+void AmbientOcclusionView::createPasses()
+{
+    const Effort effort = effortOf(_format.quality);
+    const osg::Vec4 nothing(NOTHING, 0.0f, 0.0f, 0.0f);
+    const osg::ref_ptr<osg::Texture2D> depthImage = createColorTexture(_format.size, GL_RG32F);
+    osg::ref_ptr<osg::Texture> light = _light;
+    osg::ref_ptr<osg::Texture> albedo = _albedo;
+    osg::ref_ptr<osg::Texture> normals = _normals;
+    if (_format.samples == 1)
+    {
+        _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light}, {"depthBuffer", _depth}});
+        _resolve->setTargets({depthImage}, nothing);
+    }
+    else
+    {
+        const auto resolved = [&](GLint format) { return createColorTexture(_format.size, format); };
+        const osg::ref_ptr<osg::Texture2D> lights = resolved(GL_RGBA16F_ARB);
+        const osg::ref_ptr<osg::Texture2D> albedos = resolved(GL_RGBA8);
+        const osg::ref_ptr<osg::Texture2D> allNormals = resolved(GL_RGBA16F_ARB);
+        _resolve = new ScreenPass(
+            *_programs->resolve,
+            {{"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}});
+        _resolve->setTargets({depthImage, lights, albedos, allNormals}, nothing);
+        light = lights;
+        albedo = albedos;
+        normals = allNormals;
+    }
+
+    const osg::ref_ptr<osg::Texture2D> rough = createColorTexture(_format.size, GL_RGBA16F_ARB);
+    _occlusion = new ScreenPass(*_programs->occlusion,
+                                {{"normalBuffer", normals}, {"depthImage", depthImage}, {"noise", _programs->noise}});
+    _occlusion->setTargets({rough}, osg::Vec4());
+    _radius = _occlusion->getStateSet()->getOrCreateUniform("radius", osg::Uniform::FLOAT);
+    _occlusion->getStateSet()->addUniform(
+        new osg::Uniform("falloff", static_cast<float>(AmbientOcclusionSettings::FALLOFF)));
+
+    const osg::ref_ptr<osg::Texture2D> smooth = createColorTexture(_format.size, GL_RGBA16F_ARB);
+    _denoise = new ScreenPass(*_programs->denoise,
+                              {{"occlusion", rough}, {"depthImage", depthImage}, {"normalBuffer", normals}});
+    _denoise->setTargets({smooth}, osg::Vec4());
+    _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
+    _denoise->getStateSet()->addUniform(_radius);
+
+    _composite = new ScreenPass(*_programs->composite, {{"lightBuffer", light},
+                                                        {"albedoBuffer", albedo},
+                                                        {"normalBuffer", normals},
+                                                        {"depthImage", depthImage},
+                                                        {"occlusion", smooth}});
+    osg::StateSet& state = *_composite->getStateSet();
+    state.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), osg::StateAttribute::ON |
+                                                                                       osg::StateAttribute::OVERRIDE |
+                                                                                       osg::StateAttribute::PROTECTED);
+    state.setRenderBinDetails(COMPOSITE_BIN, "RenderBin");
+    _shown = state.getOrCreateUniform("shown", osg::Uniform::INT);
+    state.merge(*_programs->light);
+    _composite->setSource(*_stage);
+}
+
+void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
+{
+    _stage->reset();
+    _stage->setFrameBufferObject(_geometryBuffer);
+    _stage->setViewport(new osg::Viewport(0, 0, _format.size.x, _format.size.y));
+    _stage->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    _stage->setClearColor(osg::Vec4());
+    _stage->setInitialViewMatrix(outer.getInitialViewMatrix());
+    _stage->inheritPositionalState(outer);
+}
+
+void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
+                                double sceneRadius, const std::function<void()>& cullChildren)
+{
+    osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
+    osgUtil::RenderStage& outer = *outerBin->getStage();
+    setUpStage(outer);
+    visitor.setCurrentRenderBin(_stage);
+    visitor.pushStateSet(_childState);
+    cullChildren();
+    visitor.popStateSet();
+    visitor.setCurrentRenderBin(outerBin);
+    TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
+    _stage->handOnPostRenderStages(outer);
+    handOnPositionalState(*_stage, outer);
+    outer.addPreRenderStage(_stage, ScreenPass::RENDER_ORDER);
+
+    const double pitch = _stage->getPitch();
+    const osg::Matrixd& modelView = *visitor.getModelViewMatrix();
+    const double scale = osg::Matrixd::transform3x3(osg::Vec3d(1.0, 0.0, 0.0), modelView).length();
+    const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * scale * sceneRadius;
+    _radius->set(effortOf(_format.quality).radius * static_cast<float>(settings.radius.value_or(usual)));
+    _shown->set(static_cast<int>(settings.output));
+    const osg::Matrixd eyeToWorld = computeEyeToWorld(visitor);
+    const osg::Viewport* viewport = visitor.getViewport();
+    const glm::ivec2 origin(viewport->x(), viewport->y());
+    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+    {
+        pass->setView(*visitor.getProjectionMatrix(), eyeToWorld, origin, _format.size);
+        pass->getNode().accept(visitor);
+    }
+}
+
+void AmbientOcclusionView::setTiming(bool timing)
+{
+    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+        pass->setTiming(timing);
+    _stage->setTiming(timing);
+}
+
+AmbientOcclusionTimes AmbientOcclusionView::getTimes() const
+{
+    return {_stage->getTime(), _resolve->getTime(), _occlusion->getTime(), _denoise->getTime(), _composite->getTime()};
+}
+
+void AmbientOcclusionView::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    _geometryBuffer->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+        pass->resizeGLObjectBuffers(maxSize);
+}
+
+void AmbientOcclusionView::releaseGLObjects(osg::State* state) const
+{
+    _geometryBuffer->releaseGLObjects(state);
+    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+        pass->releaseGLObjects(state);
+}
+
+} // namespace osgLego

@@ -1,0 +1,129 @@
+#include <osgLego/occlusion/GeometryBufferStage.h>
+
+#include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/PassCamera.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include <osg/RenderInfo>
+#include <osg/Timer>
+#include <osgUtil/PositionalStateContainer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** What a stage inherits, which it tells nobody but its own kind. */
+class Inheritance : public osgUtil::RenderStage
+{
+public:
+    static osgUtil::PositionalStateContainer* getState(const osgUtil::RenderStage& stage)
+    {
+        return (stage.*(&Inheritance::_inheritedPositionalStateContainer)).get();
+    }
+    static const osg::Matrix& getMatrix(const osgUtil::RenderStage& stage)
+    {
+        return stage.*(&Inheritance::_inheritedPositionalStateContainerMatrix);
+    }
+};
+
+/** The positional state of a stage, behind what it inherits. */
+class StateOfStage : public osgUtil::PositionalStateContainer
+{
+public:
+    explicit StateOfStage(osgUtil::RenderStage& stage) :
+        _inherited(Inheritance::getState(stage)), _matrix(Inheritance::getMatrix(stage)),
+        _own(stage.getPositionalStateContainer())
+    {
+    }
+
+    void draw(osg::State& state, osgUtil::RenderLeaf*& previous, const osg::Matrix*) override
+    {
+        if (_inherited) _inherited->draw(state, previous, &_matrix);
+        _own->draw(state, previous, nullptr);
+    }
+
+private:
+    osg::ref_ptr<osgUtil::PositionalStateContainer> _inherited;
+    osg::Matrix _matrix;
+    osg::ref_ptr<osgUtil::PositionalStateContainer> _own;
+};
+
+} // namespace
+
+/** Draws only if the buffer is there: OSG would draw into the window instead. */
+class GeometryBufferStage::Draw : public osgUtil::RenderBin::DrawCallback
+{
+public:
+    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& renderInfo,
+                            osgUtil::RenderLeaf*& previous) override
+    {
+        if (!PassCamera::isTargetThere(*renderInfo.getState()))
+        {
+            takeOutOfMemoryError();
+            hasFailed = true;
+            return;
+        }
+        const osg::Timer_t start = osg::Timer::instance()->tick();
+        bin->drawImplementation(renderInfo, previous);
+        if (!isTimed) return;
+        glFinish();
+        time = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    }
+
+    std::atomic<bool> hasFailed{false};
+    std::atomic<bool> isTimed{false};
+    std::atomic<double> time{0.0};
+};
+
+GeometryBufferStage::GeometryBufferStage() : _draw(new Draw)
+{
+    setDrawCallback(_draw);
+}
+
+GeometryBufferStage::~GeometryBufferStage() = default;
+
+void GeometryBufferStage::setTiming(bool timing)
+{
+    _draw->isTimed = timing;
+}
+
+double GeometryBufferStage::getTime() const
+{
+    return _draw->isTimed ? _draw->time.load() : 0.0;
+}
+
+bool GeometryBufferStage::hasFailed() const
+{
+    return _draw->hasFailed;
+}
+
+void GeometryBufferStage::reset()
+{
+    osgUtil::RenderStage::reset();
+    _pitch = 0.0;
+}
+
+void GeometryBufferStage::inheritPositionalState(osgUtil::RenderStage& outer)
+{
+    setInheritedPositionalStateContainer(new StateOfStage(outer));
+    setInheritedPositionalStateContainerMatrix(osg::Matrix());
+}
+
+void GeometryBufferStage::handOnPostRenderStages(osgUtil::RenderStage& outer)
+{
+    for (const auto& [order, stage] : _postRenderList)
+        outer.addPostRenderStage(stage, order);
+    _postRenderList.clear();
+}
+
+void GeometryBufferStage::noteBricks(double pitch, const osg::Matrixd& modelView)
+{
+    const double scale = osg::Matrixd::transform3x3(osg::Vec3d(1.0, 0.0, 0.0), modelView).length();
+    _pitch = std::max(_pitch, scale * pitch);
+}
+
+} // namespace osgLego

@@ -1,0 +1,62 @@
+#include <osgLego/passes/PassPlan.h>
+
+#include <cmath>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** A triangle with edges of at most `edgeLimit` reaches across so many cells of an axis, and one more. */
+int cellsMetAtMost(double edgeLimit)
+{
+    const int along = static_cast<int>(std::ceil(edgeLimit)) + 1;
+    return along * along * along;
+}
+
+Device chooseDevice(const LegoSettings& settings, Renderer renderer)
+{
+    if (settings.device != Device::AUTO) return settings.device;
+    if (settings.method != VoxelizationMethod::EXACT || renderer == Renderer::HARDWARE) return Device::GPU;
+    return renderer == Renderer::SOFTWARE ? Device::CPU : Device::AUTO;
+}
+
+PassPlan createFor(const LegoSource& source, Device device)
+{
+    PassPlan plan;
+    plan.device = device;
+    if (device == Device::CPU) return plan;
+    const LegoSettings& settings = source.settings;
+    const SlabPlan slabs = SlabPlan::create(source.triangles->getGrid());
+    plan.method = settings.method;
+    plan.target = settings.getTarget();
+    if (plan.target == VoxelizationTarget::PROJECTED) plan.pictureSize = static_cast<int>(settings.fboSize);
+    if (plan.method == VoxelizationMethod::EXACT) plan.cellsPerTriangle = cellsMetAtMost(settings.getEdgeLimit());
+    plan.imageSize = slabs.imageSize;
+    plan.numSlabs = slabs.slabs.size();
+    return plan;
+}
+
+} // namespace
+
+PassPlan PassPlan::create(const LegoSource& source, Renderer renderer)
+{
+    return createFor(source, chooseDevice(source.settings, renderer));
+}
+
+bool PassPlan::fits(const LegoSource& source) const
+{
+    const Device wanted = chooseDevice(source.settings, Renderer::UNKNOWN);
+    return (wanted == device || wanted == Device::AUTO) && createFor(source, device) == *this;
+}
+
+std::string PassPlan::findObstacle(const LegoSource& source)
+{
+    const std::size_t numCells = source.triangles->getGrid().getNumCells();
+    if (source.settings.getTarget() != VoxelizationTarget::PROJECTED || numCells <= MAXIMUM_PROJECTED_CELLS) return {};
+    return "a projected target holds at most 16777216 cells (256 x 256 x 256), and this grid has " +
+           std::to_string(numCells) + "; allowed: a lower resolution, or target=addressed";
+}
+
+} // namespace osgLego

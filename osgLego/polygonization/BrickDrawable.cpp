@@ -1,0 +1,136 @@
+#include <osgLego/polygonization/BrickDrawable.h>
+
+#include <osgLego/BrickGeometry.h>
+#include <osgLego/polygonization/BrickUniforms.h>
+
+#include <osg/CullFace>
+#include <osg/Depth>
+#include <osg/FrontFace>
+#include <osg/PolygonMode>
+#include <osg/RenderInfo>
+
+namespace osgLego
+{
+
+namespace
+{
+
+template <typename Attribute>
+const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Type type)
+{
+    return dynamic_cast<const Attribute*>(state.getLastAppliedAttribute(type));
+}
+
+/** Whether a state cuts nothing open, mixes nothing and lets the nearest surface win, so that of closed surfaces
+ * nothing is seen but their outer sides. */
+bool showsNearestOnly(const osg::State& state, bool isMirrored)
+{
+    for (const auto mode :
+         {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3,
+          GL_CLIP_PLANE4, GL_CLIP_PLANE5, GL_CLIP_PLANE0 + 6, GL_CLIP_PLANE0 + 7})
+        if (state.getLastAppliedMode(static_cast<osg::StateAttribute::GLMode>(mode))) return false;
+    if (!state.getLastAppliedMode(GL_DEPTH_TEST)) return false;
+    const auto* depth = findAttribute<osg::Depth>(state, osg::StateAttribute::DEPTH);
+    if (depth && (!depth->getWriteMask() ||
+                  (depth->getFunction() != osg::Depth::LESS && depth->getFunction() != osg::Depth::LEQUAL)))
+        return false;
+    const auto* polygonMode = findAttribute<osg::PolygonMode>(state, osg::StateAttribute::POLYGONMODE);
+    if (polygonMode && polygonMode->getMode(osg::PolygonMode::FRONT) != osg::PolygonMode::FILL) return false;
+    if (polygonMode && polygonMode->getMode(osg::PolygonMode::BACK) != osg::PolygonMode::FILL) return false;
+    if (!state.getLastAppliedMode(GL_CULL_FACE)) return true;
+    const auto* cullFace = findAttribute<osg::CullFace>(state, osg::StateAttribute::CULLFACE);
+    return !isMirrored && (!cullFace || cullFace->getMode() == osg::CullFace::BACK);
+}
+
+/** Whether a state takes what winds clockwise for the front. */
+bool isClockwise(const osg::State& state)
+{
+    const auto* frontFace = findAttribute<osg::FrontFace>(state, osg::StateAttribute::FRONTFACE);
+    return frontFace && frontFace->getMode() == osg::FrontFace::CLOCKWISE;
+}
+
+} // namespace
+
+BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
+                             osg::StateSet& splatStateByOneLight) :
+    _store(&store),
+    _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
+{
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setDataVariance(osg::Object::STATIC);
+}
+
+osg::BoundingBox BrickDrawable::computeBoundingBox() const
+{
+    const osg::ref_ptr<const LegoSource> source = _store->getSource();
+    if (!source) return {};
+    const osg::BoundingBoxd bounds = source->triangles->getGrid().getBrickBounds();
+    if (!bounds.valid()) return {};
+    return {osg::Vec3(bounds._min), osg::Vec3(bounds._max)};
+}
+
+void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    const std::lock_guard lock(bricks->getMutex());
+    if (bricks->numBricks == 0 || !state.getLastAppliedProgramObject()) return;
+
+    // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
+    // origin of their coordinates do not shake.
+    const BrickGrid& grid = bricks->source->triangles->getGrid();
+    // The state holds its matrices as osg::RefMatrix and nothing else.
+    const osg::ref_ptr<const osg::RefMatrix> modelView =
+        static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
+    Workspace& workspace = _workspaces[state.getContextID()];
+    if (!workspace.cellsToEye) workspace.cellsToEye = new osg::RefMatrix;
+    workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
+    state.applyModelViewMatrix(workspace.cellsToEye.get());
+    if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+    drawBricks(state, *bricks, workspace);
+    state.applyModelViewMatrix(modelView.get());
+}
+
+void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const
+{
+    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
+    view.isMirrored = view.isMirrored != isClockwise(state);
+    const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
+    workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
+    // An offset goes by the slope of triangles.
+    const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
+    if (!showsInsides && !isOffset)
+    {
+        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view);
+        state.apply(_geometryState);
+        if (isDrawn || !state.getLastAppliedProgramObject()) return;
+        if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+    }
+    // So that fewer pixels are shaded in vain.
+    if (!showsInsides) workspace.ranges.sortFrontToBack();
+    setBrickUniforms(state, grid, view, showsInsides);
+    drawBrickPoints(state, bricks, workspace.ranges.getAll());
+}
+
+void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
+{
+    if (const osg::ref_ptr<const BrickModel> model = _store->getModel()) acceptBrickFaces(*model, functor);
+}
+
+void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    osg::Drawable::resizeGLObjectBuffers(maxSize);
+    _workspaces.resize(maxSize);
+    _splats.resizeGLObjectBuffers(maxSize);
+}
+
+void BrickDrawable::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _splats.releaseGLObjects(state);
+    _store->releaseGLObjects(state);
+}
+
+} // namespace osgLego

@@ -1,0 +1,133 @@
+#include <osgLego/polygonization/BrickNodes.h>
+
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/light/LightProbeState.h>
+#include <osgLego/polygonization/ReliefMap.h>
+
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr unsigned int RELIEF_UNIT = 0;
+
+// Protected, since no other program, as of a pass for shadows, can draw what the buffer holds.
+constexpr osg::StateAttribute::OverrideValue OURS =
+    osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, osg::StateSet& stateSet)
+{
+    stateSet.addUniform(new osg::Uniform("hasJoints", appearance.joints));
+    stateSet.addUniform(new osg::Uniform("variation", static_cast<float>(appearance.variation)));
+    stateSet.addUniform(new osg::Uniform("roughness", static_cast<float>(appearance.roughness)));
+    stateSet.addUniform(new osg::Uniform("reliefHeight", static_cast<float>(appearance.reliefHeight)));
+    stateSet.addUniform(new osg::Uniform("usesMaterial", appearance.materialSpecular));
+    stateSet.addUniform(new osg::Uniform("reliefMap", static_cast<int>(RELIEF_UNIT)));
+    stateSet.setTextureAttribute(RELIEF_UNIT, &relief, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+}
+
+osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearance)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(createReliefMap(appearance.reliefImage));
+    texture->setInternalFormat(GL_RGBA16F_ARB);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fragments,
+                                        const std::string& definitions = {})
+{
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(
+        ShaderLibrary::createProgram(
+            name, {"polygonization/polygonization.vert", "polygonization/polygonization.geom", fragments}, definitions),
+        OURS);
+    return stateSet;
+}
+
+/** That state for the shading of splats, which differs in its program. */
+osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, const std::string& name,
+                                             const char* fragments, const std::string& definitions)
+{
+    osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
+    splats->setAttributeAndModes(
+        ShaderLibrary::createProgram(name, {"polygonization/splat_shading.vert", fragments}, definitions), OURS);
+    return splats;
+}
+
+/** A node under a state for triangles. */
+osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
+                                    const char* fragments, const std::string& definitions = {})
+{
+    constexpr const char* SPLATS = "#define SPLATS\n";
+    constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
+    osg::ref_ptr<osg::Geode> node = new osg::Geode;
+    node->addDrawable(
+        new BrickDrawable(store, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
+    node->setStateSet(&triangles);
+    return node;
+}
+
+} // namespace
+
+BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe)
+{
+    if (look == Look::PLAIN)
+    {
+        constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
+        _frameNode = createNode(store, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
+        _bufferNode = _frameNode;
+        return;
+    }
+    constexpr const char* NAME = "polygonization_full";
+    constexpr const char* FRAGMENTS = "polygonization/polygonization_full.frag";
+    constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
+    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS);
+    const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
+    const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
+        applyAppearance(appearance, *relief, *stateSet);
+    applyLightProbe(probe, *frame);
+    // What is in the buffer is no colour.
+    constexpr osg::StateAttribute::OverrideValue OFF =
+        osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+    for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
+        buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+    _frameNode = createNode(store, *frame, NAME, FRAGMENTS);
+    _bufferNode = createNode(store, *buffer, NAME, FRAGMENTS, BUFFER);
+}
+
+void BrickNodes::dirtyBound() const
+{
+    for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode})
+        node->getDrawable(0)->dirtyBound();
+}
+
+void BrickNodes::getBound() const
+{
+    _frameNode->getBound();
+    _bufferNode->getBound();
+}
+
+void BrickNodes::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    _frameNode->resizeGLObjectBuffers(maxSize);
+    _bufferNode->resizeGLObjectBuffers(maxSize);
+}
+
+void BrickNodes::releaseGLObjects(osg::State* state) const
+{
+    _frameNode->releaseGLObjects(state);
+    _bufferNode->releaseGLObjects(state);
+}
+
+} // namespace osgLego

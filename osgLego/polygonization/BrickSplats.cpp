@@ -1,0 +1,334 @@
+#include <osgLego/polygonization/BrickSplats.h>
+
+#include <osgLego/gl/GlRequirements.h>
+#include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/polygonization/BrickUniforms.h>
+
+#include <algorithm>
+#include <array>
+
+#include <osg/ContextData>
+#include <osg/Depth>
+#include <osg/FrameBufferObject>
+#include <osg/GraphicsContext>
+#include <osg/PolygonMode>
+#include <osg/Texture2D>
+#include <osg/Uniform>
+#include <osg/observer_ptr>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Beside those of the relief and of the light probe.
+constexpr unsigned int SPLATS_UNIT = 4;
+constexpr unsigned int DEPTHS_UNIT = 5;
+
+constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+/** A picture with a size of its own, to be drawn into and to be fetched from. */
+osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setInternalFormat(internalFormat);
+    texture->setSourceFormat(format);
+    texture->setSourceType(type);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    return texture;
+}
+
+/** The frame buffer and the part of it that are drawn into, to come back to. */
+class Destination
+{
+public:
+    explicit Destination(const osg::State& state) : _extensions(*state.get<osg::GLExtensions>())
+    {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &_frameBuffer);
+        glGetIntegerv(GL_VIEWPORT, _viewport.data());
+        glGetIntegerv(GL_SCISSOR_BOX, _scissor.data());
+        glGetIntegerv(GL_SAMPLE_BUFFERS, &_sampleBuffers);
+    }
+
+    bool hasSamples() const { return _sampleBuffers > 0; }
+    glm::ivec2 getOrigin() const { return {_viewport[0], _viewport[1]}; }
+    glm::ivec2 getSize() const { return {_viewport[2], _viewport[3]}; }
+
+    void restore() const
+    {
+        _extensions.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(_frameBuffer));
+        glViewport(_viewport[0], _viewport[1], _viewport[2], _viewport[3]);
+        glScissor(_scissor[0], _scissor[1], _scissor[2], _scissor[3]);
+    }
+
+private:
+    const osg::GLExtensions& _extensions;
+    GLint _frameBuffer = 0;
+    std::array<GLint, 4> _viewport{};
+    std::array<GLint, 4> _scissor{};
+    GLint _sampleBuffers = 0;
+};
+
+/** Apply a state set, and what OSG tells programs of in place of the built-in matrices where it is asked to.
+ * @return whether its program is there. */
+bool applyState(osg::State& state, const osg::StateSet& stateSet)
+{
+    state.apply(&stateSet);
+    if (!state.getLastAppliedProgramObject()) return false;
+    if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+    return true;
+}
+
+/** What draws points draws squares of the size that vertices say. */
+void setPointModes(osg::StateSet& stateSet)
+{
+    stateSet.setAttribute(new osg::PolygonMode, OURS);
+    // A point sprite is as large as it says; another point is rounded.
+    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+}
+
+osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
+{
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(
+        "splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
+    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
+    setPointModes(*stateSet);
+    return stateSet;
+}
+
+} // namespace
+
+/** What the splats of all nodes in a context are drawn into, one after the other. */
+class SplatTarget : public osg::Referenced
+{
+public:
+    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
+    bool isFor(const osg::State& state)
+    {
+        // The owner may have closed, and its frame buffer object with it.
+        if (!_owner.valid())
+        {
+            _owner = state.getGraphicsContext();
+            _frameBuffer = nullptr;
+            _size = glm::ivec2(0);
+            _isSoftware = GlRequirements::getRenderer(state.getContextID()) == Renderer::SOFTWARE;
+            std::array<GLfloat, 2> range{};
+            glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
+            _maximumPointSize = range[1];
+            std::array<GLint, 2> viewport{};
+            glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+            // See drawPoints.
+            _maximumSize = {viewport[0] / 2, viewport[1]};
+        }
+        // Of contexts that share objects each would need frame buffer objects of its own.
+        return _isSoftware && !_hasFailed && _owner.get() == state.getGraphicsContext();
+    }
+
+    /** Use it no more: programs or frame buffers of this context can't be had. */
+    void fail() { _hasFailed = true; }
+
+    float getMaximumPointSize() const { return _maximumPointSize; }
+    /** Whether a picture of so many pixels can be drawn here, and there is one at all. */
+    bool isPossible(const glm::ivec2& size) const
+    {
+        return size.x > 0 && size.y > 0 && size.x <= _maximumSize.x && size.y <= _maximumSize.y;
+    }
+    osg::Texture2D& getSplats() const { return *_splats; }
+    osg::Texture2D& getDepths() const { return *_depths; }
+
+    /** Bind it, at least as large as this, to be drawn into. */
+    bool bind(osg::State& state, const glm::ivec2& size)
+    {
+        if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
+        // Made here, where the state knows of it, and not on whatever unit the frame buffer object finds active.
+        state.applyTextureAttribute(SPLATS_UNIT, _splats);
+        state.applyTextureAttribute(DEPTHS_UNIT, _depths);
+        _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
+        return PassCamera::isTargetThere(state);
+    }
+
+    /** Clear the depths of a picture of so many pixels. */
+    void clearDepths(const glm::ivec2& size) const
+    {
+        glClearDepth(1.0);
+        // Clearing all of a target is quicker than a part of the same size; another node may want a larger one.
+        const bool isPart = size != _size;
+        if (isPart)
+        {
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(0, 0, size.x, size.y);
+        }
+        glClear(GL_DEPTH_BUFFER_BIT);
+        if (isPart) glDisable(GL_SCISSOR_TEST);
+    }
+
+private:
+    ~SplatTarget() override = default;
+
+    void resize(const glm::ivec2& size)
+    {
+        _size = size;
+        for (osg::Texture2D* texture : {_splats.get(), _depths.get()})
+        {
+            texture->setTextureSize(size.x, size.y);
+            texture->dirtyTextureObject();
+        }
+        _frameBuffer = new osg::FrameBufferObject;
+        _frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(_splats));
+        _frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(_depths));
+    }
+
+    osg::observer_ptr<const osg::GraphicsContext> _owner;
+    bool _isSoftware = false;
+    bool _hasFailed = false;
+    float _maximumPointSize = 1.0f;
+    glm::ivec2 _maximumSize{0};
+    glm::ivec2 _size{0};
+    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
+    osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+    osg::ref_ptr<osg::FrameBufferObject> _frameBuffer;
+};
+
+namespace
+{
+
+/** Where nodes find the target of a context as long as one of them holds it. */
+class TargetOfContext : public osg::Referenced
+{
+public:
+    explicit TargetOfContext(unsigned int) {}
+
+    osg::ref_ptr<SplatTarget> get()
+    {
+        osg::ref_ptr<SplatTarget> target;
+        if (_target.lock(target)) return target;
+        target = new SplatTarget;
+        _target = target;
+        return target;
+    }
+
+private:
+    ~TargetOfContext() override = default;
+
+    osg::observer_ptr<SplatTarget> _target;
+};
+
+} // namespace
+
+BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight) :
+    _boxes(createPointState("")), _studded(createPointState("#define STUDS\n")), _shading(&shading),
+    _shadingByOneLight(&shadingByOneLight)
+{
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_shading, _shadingByOneLight})
+    {
+        setPointModes(*stateSet);
+        stateSet->addUniform(new osg::Uniform("splats", static_cast<int>(SPLATS_UNIT)));
+        stateSet->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
+    }
+}
+
+BrickSplats::~BrickSplats() = default;
+
+bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                       const CellView& view) const
+{
+    osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
+    if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
+    SplatTarget& target = *held;
+    if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    if (ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
+    // Planes and ranges of depth that rays know nothing of.
+    if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
+    const Destination destination(state);
+    if (!target.isPossible(destination.getSize())) return false;
+    const CellView::Rays rays = view.computeRays(destination.getSize());
+    if (!view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
+    const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
+    if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
+
+    const bool isReady = drawPoints(state, target, bricks, ranges, view, rays, destination.getSize());
+    destination.restore();
+    if (!isReady || !applyState(state, hasOneLight(state) ? *_shadingByOneLight : *_shading))
+    {
+        target.fail();
+        return false;
+    }
+    state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
+    state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
+    setBrickUniforms(state, bricks.source->triangles->getGrid(), view, false);
+    setRays(state, rays, destination.getSize());
+    static const UniformName ORIGIN("origin");
+    ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
+    drawTiles(state, bricks, ranges, view, destination.getSize());
+    return true;
+}
+
+bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks,
+                             const BrickRanges& ranges, const CellView& view, const CellView::Rays& rays,
+                             const glm::ivec2& size) const
+{
+    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    bool isCleared = false;
+    for (const bool hasStuds : {false, true})
+    {
+        const BrickRanges::Parts& parts = hasStuds ? ranges.getStudded() : ranges.getOthers();
+        const bool isAll = hasStuds && bricks.blocks.empty();
+        if (parts.firsts.empty() && !isAll) continue;
+        if (!applyState(state, hasStuds ? *_studded : *_boxes)) return false;
+        if (!isCleared && !target.bind(state, size)) return false;
+        // Points to the left of the picture are dropped: it is the right half of the viewport.
+        glViewport(-size.x, 0, 2 * size.x, size.y);
+        if (!isCleared) target.clearDepths(size);
+        isCleared = true;
+        setBrickUniforms(state, grid, view, false);
+        setRays(state, rays.onAxesOfStud(grid.getUpIndex()), size);
+        drawBrickPoints(state, bricks, parts);
+    }
+    return true;
+}
+
+void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+                            const CellView& view, const glm::ivec2& size) const
+{
+    PictureTiles& tiles = _tiles[state.getContextID()];
+    tiles.clear(size);
+    if (bricks.blocks.empty())
+        tiles.add(view.area);
+    else
+        ranges.addTo(tiles, bricks.source->triangles->getGrid(), view);
+    tiles.findRuns();
+    static const UniformName NUM_ACROSS("tilesAcross");
+    static const UniformName SIDE("tileSide");
+    const ProgramUniforms uniforms(state);
+    uniforms.set(NUM_ACROSS, tiles.getNumAcross());
+    uniforms.set(SIDE, static_cast<float>(PictureTiles::SIDE));
+    state.get<osg::GLExtensions>()->glMultiDrawArrays(GL_POINTS, tiles.getFirsts().data(), tiles.getCounts().data(),
+                                                      static_cast<GLsizei>(tiles.getFirsts().size()));
+}
+
+void BrickSplats::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    _targets.resize(maxSize);
+    _tiles.resize(maxSize);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_boxes, _studded, _shading, _shadingByOneLight})
+        stateSet->resizeGLObjectBuffers(maxSize);
+}
+
+void BrickSplats::releaseGLObjects(osg::State* state) const
+{
+    if (state)
+        _targets[state->getContextID()] = nullptr;
+    else
+        _targets.setAllElementsTo(nullptr);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_boxes, _studded, _shading, _shadingByOneLight})
+        stateSet->releaseGLObjects(state);
+}
+
+} // namespace osgLego

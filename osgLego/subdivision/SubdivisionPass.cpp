@@ -1,0 +1,213 @@
+#include <osgLego/subdivision/SubdivisionPass.h>
+
+#include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/GlRequirements.h>
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/TransformFeedback.h>
+#include <osgLego/passes/GridVertexArrays.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace osgLego
+{
+
+namespace
+{
+
+static_assert(6 * GridBatch::MAXIMUM_TRIANGLES <= GlRequirements::BUFFER_TEXELS);
+
+// One buffer of fine triangles; beyond this, drivers fail in ways of their own.
+constexpr double MAXIMUM_BYTES = 3.0 * (1u << 30);
+constexpr std::size_t TRIANGLE_BYTES = 3 * sizeof(GridVertex);
+// Every pass halves what is too long; an edge that is still there after these comes from numbers too large to halve.
+constexpr std::size_t MAXIMUM_PASSES = 64;
+
+std::string outOfMemory(double bytes)
+{
+    std::ostringstream text;
+    text << "there is no room for " << std::ceil(bytes / (1 << 20))
+         << " MiB of subdivided triangles; allowed: a lower resolution, or a larger edge limit";
+    return text.str();
+}
+
+/** Subdivides one batch of triangles. Needs the program of the pass applied. */
+class BatchSubdivision
+{
+public:
+    BatchSubdivision(const osg::State& state, WorkingBatch& batch, double edgeLimit) :
+        _state(state), _extensions(*state.get<osg::GLExtensions>()), _batch(batch), _edgeLimit(edgeLimit)
+    {
+    }
+
+    /** @return why it failed; empty when it did not. */
+    std::string run()
+    {
+        const std::size_t estimate = _batch.batch->estimateFineTriangles(_edgeLimit);
+        std::size_t capacity = estimate + estimate / 4 + 1024;
+        while (true)
+        {
+            const double bytes = static_cast<double>(capacity) * TRIANGLE_BYTES;
+            if (bytes > MAXIMUM_BYTES || !allocate(capacity)) return outOfMemory(bytes);
+            switch (subdivide())
+            {
+            case Outcome::FINE:
+                _batch.fine = std::move(_buffers[_last]);
+                _batch.numFineTriangles = static_cast<GLsizei>(_count);
+                return {};
+            case Outcome::ENDLESS:
+                return "subdivision comes to no end; allowed: coordinates that floats can halve";
+            case Outcome::TOO_SMALL:
+                capacity = std::max<std::size_t>(2 * capacity, _count + _count / 4);
+                break;
+            }
+        }
+    }
+
+    std::size_t getNumPasses() const { return _numPasses; }
+
+private:
+    enum class Outcome
+    {
+        FINE,
+        TOO_SMALL,
+        ENDLESS
+    };
+
+    bool allocate(std::size_t capacity)
+    {
+        _bytes = static_cast<GLsizeiptr>(capacity * TRIANGLE_BYTES);
+        for (GlBuffer& buffer : _buffers)
+        {
+            buffer = GlBuffer(_state);
+            _extensions.glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+            _extensions.glBufferData(GL_ARRAY_BUFFER, _bytes, nullptr, GL_DYNAMIC_COPY);
+        }
+        _extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+        return !takeOutOfMemoryError();
+    }
+
+    /** Algorithm 1: pass after pass while the count changes. */
+    Outcome subdivide()
+    {
+        const double halvings = std::log2(static_cast<double>(_batch.batch->longestEdge) / _edgeLimit);
+        std::size_t target = static_cast<std::size_t>(std::max(1.0, std::ceil(halvings))) + 1;
+        _count = static_cast<GLuint>(_batch.batch->getNumTriangles());
+        _numPasses = 0;
+        std::vector<std::unique_ptr<TransformFeedback>> passes;
+        while (target <= MAXIMUM_PASSES)
+        {
+            while (passes.size() < target)
+            {
+                passes.push_back(std::make_unique<TransformFeedback>(_extensions));
+                draw(passes);
+            }
+            for (; _numPasses < passes.size(); ++_numPasses)
+            {
+                const CapturedPrimitives result = passes[_numPasses]->getResult();
+                const bool unchanged = result.generated == _count;
+                _count = result.generated;
+                if (!result.isComplete()) return Outcome::TOO_SMALL;
+                if (unchanged) return Outcome::FINE;
+            }
+            target += 2;
+        }
+        return Outcome::ENDLESS;
+    }
+
+    /** Draw what the pass before the last one captured, or the source, into the last one. */
+    void draw(const std::vector<std::unique_ptr<TransformFeedback>>& passes)
+    {
+        const GridVertexArrays arrays(_extensions);
+        const bool isFirst = passes.size() == 1;
+        arrays.bind(isFirst ? _batch.source.get() : _buffers[_last].get());
+        _last = isFirst ? 0 : 1 - _last;
+        passes.back()->begin(GL_TRIANGLES, _buffers[_last].get(), 0, _bytes);
+        if (isFirst)
+            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_batch.batch->vertices.size()));
+        else
+            passes[passes.size() - 2]->draw(GL_TRIANGLES);
+        passes.back()->end();
+    }
+
+    const osg::State& _state;
+    const osg::GLExtensions& _extensions;
+    WorkingBatch& _batch;
+    double _edgeLimit;
+    std::array<GlBuffer, 2> _buffers;
+    GLsizeiptr _bytes = 0;
+    std::size_t _last = 0; // the buffer captured into last
+    GLuint _count = 0;
+    std::size_t _numPasses = 0;
+};
+
+/** The source's vertices in a buffer, and the same buffer as a texture that shaders look triangles up in. */
+WorkingBatch upload(osg::State& state, const GridBatch& batch)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    WorkingBatch working;
+    working.batch = &batch;
+    working.numFineTriangles = static_cast<GLsizei>(batch.getNumTriangles());
+    working.source = GlBuffer(state);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, working.source.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size() * sizeof(GridVertex)),
+                            batch.vertices.data(), GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+
+    working.lookup = GlTexture(state);
+    glBindTexture(GL_TEXTURE_BUFFER, working.lookup.get());
+    extensions.glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI_EXT, working.source.get());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    return working;
+}
+
+osg::ref_ptr<osg::Program> createProgram()
+{
+    osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"});
+    for (const char* varying : {"finePosition", "fineTriangle", "fineCoordinate", "fineColorAndLevel"})
+        program->addTransformFeedBackVarying(varying);
+    program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
+    return program;
+}
+
+} // namespace
+
+SubdivisionPass::SubdivisionPass(BrickStore& store, const PassPlan& plan) : LegolizationPass(store, 0), _plan(plan)
+{
+    setStateSet(PassCamera::createStateSet(*createProgram()));
+    setCamera(new PassCamera(*this));
+}
+
+bool SubdivisionPass::begin(osg::State& state, ContextBricks& bricks) const
+{
+    return start(state, bricks, _plan);
+}
+
+std::string SubdivisionPass::run(osg::State& state, ContextBricks& bricks) const
+{
+    Legolization& work = *bricks.work;
+    // Here, in the first pass, and not where it would show: work that leads nowhere is not begun.
+    if (std::string obstacle = PassPlan::findObstacle(*work.source); !obstacle.empty()) return obstacle;
+    const double edgeLimit = work.source->settings.getEdgeLimit();
+    ProgramUniforms(state).set("edgeLimit", static_cast<float>(edgeLimit));
+    for (const GridBatch& batch : work.source->triangles->getBatches())
+    {
+        work.batches.push_back(upload(state, batch));
+        WorkingBatch& working = work.batches.back();
+        if (static_cast<double>(batch.longestEdge) > edgeLimit)
+        {
+            BatchSubdivision subdivision(state, working, edgeLimit);
+            if (std::string failure = subdivision.run(); !failure.empty()) return failure;
+            work.statistics.numSubdivisionPasses =
+                std::max(work.statistics.numSubdivisionPasses, subdivision.getNumPasses());
+        }
+        work.statistics.numFineTriangles += static_cast<std::size_t>(working.numFineTriangles);
+    }
+    return takeOutOfMemoryError() ? "the source does not fit into the memory of the GPU" : std::string();
+}
+
+} // namespace osgLego

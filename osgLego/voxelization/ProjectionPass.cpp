@@ -1,0 +1,75 @@
+#include <osgLego/voxelization/ProjectionPass.h>
+
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/passes/GridVertexArrays.h>
+
+#include <bit>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Away from the axes and from their diagonals.
+const glm::vec3 DIRECTION(0.48f, 0.62f, 0.37f);
+const glm::vec3 UPWARD(0.0f, 0.0f, 1.0f);
+
+/** From cell units to a picture that holds the whole grid. */
+glm::mat4 projectionOf(const BrickGrid& grid)
+{
+    const glm::vec3 size(grid.dimensions);
+    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -DIRECTION, UPWARD);
+    glm::vec3 minimum(std::numeric_limits<float>::max());
+    glm::vec3 maximum(std::numeric_limits<float>::lowest());
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        const glm::vec3 place = size * glm::vec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::vec3 seen(view * glm::vec4(place, 1.0f));
+        minimum = glm::min(minimum, seen);
+        maximum = glm::max(maximum, seen);
+    }
+    constexpr float MARGIN = 0.5f;
+    return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z - MARGIN, -minimum.z + MARGIN) * view;
+}
+
+} // namespace
+
+ProjectionPass::ProjectionPass(BrickStore& store, unsigned int step, osg::Texture2D& picture) :
+    LegolizationPass(store, step)
+{
+    setStateSet(PassCamera::createStateSet(
+        *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"})));
+    // Alpha below 0 stands for nothing, as 0 is the number of a cell.
+    setCamera(new PassCamera(*this, picture, osg::Vec4(0.0f, 0.0f, 0.0f, -1.0f)));
+}
+
+float ProjectionPass::getNumberScale(const BrickGrid& grid)
+{
+    return static_cast<float>(std::bit_ceil(grid.getNumCells()));
+}
+
+std::string ProjectionPass::run(osg::State& state, ContextBricks& bricks) const
+{
+    if (!PassCamera::isTargetThere(state))
+        return "there is no memory on the GPU for the picture of the projected target; allowed: a smaller fbo";
+    const BrickGrid& grid = bricks.work->source->triangles->getGrid();
+    const ProgramUniforms uniforms(state);
+    uniforms.set("projection", projectionOf(grid));
+    uniforms.set("gridSize", grid.dimensions);
+    uniforms.set("numberScale", getNumberScale(grid));
+    const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
+    for (const WorkingBatch& batch : bricks.work->batches)
+    {
+        bindSurfaceOf(state, *batch.batch);
+        arrays.bind(batch.getFineBuffer());
+        glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
+    }
+    return {};
+}
+
+} // namespace osgLego

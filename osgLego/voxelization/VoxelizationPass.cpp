@@ -1,0 +1,129 @@
+#include <osgLego/voxelization/VoxelizationPass.h>
+
+#include <osgLego/data/WeightedColor.h>
+#include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/passes/Addressing.h>
+#include <osgLego/passes/GridVertexArrays.h>
+#include <osgLego/voxelization/ProjectionPass.h>
+
+#include <osg/BlendFunc>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int LOOKUP_UNIT = 1; // unit 0 is the surface's texture, or the picture
+
+osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
+{
+    if (plan.method == VoxelizationMethod::EXACT)
+        return ShaderLibrary::createProgram("voxelization exact",
+                                            {"voxelization/voxelization_exact.vert",
+                                             "voxelization/voxelization_exact.geom",
+                                             "voxelization/voxelization_exact.frag"},
+                                            "#define MAXIMUM_CELLS " + std::to_string(plan.cellsPerTriangle) + "\n");
+    if (plan.target == VoxelizationTarget::PROJECTED)
+        return ShaderLibrary::createProgram("voxelization projected", {"voxelization/voxelization_projected.vert",
+                                                                       "voxelization/voxelization_points.frag"});
+    return ShaderLibrary::createProgram(
+        "voxelization points", {"voxelization/voxelization_points.vert", "voxelization/voxelization_points.frag"});
+}
+
+} // namespace
+
+VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+                                   osg::Texture2D& voxelImage, osg::Texture2D* picture) :
+    LegolizationPass(store, step),
+    _plan(plan), _slab(slab)
+{
+    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram(plan));
+    stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
+                                   osg::StateAttribute::ON | OURS);
+    if (picture) stateSet->setTextureAttribute(0, picture, OURS);
+    setStateSet(stateSet);
+    setCamera(new PassCamera(*this, voxelImage, osg::Vec4()));
+}
+
+std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) const
+{
+    if (!PassCamera::isTargetThere(state))
+        return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
+               std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
+
+    Legolization& work = *bricks.work;
+    const BrickGrid& grid = work.source->triangles->getGrid();
+    const Slab slab = SlabPlan::create(grid).slabs[_slab];
+    const ProgramUniforms uniforms(state);
+    setAddressing(uniforms, grid, slab, _plan.imageSize);
+
+    work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
+    if (takeOutOfMemoryError()) return "there is no room for the occupancy of the grid; allowed: a lower resolution";
+    work.occupancy.beginMarking(state);
+    if (_plan.method == VoxelizationMethod::EXACT)
+        drawExact(state, work);
+    else if (_plan.target == VoxelizationTarget::PROJECTED)
+        drawPicture(state, work);
+    else
+        drawPoints(state, work);
+    work.occupancy.endMarking(state);
+    if (work.source->readBack) readBack(work, slab);
+    return {};
+}
+
+void VoxelizationPass::drawExact(osg::State& state, const Legolization& work) const
+{
+    ProgramUniforms(state).set("sourceVertices", LOOKUP_UNIT);
+    const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
+    for (const WorkingBatch& batch : work.batches)
+    {
+        bindSurfaceOf(state, *batch.batch);
+        state.setActiveTextureUnit(LOOKUP_UNIT);
+        glBindTexture(GL_TEXTURE_BUFFER, batch.lookup.get());
+        arrays.bind(batch.getFineBuffer());
+        glDrawArrays(GL_TRIANGLES, 0, 3 * batch.numFineTriangles);
+        glBindTexture(GL_TEXTURE_BUFFER, 0);
+    }
+}
+
+void VoxelizationPass::drawPoints(osg::State& state, const Legolization& work) const
+{
+    const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
+    for (const WorkingBatch& batch : work.batches)
+    {
+        bindSurfaceOf(state, *batch.batch);
+        arrays.bind(batch.getFineBuffer());
+        glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
+    }
+}
+
+void VoxelizationPass::drawPicture(osg::State& state, const Legolization& work) const
+{
+    ProgramUniforms(state).set("numberScale", ProjectionPass::getNumberScale(work.source->triangles->getGrid()));
+    glDrawArrays(GL_POINTS, 0, _plan.pictureSize * _plan.pictureSize);
+}
+
+void VoxelizationPass::readBack(Legolization& work, const Slab& slab) const
+{
+    const glm::ivec3& dimensions = work.source->triangles->getGrid().dimensions;
+    const std::size_t rowTexels = static_cast<std::size_t>(_plan.imageSize.x);
+    std::vector<glm::vec4> texels(rowTexels * static_cast<std::size_t>(_plan.imageSize.y));
+    glReadPixels(0, 0, _plan.imageSize.x, _plan.imageSize.y, GL_RGBA, GL_FLOAT, texels.data());
+
+    std::size_t texel = static_cast<std::size_t>(slab.begin - slab.imageBegin) *
+                        static_cast<std::size_t>(dimensions.x) * static_cast<std::size_t>(dimensions.y);
+    for (int z = slab.begin; z < slab.end; ++z)
+        for (int y = 0; y < dimensions.y; ++y)
+            for (int x = 0; x < dimensions.x; ++x)
+            {
+                const glm::vec4& voxel = texels[texel++];
+                if (!(voxel.a > 0.0f)) continue;
+                work.readBack.push_back(makeBrick({x, y, z}, voxel));
+            }
+}
+
+} // namespace osgLego

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <osgLego/passes/LegolizationPass.h>
+#include <osgLego/passes/PassPlan.h>
+
+#include <osg/Texture2D>
+
+namespace osgLego
+{
+
+/** Marks the covered cells of one slab in the voxel image, a texel each (the paper, section III-B).
+ *
+ * What it draws depends on the method: a point for every cell that a fine triangle overlaps (exact), for every vertex
+ * (points, addressed), or for every pixel of the picture that ProjectionPass made (points, projected). Colours times
+ * weights add up in the texel by blending, and weights in its alpha: GL blends in the order of the primitives, so that
+ * the sums are the same on every run.
+ */
+class VoxelizationPass : public LegolizationPass
+{
+public:
+    /** @param slab the number of the slab; @param picture of ProjectionPass, null for an addressed target. */
+    VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+                     osg::Texture2D& voxelImage, osg::Texture2D* picture);
+
+    bool isSameKindAs(const osg::Object* object) const override
+    {
+        return dynamic_cast<const VoxelizationPass*>(object) != nullptr;
+    }
+    const char* className() const override { return "VoxelizationPass"; }
+
+protected:
+    std::string run(osg::State& state, ContextBricks& bricks) const override;
+    double& getTime(LegoStatistics& statistics) const override { return statistics.voxelization; }
+
+private:
+    void drawExact(osg::State& state, const Legolization& work) const;
+    void drawPoints(osg::State& state, const Legolization& work) const;
+    void drawPicture(osg::State& state, const Legolization& work) const;
+    void readBack(Legolization& work, const Slab& slab) const;
+
+    PassPlan _plan;
+    std::size_t _slab;
+};
+
+} // namespace osgLego

@@ -1,0 +1,20 @@
+// Extraction, where voxelization could not mark what it covers: a vertex for each word of the occupancy asks the voxel
+// image for each of its cells.
+
+uniform sampler2D voxelImage;
+
+flat out uint word; // captured by transform feedback
+
+#include "passes/occupancy.glsl"
+
+void main()
+{
+    ivec3 corner = cornerOfWord(gl_VertexID);
+    word = 0u;
+    for (int bit = 0; bit < 32; ++bit)
+    {
+        ivec3 cell = corner + ivec3(bit & 3, bit >> 2 & 3, bit >> 4);
+        if (any(greaterThanEqual(cell, ivec3(gridSize.xy, slab.y))) || cell.z < slab.x) continue;
+        if (texelFetch(voxelImage, texelOfCell(cell), 0).a > 0.0) word |= bitOfCell(cell);
+    }
+}

@@ -1,0 +1,63 @@
+// Ambient occlusion into the frame: irradiance along the bent normal, as far as it comes through, times albedo (the paper,
+// section III-D), and the light that the scene's lights and mirrors add. With depth, so that what is drawn outside
+// intersects it.
+
+#include "occlusion/view_position.glsl"
+#include "polygonization/geometry_buffer.glsl"
+#include "light/color_space.glsl"
+#include "light/ambient_light.glsl"
+#include "light/fog.glsl"
+
+uniform sampler2D lightBuffer;
+uniform sampler2D albedoBuffer;
+uniform sampler2D normalBuffer;
+uniform sampler2D depthImage;
+uniform sampler2D occlusion;
+uniform ivec2 origin; // of the viewport
+uniform int shown;    // 0: all of it, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
+
+// How much of a mirrored direction is open, from how much of the whole is (Lagarde and de Rousiers 2014).
+float reflectionVisibility(float cosine, float visibility, float roughness)
+{
+    return clamp(pow(cosine + visibility, exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
+}
+
+vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 surface, vec3 shading, float visibility, vec3 toEye)
+{
+    vec3 diffuse = irradianceAt(normalize(bent + shading - surface)) * visibility * toLight(albedo.rgb);
+    vec3 mirrored = reflectionAt(shading, toEye, light.a) *
+                    reflectionVisibility(max(dot(shading, toEye), 0.0), visibility, light.a);
+    return mix(gl_Fog.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
+    vec2 depth = texelFetch(depthImage, pixel, 0).rg;
+    if (depth.r < NOTHING) discard;
+    vec4 light = texelFetch(lightBuffer, pixel, 0);
+    vec4 normals = texelFetch(normalBuffer, pixel, 0);
+    vec4 bentAndVisibility = texelFetch(occlusion, pixel, 0);
+    vec3 bent = bentAndVisibility.xyz;
+    float visibility = bentAndVisibility.w;
+    vec3 toEye = towardsEyeFrom(eyePositionOf(vec2(pixel) + 0.5, depth.r));
+
+    // What is no brick has its fog already, which nothing hides.
+    float hidden = isUnlit(normals) ? 0.0 : (1.0 - visibility) * transmittanceAt(depth.r);
+    vec3 color = light.rgb * (1.0 - hidden);
+    vec3 surface = bent;
+    if (isBrick(normals))
+    {
+        surface = surfaceNormalOf(normals);
+        color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, surface, shadingNormalOf(normals), visibility,
+                       toEye);
+    }
+    if (shown == 1) color = vec3(visibility);
+    if (shown == 2) color = 0.5 + 0.5 * bent;
+    if (shown == 3) color = irradianceAt(bent);
+    if (shown == 4) color = 0.5 + 0.5 * surface;
+    // Not all of the pixel need be covered.
+    gl_FragColor = vec4(color, 1.0) * depth.g;
+    // What is as far as can be is still nearer than nothing.
+    gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
+}

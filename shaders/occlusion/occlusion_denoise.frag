@@ -1,0 +1,61 @@
+// Ambient occlusion, the last pass before the picture: the mean over neighbours that lie on the same surface.
+
+#include "occlusion/view_position.glsl"
+#include "polygonization/geometry_buffer.glsl"
+
+uniform sampler2D occlusion; // bent normal, visibility
+uniform sampler2D depthImage;
+uniform sampler2D normalBuffer;
+
+uniform float radius; // in the eye's units
+uniform float power;  // of visibility
+
+// How far a neighbour may lie off this pixel's plane, in widths of a pixel there.
+const float THICKNESS = 2.0;
+// For each so many pixels of the radius, the mean is one pixel wider.
+const float REACH = 30.0;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(depthImage, 0) - 1;
+    float depth = texelFetch(depthImage, pixel, 0).r;
+    if (depth < NOTHING) discard;
+    vec4 normal = texelFetch(normalBuffer, pixel, 0);
+    vec4 here = texelFetch(occlusion, pixel, 0);
+
+    // The slope of depth across the picture: of both sides, the gentler one.
+    vec4 beside = vec4(texelFetch(depthImage, min(pixel + ivec2(1, 0), last), 0).r - depth,
+                       depth - texelFetch(depthImage, max(pixel - ivec2(1, 0), ivec2(0)), 0).r,
+                       texelFetch(depthImage, min(pixel + ivec2(0, 1), last), 0).r - depth,
+                       depth - texelFetch(depthImage, max(pixel - ivec2(0, 1), ivec2(0)), 0).r);
+    vec2 slope = vec2(abs(beside.x) < abs(beside.y) ? beside.x : beside.y,
+                      abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
+    float width = abs(spreadAt(depth) * pixelSize.x / sceneProjection[0][0]);
+
+    // As wide as the noise is coarse: where the radius is many pixels wide, steps lie far from each other.
+    float reach = radius / (width * REACH);
+    // Where bricks are as small as pixels, one surface is a pixel large, and neighbours have it no better.
+    float distinct = smoothstep(4.0, 12.0, radius / width);
+    float spread = 1.0 / clamp(reach * reach, 2.0, 10.0);
+
+    vec4 sum = here;
+    float weights = 1.0;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x)
+        {
+            ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
+            float otherDepth = texelFetch(depthImage, other, 0).r;
+            if (otherDepth < NOTHING) continue;
+            float away = abs(otherDepth - depth - dot(slope, vec2(x, y)));
+            float alike = clamp(1.0 - away / (THICKNESS * width), 0.0, 1.0);
+            vec4 otherNormal = texelFetch(normalBuffer, other, 0);
+            vec2 turned = abs(otherNormal.xy - normal.xy);
+            if (isBrick(normal) && isBrick(otherNormal)) alike *= clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
+            float weight = exp(-spread * float(x * x + y * y)) * mix(1.0, alike, distinct);
+            sum += weight * texelFetch(occlusion, other, 0);
+            weights += weight;
+        }
+    float visibility = pow(clamp(sum.w / weights, 0.0, 1.0), power);
+    gl_FragColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : vec3(0.0, 0.0, 1.0), visibility);
+}

@@ -1,0 +1,155 @@
+// What a fragment shows of a brick: as the geometry shader says or, where bricks are drawn as splats (#define SPLATS), as
+// the ray of the pixel finds it again.
+
+#include "polygonization/brick_detail.glsl"
+
+#if defined(SPLATS)
+
+#define PASSED flat in
+#include "polygonization/splat_scene.glsl"
+#define upAxis sceneNumbers.x
+#define studHeight sceneRays[1].w
+#define eye sceneEye
+#define normalMatrix mat3(sceneNormals[0].xyz, sceneNormals[1].xyz, sceneNormals[2].xyz)
+#include "polygonization/splat_rays.glsl"
+
+uniform usampler2D splats;
+uniform sampler2D splatDepths; // 1: there is none
+
+vec3 eyePosition;
+vec3 eyeNormal;
+vec2 coordinate;
+vec4 coordinateSlopes; // by pixel: of the first, of the second
+uint color;
+uint detail;
+const bool isOutside = true;
+
+// A plane in a cell, and the coordinates on it.
+struct Plane
+{
+    vec4 equation; // the normal, and how far out
+    vec4 first;
+    vec4 second;
+};
+
+// From the lower corner of a cell on.
+Ray rayThrough(vec2 pixel, vec3 cell)
+{
+    vec3 change = pixel.x * sceneRays[0].xyz + pixel.y * sceneRays[1].xyz;
+    return Ray(sceneRays[2].xyz + (1.0 - sceneRays[0].w) * change - cell, sceneRays[3].xyz + sceneRays[0].w * change);
+}
+
+vec3 unitOf(int axis)
+{
+    vec3 unit = vec3(0.0);
+    unit[axis] = 1.0;
+    return unit;
+}
+
+vec3 meet(Plane plane, vec2 pixel, vec3 cell)
+{
+    Ray ray = rayThrough(pixel, cell);
+    float distance = (plane.equation.w - dot(plane.equation.xyz, ray.origin)) / dot(plane.equation.xyz, ray.direction);
+    return ray.origin + distance * ray.direction;
+}
+
+vec2 coordinateOn(Plane plane, vec3 place)
+{
+    return vec2(dot(plane.first, vec4(place, 1.0)), dot(plane.second, vec4(place, 1.0)));
+}
+
+Plane planeOfFace(int axis, bool upper)
+{
+    ivec2 axes = axesOf(axis, upper);
+    return Plane(vec4(unitOf(axis), upper ? 1.0 : 0.0), vec4(unitOf(axes.x), 0.0), vec4(unitOf(axes.y), 0.0));
+}
+
+Plane planeOfDisk()
+{
+    float scale = 0.5 / STUD_RADIUS;
+    float offset = 0.5 - 0.5 * scale;
+    return Plane(vec4(unitOf(upAxis), 1.0 + studHeight), vec4(scale * fromStud(vec3(1.0, 0.0, 0.0)), offset),
+                 vec4(scale * fromStud(vec3(0.0, 1.0, 0.0)), offset));
+}
+
+Plane planeOfWall(vec2 facet)
+{
+    // A sixteenth of the way around for the width of a side.
+    float scale = 0.0625 / (0.39018064 * STUD_RADIUS);
+    return Plane(vec4(fromStud(vec3(facet, 0.0)), APOTHEM + 0.5 * (facet.x + facet.y)),
+                 vec4(scale * fromStud(vec3(-facet.y, facet.x, 0.0)), 0.0),
+                 vec4(unitOf(upAxis) / studHeight, -1.0 / studHeight));
+}
+
+// Find what the pixel shows; false: nothing.
+bool findFragment()
+{
+    vec2 origin = vec2(sceneNumbers.yz);
+    vec2 pixel = gl_FragCoord.xy - origin;
+    // A picture smaller than a tile.
+    if (any(lessThan(pixel, vec2(0.0))) || pixel.x > sceneNormals[0].w || pixel.y > sceneNormals[1].w) return false;
+    float depth = texelFetch(splatDepths, ivec2(pixel), 0).x;
+    if (depth == 1.0) return false;
+    gl_FragDepth = sceneRays[2].w + sceneRays[3].w * depth;
+    uvec2 splat = texelFetch(splats, ivec2(pixel), 0).xy;
+    vec3 cell = fromStud(cellOf(splat));
+    uvec3 number = uvec3(cell);
+    uvec3 brick = uvec3(number.x | number.y << 16, number.z, splat.y >> 8);
+    uint open = splat.y >> 2 & 63u;
+    color = splat.y >> 8;
+
+    Plane plane;
+    vec3 normal;
+    if ((splat.y & 3u) == STUD)
+    {
+        vec2 facet;
+        Ray ray = rayThrough(pixel, cell);
+        meetStud(Ray(toStud(ray.origin), toStud(ray.direction)), studHeight, facet);
+        bool isDisk = facet == vec2(0.0);
+        plane = isDisk ? planeOfDisk() : planeOfWall(facet);
+        vec3 place = toStud(meet(plane, pixel, cell));
+        normal = isDisk ? unitOf(upAxis) : fromStud(vec3(place.xy - 0.5, 0.0));
+        detail = detailOf(brick, isDisk ? STUD_DISK : STUD_WALL, upAxis, true, 0u);
+    }
+    else
+    {
+        int axis = (int(splat.y & 3u) + upAxis + 1) % 3;
+        bool upper = eye[axis] > (cell[axis] + 0.5) * eye.w;
+        plane = planeOfFace(axis, upper);
+        normal = upper ? unitOf(axis) : -unitOf(axis);
+        detail = detailOf(brick, FACE, axis, upper, filledBeside(open, axesOf(axis, upper)));
+    }
+    vec3 place = meet(plane, pixel, cell);
+    coordinate = coordinateOn(plane, place);
+    // As the differences between neighbours of four pixels, which dFdx and dFdy are.
+    vec2 first = floor(0.5 * gl_FragCoord.xy) * 2.0 + 0.5 - origin;
+    vec2 base = coordinateOn(plane, meet(plane, first, cell));
+    vec2 right = coordinateOn(plane, meet(plane, first + vec2(1.0, 0.0), cell)) - base;
+    vec2 above = coordinateOn(plane, meet(plane, first + vec2(0.0, 1.0), cell)) - base;
+    coordinateSlopes = vec4(right.x, above.x, right.y, above.y);
+    vec4 position = vec4(cell + place, 1.0);
+    eyePosition = vec3(dot(sceneRows[0], position), dot(sceneRows[1], position), dot(sceneRows[2], position));
+    eyeNormal = normalMatrix * normal;
+    return true;
+}
+
+#else
+
+in vec3 eyePosition;
+in vec3 eyeNormal;
+in vec2 coordinate;
+flat in uint color;
+flat in uint detail;
+
+uniform bool isMirrored; // what winds counter-clockwise is seen from inside
+
+#define normalMatrix gl_NormalMatrix
+#define isOutside (gl_FrontFacing != isMirrored)
+#define coordinateSlopes vec4(dFdx(coordinate.x), dFdy(coordinate.x), dFdx(coordinate.y), dFdy(coordinate.y))
+
+bool findFragment()
+{
+    return true;
+}
+
+#endif

@@ -1,0 +1,168 @@
+// The surface of a brick: rounded edges that make joints between bricks, a relief on the stud, a little of its own in
+// each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
+// Lengths are in widths of a cell.
+
+#include "polygonization/brick_fragment.glsl"
+
+uniform vec3 cellProportions; // of a cell's edges to its width
+#if !defined(SPLATS)
+uniform int upAxis;
+#endif
+uniform bool hasJoints;
+uniform float variation;    // 1: as much as real bricks differ; 0: none
+uniform float roughness;    // as perceived: the square root of the microfacets' slope
+uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
+uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
+
+const float EDGE = 0.045;       // the width of a rounded edge; 0.36 mm of 8 mm
+const float EDGE_SLOPE = 0.9;   // where it ends
+const float GAP = 0.014;        // half the gap between two bricks, 0.1 mm, and what light does not reach into
+const float GAP_DARKNESS = 0.75;
+const float TILT = 0.006;       // of faces that are never perfectly flat
+const float SHADE = 0.03;
+const float DISK_RADIUS = 0.3;
+const float STUD_HEIGHT = 0.2125;
+
+struct Surface
+{
+    vec3 color;
+    vec3 normal;    // of the face or stud
+    vec3 shading;   // with what is bent
+    float openness; // 1, and less in the gap of a joint
+    float roughness;
+};
+
+// What edges and relief add up to within the pixel.
+struct Bend
+{
+    vec2 slope;
+    float variance;
+    float openness;
+};
+
+// The slope of a rounded edge, summed up from the edge to a distance from it; beyond the edge is its mirror image.
+float sumOfSlopes(float place)
+{
+    float t = min(abs(place), EDGE);
+    return EDGE_SLOPE * (t - 0.5 * t * t / EDGE);
+}
+
+float sumOfSquares(float place)
+{
+    float t = min(abs(place), EDGE);
+    return sign(place) * EDGE_SLOPE * EDGE_SLOPE * (t - t * t / EDGE + t * t * t / (3.0 * EDGE * EDGE));
+}
+
+// The mean slope of one edge, its variance, and how much of the gap behind it is seen, over a pixel of some width. Behind
+// an edge that is a brick's last there is nothing of this side; at a silhouette the pixel's middle may lie there.
+vec3 edgeAt(float place, float width, bool isFilled)
+{
+    float first = place - 0.5 * width;
+    float last = place + 0.5 * width;
+    if (!isFilled)
+    {
+        first = max(first, 0.0);
+        last = max(last, first + 0.25 * width);
+        width = last - first;
+    }
+    float slope = (sumOfSlopes(last) - sumOfSlopes(first)) / width;
+    float square = (sumOfSquares(last) - sumOfSquares(first)) / width;
+    float gap = isFilled ? (clamp(last, -GAP, GAP) - clamp(first, -GAP, GAP)) / width : 0.0;
+    return vec3(slope, max(square - slope * slope, 0.0), gap);
+}
+
+// How much of a coordinate there is in the pixel, by what it changes by from pixel to pixel.
+float widthOf(vec2 slopes)
+{
+    return max(length(slopes), 1e-5);
+}
+
+Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
+{
+    vec3 left = edgeAt(place.x, width.x, (filled & 1u) != 0u);
+    vec3 right = edgeAt(size.x - place.x, width.x, (filled & 2u) != 0u);
+    vec3 lower = edgeAt(place.y, width.y, (filled & 4u) != 0u);
+    vec3 upper = edgeAt(size.y - place.y, width.y, (filled & 8u) != 0u);
+    // Beyond half a brick a pixel holds edges of which this one knows nothing: slopes of opposite sides cancel out, and of
+    // the rest there is as much as in all of the brick.
+    vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
+    vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
+    vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
+    vec2 gap = mix(GAP * joints / size, vec2(left.z + right.z, lower.z + upper.z), near);
+    return Bend(vec2(right.x - left.x, upper.x - lower.x) * near, variance.x + variance.y,
+                1.0 - GAP_DARKNESS * min(gap.x + gap.y, 1.0));
+}
+
+// Of the stud's wall: up, towards the rim.
+Bend bendWall(float height, float width)
+{
+    vec3 rim = edgeAt(STUD_HEIGHT - height, width, false);
+    vec3 foot = edgeAt(height, width, true);
+    return Bend(vec2(0.0, rim.x), rim.y, 1.0 - GAP_DARKNESS * foot.z);
+}
+
+Bend bendDisk(vec2 place, float width, vec4 slopes)
+{
+    float radius = length(place);
+    vec3 rim = edgeAt(DISK_RADIUS - radius, width, false);
+    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / DISK_RADIUS, slopes.xz, slopes.yw);
+    vec2 slope = -reliefHeight * relief.xy;
+    float square = reliefHeight * reliefHeight * relief.z;
+    return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
+}
+
+// A number from -1 to 1 that is the brick's own.
+vec3 ownNumbers()
+{
+    uint number = detail >> 16;
+    return vec3(number & 31u, number >> 5 & 31u, number >> 10 & 63u) / vec3(15.5, 15.5, 31.5) - 1.0;
+}
+
+// From the axes of the grid to the eye's.
+vec3 axisOf(int axis)
+{
+    return normalize(normalMatrix[axis]);
+}
+
+Surface surfaceHere()
+{
+    uint part = detail & 3u;
+    int axis = int(detail >> 2 & 3u);
+    bool isUpper = (detail >> 4 & 1u) != 0u;
+    ivec2 axes = axesOf(axis, isUpper);
+    float side = isOutside ? 1.0 : -1.0;
+    vec3 normal = normalize(side * eyeNormal);
+    vec3 u = side * axisOf(axes.x);
+    vec3 v = side * axisOf(axes.y);
+    vec2 size = vec2(cellProportions[axes.x], cellProportions[axes.y]);
+    vec2 place = coordinate * size;
+    vec4 slopes = coordinateSlopes;
+    vec2 width = vec2(widthOf(size.x * slopes.xy), widthOf(size.y * slopes.zw));
+    float wide = max(width.x, width.y);
+    vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * wide, 0.0, 1.0);
+
+    Bend bend;
+    if (part == FACE)
+        bend = bendFace(place, size, width, detail >> 5 & 15u);
+    else if (part == STUD_WALL)
+    {
+        bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));
+        v = side * axisOf(upAxis);
+    }
+    else
+    {
+        float width = 2.0 * DISK_RADIUS * max(length(slopes.xy), length(slopes.zw));
+        bend = bendDisk(DISK_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
+    }
+    if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
+    if (part != STUD_WALL) bend.slope += TILT * own.xy;
+
+    Surface surface;
+    surface.color = clamp(unpackUnorm4x8(color).rgb * (1.0 + SHADE * own.z), 0.0, 1.0);
+    surface.normal = normal;
+    surface.shading = normalize(normal + bend.slope.x * u + bend.slope.y * v);
+    surface.openness = bend.openness;
+    // The fourth power is the square of the slopes of the microfacets, to which those of the surface are added.
+    surface.roughness = min(sqrt(sqrt(pow(roughness, 4.0) + bend.variance)), 1.0);
+    return surface;
+}

@@ -1,0 +1,179 @@
+// Polygonization (the paper, section III-C, Algorithm 5): a point becomes a brick's open sides (first invocation), and
+// the wall and the disk of its stud (second), unless another brick sits on it. Everything winds counter-clockwise seen
+// from outside.
+
+#include "polygonization/brick_detail.glsl"
+
+layout(points, invocations = 2) in;
+layout(triangle_strip, max_vertices = 50) out;
+
+flat in uvec3 brick[];
+
+uniform int upAxis;       // 1 or 2
+uniform float studHeight; // in cells; the radius lies across, where a cell is as wide as the pitch
+uniform vec4 eye;         // in cells: a place, or, where the last is 0, the direction towards it
+uniform bool showsInsides; // whether sides that are turned away from the eye are seen, too
+
+out vec3 eyePosition;
+out vec3 eyeNormal;
+out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and up
+flat out uint color;
+flat out uint detail; // see brick_detail.glsl
+
+const float STUD_RADIUS = 0.3;
+const int STUD_SIDES = 16;
+// Around the stud; a table, since not every machine has a quick cosine.
+const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
+    vec2(1.0, 0.0), vec2(0.923879533, 0.382683432), vec2(0.707106781, 0.707106781), vec2(0.382683432, 0.923879533),
+    vec2(0.0, 1.0), vec2(-0.382683432, 0.923879533), vec2(-0.707106781, 0.707106781), vec2(-0.923879533, 0.382683432),
+    vec2(-1.0, 0.0), vec2(-0.923879533, -0.382683432), vec2(-0.707106781, -0.707106781), vec2(-0.382683432, -0.923879533),
+    vec2(0.0, -1.0), vec2(0.382683432, -0.923879533), vec2(0.707106781, -0.707106781), vec2(0.923879533, -0.382683432));
+
+// A place in the spaces that vertices are needed in, or a step between two places.
+struct Place
+{
+    vec3 eye;
+    vec4 clip;
+};
+
+Place placeOf(vec4 position)
+{
+    vec4 eye = gl_ModelViewMatrix * position;
+    return Place(eye.xyz, gl_ProjectionMatrix * eye);
+}
+
+Place moved(Place place, float distance, Place step)
+{
+    return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
+}
+
+void emitVertex(Place place, vec3 normal, vec2 where, uint details)
+{
+    eyePosition = place.eye;
+    eyeNormal = normal;
+    coordinate = where;
+    color = brick[0].z;
+    detail = details;
+    gl_Position = place.clip;
+    gl_ClipVertex = vec4(place.eye, 1.0);
+    EmitVertex();
+}
+
+// Whether the eye is on the outer side of a plane of the grid that belongs to an axis.
+bool isTurnedToEye(float place, int axis, bool upper)
+{
+    return upper ? eye[axis] > place * eye.w : eye[axis] < place * eye.w;
+}
+
+void emitSide(vec3 cell, int axis, bool upper, uint open)
+{
+    vec3 normal = vec3(0.0);
+    normal[axis] = upper ? 1.0 : -1.0;
+    vec3 corner = cell;
+    if (upper) corner[axis] += 1.0;
+    vec4 u = vec4(0.0);
+    vec4 v = vec4(0.0);
+    ivec2 axes = axesOf(axis, upper);
+    u[axes.x] = 1.0;
+    v[axes.y] = 1.0;
+    uint details = detailOf(brick[0], FACE, axis, upper, filledBeside(open, axes));
+    Place first = placeOf(vec4(corner, 1.0));
+    Place alongU = placeOf(u);
+    Place second = moved(first, 1.0, placeOf(v));
+    vec3 eyeNormal = gl_NormalMatrix * normal;
+    emitVertex(first, eyeNormal, vec2(0.0, 0.0), details);
+    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0), details);
+    emitVertex(second, eyeNormal, vec2(0.0, 1.0), details);
+    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0), details);
+    EndPrimitive();
+}
+
+vec3 across(float u, float v)
+{
+    vec3 result = vec3(0.0);
+    result[(upAxis + 1) % 3] = u;
+    result[(upAxis + 2) % 3] = v;
+    return result;
+}
+
+// Whether the eye is on the outer side of a side of a stud's wall, given by its middle, in radii.
+bool isWallSeen(vec3 center, vec2 middle)
+{
+    vec3 outward = across(middle.x, middle.y);
+    return dot(eye.xyz - eye.w * (center + STUD_RADIUS * outward), outward) > 0.0;
+}
+
+// Whether a stud is seen at all: from far enough below, the brick that it stands on hides it. From its rim to the edge of
+// that brick it is 0.2 across or more.
+bool isStudSeen(vec3 center)
+{
+    vec3 toEye = eye.xyz - eye.w * center;
+    float below = -toEye[upAxis];
+    toEye[upAxis] = 0.0;
+    return studHeight * (length(toEye) + STUD_RADIUS * eye.w) > 0.2 * below;
+}
+
+void emitStud(vec3 center, vec3 up)
+{
+    Place foot = placeOf(vec4(center, 1.0));
+    Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
+    Place stepU = placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0));
+    Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
+    vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
+    vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
+    vec3 normalUp = gl_NormalMatrix * up;
+    uint wall = detailOf(brick[0], STUD_WALL, upAxis, true, 0u);
+    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true, 0u);
+
+    // A side of the wall is seen when the middle of it faces the eye; two sides share the vertices between them.
+    bool wasSeen = false;
+    for (int side = 0; side <= STUD_SIDES; ++side)
+    {
+        vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
+        // The seam's two edges are the same edge, to the last digit.
+        vec2 direction = DIRECTIONS[side % STUD_SIDES];
+        bool isSeen = side < STUD_SIDES && (showsInsides || isWallSeen(center, 0.5 * (direction + next)));
+        if (isSeen || wasSeen)
+        {
+            vec3 normal = direction.x * normalU + direction.y * normalV;
+            float around = float(side) / float(STUD_SIDES);
+            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), wall);
+            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
+        }
+        if (wasSeen && !isSeen) EndPrimitive();
+        wasSeen = isSeen;
+    }
+
+    if (!showsInsides && !isTurnedToEye(center[upAxis] + studHeight, upAxis, true)) return;
+    // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
+    for (int index = 0; index < STUD_SIDES; ++index)
+    {
+        int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
+        vec2 direction = DIRECTIONS[side];
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk);
+    }
+    EndPrimitive();
+}
+
+void main()
+{
+    vec3 cell = vec3(brick[0].x & 0xffffu, brick[0].x >> 16, brick[0].y & 0xffffu);
+    uint open = brick[0].y >> 16;
+    if (gl_InvocationID == 0)
+    {
+        for (int side = 0; side < 6; ++side)
+        {
+            int axis = side / 2;
+            bool upper = side % 2 == 1;
+            if ((open & (1u << side)) == 0u) continue;
+            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper, open);
+        }
+    }
+    else if ((open & (2u << (2 * upAxis))) != 0u)
+    {
+        vec3 up = vec3(0.0);
+        up[upAxis] = 1.0;
+        vec3 center = cell + across(0.5, 0.5) + up;
+        if (showsInsides || isStudSeen(center)) emitStud(center, up);
+    }
+}

@@ -1,0 +1,85 @@
+// Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. Where ambient occlusion
+// follows (#define GEOMETRY_BUFFER), the light of the probe is left to it.
+
+#include "polygonization/brick_surface.glsl"
+#include "light/lighting.glsl"
+#include "light/fog.glsl"
+#include "light/color_space.glsl"
+#if defined(GEOMETRY_BUFFER)
+#include "polygonization/geometry_buffer.glsl"
+#else
+#include "light/ambient_light.glsl"
+#endif
+
+uniform bool usesMaterial; // the specular of osg::Material in place of plastic
+
+const float PLASTIC_REFLECTANCE = 0.04;
+const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
+// A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
+const float HIGHLIGHT = 0.07;
+
+// Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
+vec3 directLight(Surface surface, vec3 albedo)
+{
+    vec3 toEye = towardsEye(eyePosition);
+    vec3 diffuse = vec3(0.0);
+    vec3 specular = vec3(0.0);
+    float slope = surface.roughness * surface.roughness;
+    float shininess = usesMaterial ? gl_FrontMaterial.shininess : 0.5 / (slope * slope + LIGHT_SIZE * LIGHT_SIZE);
+    for (int place = 0; place < numLights; ++place)
+    {
+        Light light = lightAt(place);
+        vec3 toLight = towardsLight(light, eyePosition);
+        vec3 direction = normalize(toLight);
+        float cosine = max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
+        float attenuation = attenuationOf(light, toLight) * cosine;
+        float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
+        diffuse += attenuation * light.diffuse;
+        specular += attenuation * pow(max(highlight, 1e-4), shininess) * light.specular;
+    }
+    vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
+    if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;
+    return albedo * diffuse + reflectance * specular;
+}
+
+#if defined(GEOMETRY_BUFFER)
+
+void main()
+{
+    if (!findFragment()) discard;
+    Surface surface = surfaceHere();
+    vec3 albedo = toLight(surface.color);
+    float transmittance = transmittanceAt(eyePosition.z);
+    if (numLights < 0)
+    {
+        vec3 shown = mix(fogColor, unpackUnorm4x8(color).rgb, transmittance);
+        gl_FragData[0] = vec4(shown, 1.0);
+        gl_FragData[1] = vec4(0.0);
+        gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
+        return;
+    }
+    vec3 light = directLight(surface, albedo) * surface.openness;
+    gl_FragData[0] = vec4(light, surface.roughness);
+    gl_FragData[1] = vec4(surface.color * pow(surface.openness, 1.0 / 2.2), transmittance);
+    gl_FragData[2] = packNormals(surface.normal, surface.shading);
+}
+
+#else
+
+void main()
+{
+    if (!findFragment()) discard;
+    Surface surface = surfaceHere();
+    float transmittance = transmittanceAt(eyePosition.z);
+    vec3 shown = unpackUnorm4x8(color).rgb;
+    if (numLights >= 0)
+    {
+        vec3 albedo = toLight(surface.color);
+        vec3 ambient = albedo * irradianceAt(surface.shading) +
+                       reflectionAt(surface.shading, towardsEye(eyePosition), surface.roughness);
+        shown = toColor((directLight(surface, albedo) + ambient) * surface.openness);
+    }
+    gl_FragColor = vec4(mix(fogColor, shown, transmittance), 1.0);
+}
+
+#endif

@@ -1,0 +1,70 @@
+// Shading of splats: the tiles of the picture that bricks may lie in, each a point.
+
+#define PASSED flat out
+#include "polygonization/splat_scene.glsl"
+
+uniform int upAxis;
+uniform float studHeight;
+uniform vec4 eye;
+uniform mat3 rayOrigin;
+uniform mat3 rayDirection;
+uniform vec2 pictureSize;
+uniform ivec2 origin; // the picture's lower left pixel
+uniform int tilesAcross;
+uniform float tileSide; // pixels
+uniform int fogMode;
+#if defined(ONE_LIGHT)
+uniform int lightNumbers[8];
+#endif
+
+void passRays()
+{
+    mat3 change = eye.w != 0.0 ? rayDirection : rayOrigin;
+    sceneRays[0] = vec4(change[1], eye.w);
+    sceneRays[1] = vec4(change[2], studHeight);
+    sceneRays[2] = vec4(rayOrigin[0], gl_DepthRange.near);
+    sceneRays[3] = vec4(rayDirection[0], gl_DepthRange.diff);
+    sceneEye = eye;
+}
+
+void passMatrices()
+{
+    mat4 rows = transpose(gl_ModelViewMatrix);
+    for (int row = 0; row < 3; ++row)
+        sceneRows[row] = rows[row];
+    sceneNormals[0] = vec4(gl_NormalMatrix[0], pictureSize.x);
+    sceneNormals[1] = vec4(gl_NormalMatrix[1], pictureSize.y);
+    sceneNormals[2] = vec4(gl_NormalMatrix[2], gl_ProjectionMatrix[3][3]);
+}
+
+void passLight()
+{
+    sceneAmbient = gl_LightModel.ambient;
+#if defined(ONE_LIGHT)
+    int number = lightNumbers[0];
+    sceneLight[0] = gl_LightSource[number].position;
+    sceneLight[1] = vec4(gl_LightSource[number].ambient.rgb, gl_LightSource[number].spotCutoff);
+    sceneLight[2] = vec4(gl_LightSource[number].diffuse.rgb, gl_LightSource[number].spotCosCutoff);
+    sceneLight[3] = vec4(gl_LightSource[number].specular.rgb, gl_LightSource[number].spotExponent);
+    sceneLight[4] = vec4(gl_LightSource[number].constantAttenuation, gl_LightSource[number].linearAttenuation,
+                         gl_LightSource[number].quadraticAttenuation, 0.0);
+    sceneLight[5] = vec4(gl_LightSource[number].spotDirection, 0.0);
+#endif
+}
+
+void main()
+{
+    passRays();
+    passMatrices();
+    passLight();
+    sceneNumbers = ivec4(upAxis, origin, fogMode);
+    sceneFog[0] = vec4(gl_Fog.color.rgb, gl_Fog.density);
+    sceneFog[1] = vec4(gl_Fog.end, gl_Fog.scale, 0.0, 0.0);
+
+    vec2 tile = vec2(gl_VertexID % tilesAcross, gl_VertexID / tilesAcross);
+    // The last of a row or column is moved in, so that no middle lies outside.
+    vec2 middle = min((tile + 0.5) * tileSide, pictureSize - 0.5 * tileSide);
+    middle = max(middle, 0.5 * min(vec2(tileSide), pictureSize));
+    gl_PointSize = tileSide;
+    gl_Position = vec4(2.0 * middle / pictureSize - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,51 @@
+// Splats: which brick a pixel shows. All of it is on the axes of a stud.
+//
+// No uniform is read here but by vertices: renderers in software read uniforms anew for every few pixels.
+
+#include "polygonization/splat_rays.glsl"
+
+// See splats.vert.
+flat in uvec4 splat;
+flat in vec4 rays[4];
+
+out uvec2 nearest;
+
+const float TINY = 1e-20; // in place of directions of 0
+
+// From the lower corner of the cell on.
+Ray rayHere()
+{
+    vec3 change = gl_FragCoord.x * rays[0].xyz + gl_FragCoord.y * rays[1].xyz;
+    return Ray(rays[2].xyz + (1.0 - rays[0].w) * change, rays[3].xyz + rays[0].w * change);
+}
+
+// How far on a ray meets a side that is seen, which is `part` then; NEVER if it does not.
+float meetSides(Ray ray, inout uint part)
+{
+    vec3 steps = 1.0 / (ray.direction + TINY);
+    vec3 middle = (0.5 - ray.origin) * steps;
+    vec3 reach = abs(steps);
+    bvec3 isSeen = notEqual(splat.zzz & uvec3(1u, 2u, 4u), uvec3(0u));
+    vec3 near = mix(vec3(-NEVER), middle - 0.5 * reach, isSeen);
+    float first = max(near.x, max(near.y, near.z));
+    float slack = rays[1].w;
+    if (any(greaterThan(abs(first - middle), (0.5 + slack) * reach))) return NEVER;
+    part = near.x == first ? 0u : near.y == first ? 1u : 2u;
+    return first;
+}
+
+void main()
+{
+    Ray ray = rayHere();
+    uint part = STUD;
+    float distance = meetSides(ray, part);
+#if defined(STUDS)
+    vec2 facet;
+    float stud = (splat.z & 8u) != 0u ? meetStud(ray, uintBitsToFloat(splat.w), facet) : NEVER;
+    if (stud < distance) part = STUD;
+    distance = min(distance, stud);
+#endif
+    if (distance == NEVER) discard;
+    nearest = splat.xy | uvec2(0u, part);
+    gl_FragDepth = rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance : 1.0 / distance);
+}

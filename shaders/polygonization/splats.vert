@@ -1,0 +1,101 @@
+// Splats: each brick becomes a point as large as what may be seen of it.
+
+#include "polygonization/splat_rays.glsl"
+
+layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
+
+uniform vec2 pictureSize; // pixels
+uniform vec2 depth;       // at the start of a ray, and by how far on or, in perspective, by the reciprocal of that
+
+// Two words of splat_rays.glsl; what is open and turned towards the eye: the sides, by axis of a stud, and the stud; the
+// height of studs.
+flat out uvec4 splat;
+// Of rays, on the axes of a stud: the change by pixels to the right and up, and their origin, from the cell on, and direction
+// in the picture's corner. Beside these: 1 where the direction changes, and 0 where the origin does; the slack, in cells; the
+// depth.
+flat out vec4 rays[4];
+
+const float SLACK = 0.002; // pixels by which sides reach out, so that rounding leaves no cracks between bricks
+const float MARGIN = 0.05; // pixels, for what rounding may take off a point
+// Left of the picture, which the viewport reaches beyond: what it clips takes a slower way through the renderer.
+const vec4 NOWHERE = vec4(-0.5, 0.0, 0.0, 1.0);
+
+struct Box
+{
+    vec3 lower;
+    vec3 upper;
+};
+
+// By axis, whether the side that is turned towards the eye is open.
+bvec3 seenSides(vec3 toEye, uint open)
+{
+    uvec3 sides = uvec3(open, open >> 2, open >> 4);
+    uvec3 turned = uvec3(lessThan(toEye, vec3(0.0))) + 2u * uvec3(greaterThan(toEye, vec3(eye.w)));
+    return notEqual(sides & turned, uvec3(0u));
+}
+
+// The box around sides of a cell: a single one is flat.
+Box boxAround(bvec3 seen, vec3 toEye)
+{
+    if (!any(seen)) return Box(vec3(2.0), vec3(-1.0));
+    bvec3 isDeep = bvec3(seen.y || seen.z, seen.x || seen.z, seen.x || seen.y);
+    vec3 side = vec3(greaterThan(toEye, vec3(0.5 * eye.w)));
+    return Box(mix(side, vec3(0.0), isDeep), mix(side, vec3(1.0), isDeep));
+}
+
+// The place of a box in the picture, from -1 to 1: its middle and how far it reaches at most.
+vec4 pictureOf(Box box)
+{
+    vec3 reach = 0.5 * (box.upper - box.lower);
+    vec4 middle = gl_ModelViewProjectionMatrix * vec4(box.lower + reach, 1.0);
+    vec2 place = middle.xy / middle.w;
+    vec2 most = vec2(0.0);
+    float nearest = middle.w;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        vec4 step = gl_ModelViewProjectionMatrix[axis];
+        most += abs(step.xy - place * step.w) * reach[axis];
+        nearest -= abs(step.w) * reach[axis];
+    }
+    return vec4(place, most / nearest);
+}
+
+void passRays(vec3 cell)
+{
+    bool isPerspective = eye.w != 0.0;
+    mat3 change = isPerspective ? rayDirection : rayOrigin;
+    // The directions of rays are about as long as 1.
+    float range = isPerspective ? length(eye.xyz - cell) : 1.0;
+    rays[0] = vec4(change[1], eye.w);
+    rays[1] = vec4(change[2], SLACK * range * length(change[1]));
+    rays[2] = vec4(rayOrigin[0] - toStud(cell), depth.x);
+    rays[3] = vec4(rayDirection[0], depth.y);
+}
+
+void main()
+{
+    vec3 cell = vec3(vertexBrick.x & 0xffffu, vertexBrick.x >> 16, vertexBrick.y & 0xffffu);
+    vec3 toEye = eye.xyz - eye.w * cell;
+    uint open = vertexBrick.y >> 16;
+    bvec3 seen = seenSides(toEye, open);
+    Box box = boxAround(seen, toEye);
+    uvec3 bits = uvec3(1u, 2u, 4u) * uvec3(toStud(vec3(seen)));
+    splat = uvec4(packSplat(vertexBrick), bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
+#if defined(STUDS)
+    if ((open & (2u << (2 * upAxis))) != 0u && isStudSeen(toStud(toEye) - eye.w * vec3(0.5, 0.5, 1.0)))
+    {
+        splat.z |= 8u;
+        box.lower = min(box.lower, fromStud(vec3(0.5 - STUD_RADIUS, 0.5 - STUD_RADIUS, 1.0)));
+        box.upper = max(box.upper, fromStud(vec3(0.5 + STUD_RADIUS, 0.5 + STUD_RADIUS, 1.0 + studHeight)));
+    }
+#endif
+    passRays(cell);
+    vec4 picture = pictureOf(Box(cell + box.lower, cell + box.upper));
+    vec2 least = max(picture.xy - picture.zw, -1.0);
+    vec2 most = min(picture.xy + picture.zw, 1.0);
+    vec2 extent = 0.5 * (most - least) * pictureSize;
+    bool isInPicture = splat.z != 0u && all(greaterThanEqual(extent, vec2(0.0)));
+    vec2 place = 0.5 * (least + most);
+    gl_PointSize = max(extent.x, extent.y) + 2.0 * MARGIN;
+    gl_Position = isInPicture ? vec4(0.5 + 0.5 * place.x, place.y, 0.0, 1.0) : NOWHERE;
+}

@@ -1,0 +1,62 @@
+#include <common/CompleteFile.h>
+
+#include <TemporaryFolder.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace osgLego
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class CompleteFile : public test::TemporaryFolderTest
+{
+};
+
+std::string writeHalf(const std::string& name)
+{
+    std::ofstream(name) << "half";
+    return "the disk is full, says " + name;
+}
+
+TEST_F(CompleteFile, IsThereWhenItIsComplete)
+{
+    const std::string name = pathOf("a.txt");
+    EXPECT_EQ(writeCompleteFile(name,
+                                [](const std::string& temporary)
+                                {
+                                    EXPECT_EQ(fs::path(temporary).extension(), ".txt");
+                                    std::ofstream(temporary) << "whole";
+                                    return std::string();
+                                }),
+              "");
+    std::string text;
+    std::ifstream(name) >> text;
+    EXPECT_EQ(text, "whole");
+    EXPECT_EQ(countFiles(), 1u);
+}
+
+TEST_F(CompleteFile, LeavesTheOldOneWhenItFails)
+{
+    const std::string name = pathOf("a.txt");
+    std::ofstream(name) << "old";
+    EXPECT_EQ(writeCompleteFile(name, writeHalf), "the disk is full, says " + name);
+    std::string text;
+    std::ifstream(name) >> text;
+    EXPECT_EQ(text, "old");
+    EXPECT_EQ(countFiles(), 1u);
+}
+
+TEST_F(CompleteFile, SaysWhatIsWrongWithItsPlace)
+{
+    EXPECT_EQ(writeCompleteFile(_folder.string(), writeHalf), "it is a folder");
+    EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf), "there is no folder '" + pathOf("none") + "'");
+}
+
+} // namespace
+
+} // namespace osgLego

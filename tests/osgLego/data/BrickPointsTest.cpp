@@ -1,0 +1,95 @@
+#include <osgLego/CpuLegolizer.h>
+#include <osgLego/data/BrickPoints.h>
+
+#include <Meshes.h>
+
+#include <algorithm>
+#include <set>
+
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+osg::ref_ptr<const BrickModel> createModel(unsigned int resolution)
+{
+    LegoSettings settings;
+    settings.resolution = resolution;
+    return legolizeOnCpu(*test::createSphere(), settings);
+}
+
+glm::ivec3 cellOf(const BrickPoint& point)
+{
+    return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
+}
+
+TEST(BrickPoints, AreTheVisibleBricksEachOnce)
+{
+    for (const unsigned int resolution : {1u, 8u, 9u, 50u})
+    {
+        const osg::ref_ptr<const BrickModel> model = createModel(resolution);
+        const BrickPoints result = createBrickPoints(*model);
+        EXPECT_EQ(result.points.size(), model->getNumVisible());
+        std::set<BrickPoint> points(result.points.begin(), result.points.end());
+        EXPECT_EQ(points.size(), result.points.size());
+        for (const BrickPoint& point : points)
+        {
+            const Brick* brick = model->find(cellOf(point));
+            ASSERT_TRUE(brick);
+            EXPECT_EQ(point[1] >> 16, brick->openSides);
+            EXPECT_EQ(point[2] & 0xffu, brick->color[0]);
+            EXPECT_EQ(point[2] >> 8 & 0xffu, brick->color[1]);
+            EXPECT_EQ(point[2] >> 16 & 0xffu, brick->color[2]);
+        }
+    }
+}
+
+TEST(BrickPoints, ABlockKnowsWhereItsBricksAreAndWhatIsOpen)
+{
+    const BrickPoints result = createBrickPoints(*createModel(50));
+    int next = 0;
+    for (const BrickBlock& block : result.blocks)
+    {
+        EXPECT_EQ(block.first, next);
+        EXPECT_GT(block.count, 0);
+        next += block.count;
+        EXPECT_EQ(block.minimum / BrickPoints::BLOCK_SIDE, block.maximum / BrickPoints::BLOCK_SIDE);
+        glm::ivec3 minimum(1000);
+        glm::ivec3 maximum(-1);
+        std::uint32_t open = 0;
+        for (int number = block.first; number < next; ++number)
+        {
+            const BrickPoint& point = result.points[static_cast<std::size_t>(number)];
+            minimum = glm::min(minimum, cellOf(point));
+            maximum = glm::max(maximum, cellOf(point));
+            open |= point[1] >> 16;
+        }
+        EXPECT_EQ(block.minimum, minimum);
+        EXPECT_EQ(block.maximum, maximum);
+        EXPECT_EQ(block.openSides, open);
+    }
+    EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
+}
+
+TEST(BrickPoints, BricksWithStudsAreInBlocksOfTheirOwn)
+{
+    std::size_t numStudded = 0;
+    const BrickPoints result = createBrickPoints(*createModel(50));
+    for (const BrickBlock& block : result.blocks)
+    {
+        const bool hasStuds = block.openSides & SIDE_TOP;
+        numStudded += hasStuds;
+        for (int number = block.first; number < block.first + block.count; ++number)
+            EXPECT_EQ((result.points[static_cast<std::size_t>(number)][1] >> 16 & SIDE_TOP) != 0, hasStuds);
+    }
+    EXPECT_GT(numStudded, 0u);
+    EXPECT_LT(numStudded, result.blocks.size());
+}
+
+} // namespace
+
+} // namespace osgLego

@@ -1,0 +1,108 @@
+#include <common/RacingCar.h>
+#include <osgLego/LegoNode.h>
+
+#include <GlTest.h>
+#include <Meshes.h>
+
+#include <osg/GLExtensions>
+#include <osg/MatrixTransform>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** A car in a viewer, whose bricks are found by one device or another. */
+class DeviceTest : public GlTest
+{
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        _context = createContext();
+        _contextID = _context->getState()->getContextID();
+        _lego->addChild(createRacingCar());
+        setUpViewer(_viewer, *_context, *_lego);
+    }
+
+    LegoStatistics draw(const char* settings)
+    {
+        EXPECT_TRUE(_lego->setSettings(parseSettings(settings)));
+        _viewer.frame();
+        EXPECT_TRUE(_lego->isLegolized(_contextID)) << _lego->getFailure(_contextID);
+        return _lego->getStatistics(_contextID);
+    }
+
+    bool isSoftware()
+    {
+        _context->makeCurrent();
+        const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+        return renderer.find("llvmpipe") != std::string::npos;
+    }
+
+    osg::ref_ptr<osg::GraphicsContext> _context;
+    unsigned int _contextID = 0;
+    osg::ref_ptr<LegoNode> _lego = new LegoNode;
+    osgViewer::Viewer _viewer;
+};
+
+TEST_F(DeviceTest, AutoIsTheCpuWhereSoftwareDraws)
+{
+    // The first frame, in which the renderer is not known before, and a later one.
+    EXPECT_EQ(draw("24,device=auto").isFromCpu, isSoftware());
+    const LegoStatistics again = draw("28,device=auto");
+    EXPECT_EQ(again.isFromCpu, isSoftware());
+    EXPECT_EQ(again.numLegolizations, 2u);
+}
+
+TEST_F(DeviceTest, AutoIsTheGpuForMethodsOfThePaper)
+{
+    EXPECT_FALSE(draw("16,method=points,device=auto").isFromCpu);
+}
+
+TEST_F(DeviceTest, BothDrawTheSamePicture)
+{
+    EXPECT_FALSE(draw("40,device=gpu").isFromCpu);
+    const osg::ref_ptr<osg::Image> expected = readPixels(*_context);
+    EXPECT_TRUE(draw("40,device=cpu").isFromCpu);
+    const osg::ref_ptr<osg::Image> found = readPixels(*_context);
+    EXPECT_GT(countDrawn(*found), 3000u);
+    EXPECT_EQ(countDifferent(*expected, *found, 3), 0u);
+}
+
+TEST_F(DeviceTest, OnTheCpuTheBricksAreMadeAnewOnlyWhenSomethingChanges)
+{
+    EXPECT_EQ(draw("16,device=cpu").numLegolizations, 1u);
+    for (int frame = 0; frame < 10; ++frame)
+        _viewer.frame();
+    EXPECT_EQ(_lego->getStatistics(_contextID).numLegolizations, 1u);
+    _lego->dirty();
+    _viewer.frame();
+    EXPECT_EQ(_lego->getStatistics(_contextID).numLegolizations, 2u);
+}
+
+TEST_F(DeviceTest, OnTheCpuThereIsOneModelForDrawingAndForEverythingElse)
+{
+    _lego->setReadBack(true);
+    const LegoStatistics statistics = draw("30,device=cpu");
+    EXPECT_EQ(_lego->getBricks(_contextID), _lego->getBricks());
+    EXPECT_EQ(statistics.numDrawnBricks, _lego->getBricks()->getNumVisible());
+    EXPECT_EQ(statistics.numSubdivisionPasses, 0u);
+}
+
+TEST_F(DeviceTest, BackAndForthTheBricksAreThoseOfTheSettings)
+{
+    for (const char* settings : {"20,device=cpu", "20,device=gpu", "33,device=cpu", "33,device=gpu", "20,device=auto"})
+    {
+        const LegoStatistics statistics = draw(settings);
+        const auto expected = static_cast<double>(_lego->getBricks()->getNumVisible());
+        // The GPU reckons in floats: a cell that a triangle but touches may go the other way.
+        const double margin = statistics.isFromCpu ? 0.0 : 2.0;
+        EXPECT_NEAR(static_cast<double>(statistics.numDrawnBricks), expected, margin) << settings;
+    }
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,63 @@
+#include <common/RacingCar.h>
+
+#include <LookTest.h>
+#include <osglegobench/AllocationCount.h>
+
+#include <osg/Geode>
+#include <osg/PolygonOffset>
+#include <osg/ShapeDrawable>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Frames in which nothing changes. */
+class UnchangedFrame : public LookTest
+{
+protected:
+    /** Allocations of many frames, once all is there that is made once. */
+    std::size_t countInFrames(osg::Node& scene)
+    {
+        draw(scene, {osg::Vec3d(6, -12, 6), osg::Vec3d()});
+        for (int frame = 0; frame < 20; ++frame) // longer than idle passes are kept
+            _viewer.frame();
+        const std::size_t before = AllocationCount::now().ofAllThreads;
+        for (int frame = 0; frame < 20; ++frame)
+            _viewer.frame();
+        return AllocationCount::now().ofAllThreads - before;
+    }
+
+    static osg::ref_ptr<LegoNode> createLego(const std::string& settings)
+    {
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        lego->addChild(createRacingCar());
+        return lego;
+    }
+};
+
+TEST_F(UnchangedFrame, AllocatesNoMoreThanAnyNodeOfOsg)
+{
+    osg::ref_ptr<osg::Geode> box = new osg::Geode;
+    box->addDrawable(new osg::ShapeDrawable(new osg::Box));
+    const std::size_t expected = countInFrames(*box);
+    for (const char* settings : {"20,look=plain", "20,look=full"})
+    {
+        EXPECT_LE(countInFrames(*createLego(settings)), expected) << settings << ", as splats";
+        const osg::ref_ptr<LegoNode> triangles = createLego(settings);
+        triangles->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
+        EXPECT_LE(countInFrames(*triangles), expected) << settings << ", as triangles";
+    }
+}
+
+TEST_F(UnchangedFrame, RunsNoPass)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    countInFrames(*lego);
+    EXPECT_EQ(lego->getStatistics(_context->getState()->getContextID()).numLegolizations, 1u);
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,134 @@
+#include <common/RacingCar.h>
+
+#include <LookTest.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <osg/ClipNode>
+#include <osg/FrontFace>
+#include <osg/MatrixTransform>
+#include <osg/PolygonOffset>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Compares bricks drawn as splats, or by triangles without those turned away, with every face and stud drawn. */
+class BrickSplats : public LookTest
+{
+protected:
+    static constexpr std::size_t NUM_PIXELS = WIDTH * HEIGHT;
+
+    static osg::ref_ptr<LegoNode> createLego(const std::string& settings)
+    {
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        lego->addChild(createRacingCar());
+        return lego;
+    }
+
+    osg::ref_ptr<osg::Image> drawWith(osg::Node& node, const Viewpoint& viewpoint,
+                                      const std::function<void(osg::StateSet&)>& change)
+    {
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->addChild(&node);
+        change(*group->getOrCreateStateSet());
+        return draw(*group, viewpoint);
+    }
+
+    /** What is offset is drawn by triangles; this offset moves nothing. */
+    static void forceTriangles(osg::StateSet& stateSet)
+    {
+        stateSet.setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
+    }
+
+    /** Where the stencil counts all faces are drawn; this test lets everything pass. */
+    static void forceAllFaces(osg::StateSet& stateSet) { stateSet.setMode(GL_STENCIL_TEST, osg::StateAttribute::ON); }
+
+    /** How many pixels the ways differ by. */
+    std::size_t countDifference(osg::Node& node, const Viewpoint& viewpoint)
+    {
+        const osg::ref_ptr<osg::Image> all = drawWith(node, viewpoint, forceAllFaces);
+        EXPECT_GT(countDrawn(*all), NUM_PIXELS / 200) << "there is nothing to compare";
+        return std::max(countDifferent(*all, *draw(node, viewpoint), 3),
+                        countDifferent(*all, *drawWith(node, viewpoint, forceTriangles), 3));
+    }
+};
+
+const osg::Vec3d MIDDLE(0, 0, 0.5);
+const std::vector<std::pair<const char*, Viewpoint>> VIEWS{
+    {"from above", {{5, -9, 5}, MIDDLE}},
+    {"from below", {{4, -8, -4}, MIDDLE}},
+    {"level with the studs", {{2, -9, 0.9}, MIDDLE}},
+    {"close up", {{1.2, -2.4, 1.6}, MIDDLE}},
+    {"from afar", {{20, -30, 20}, MIDDLE}},
+    {"straight down", {{0, 0, 9}, MIDDLE, {0, 1, 0}}},
+    {"orthographic", {{5, -9, 5}, MIDDLE, {0, 0, 1}, 5.0}},
+    {"orthographic from below", {{5, -9, -5}, MIDDLE, {0, 0, 1}, 5.0}},
+    {"orthographic along an axis", {{0, -9, 0.5}, MIDDLE, {0, 0, 1}, 5.0}},
+    {"orthographic straight down", {{0, 0, 9}, MIDDLE, {0, 1, 0}, 5.0}},
+    {"beside the picture", {{3, -4, 2}, {2.5, 0, 0}}},
+    {"from inside", {{0.1, 0.1, 0.5}, {1, -2, 0.3}}}};
+
+TEST_F(BrickSplats, MakeThePictureOfTheTriangles)
+{
+    for (const char* settings : {"20,look=plain", "20,look=full", "24,up=y,proportions=plate,look=full"})
+    {
+        const osg::ref_ptr<LegoNode> lego = createLego(settings);
+        for (const auto& [name, viewpoint] : VIEWS)
+            EXPECT_LE(countDifference(*lego, viewpoint), NUM_PIXELS / 400) << settings << " " << name;
+    }
+}
+
+TEST_F(BrickSplats, MakeTheGeometryBufferOfTheTriangles)
+{
+    for (const char* output : {"low", "low,show=normals"})
+    {
+        const osg::ref_ptr<AmbientOcclusionScene> scene = createGroup(output, createLego("20"));
+        EXPECT_LE(countDifference(*scene, VIEWS.front().second), NUM_PIXELS / 200) << output;
+    }
+}
+
+TEST_F(BrickSplats, AreRightInAMirror)
+{
+    osg::ref_ptr<osg::MatrixTransform> mirror = new osg::MatrixTransform(osg::Matrix::scale(-1, 1, 1));
+    mirror->addChild(createLego("20"));
+    EXPECT_LE(countDifference(*mirror, VIEWS.front().second), NUM_PIXELS / 400);
+    mirror->getOrCreateStateSet()->setAttribute(new osg::FrontFace(osg::FrontFace::CLOCKWISE));
+    EXPECT_LE(countDifference(*mirror, VIEWS.front().second), NUM_PIXELS / 400) << "front faces turned";
+}
+
+TEST_F(BrickSplats, AreThereWhereMatricesAreUniforms)
+{
+    _context->getState()->setUseModelViewAndProjectionUniforms(true);
+    EXPECT_LE(countDifference(*createLego("20"), VIEWS.front().second), NUM_PIXELS / 400);
+}
+
+TEST_F(BrickSplats, AreNotTriedFromSoFarThatRaysCannotBeToldApart)
+{
+    for (const double distance : {1e3, 1e5})
+        EXPECT_LE(
+            countDifference(*createLego("24"), {{0.3 * distance, -distance, 0.3 * distance}, MIDDLE, {0, 0, 1}, 5.0}),
+            NUM_PIXELS / 400)
+            << distance;
+}
+
+TEST_F(BrickSplats, LeaveWhatIsCutOpenToTheTriangles)
+{
+    const Viewpoint& viewpoint = VIEWS.front().second;
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const osg::ref_ptr<osg::Image> whole = draw(*lego, viewpoint);
+    osg::ref_ptr<osg::ClipNode> cut = new osg::ClipNode;
+    cut->addClipPlane(new osg::ClipPlane(0, osg::Vec4d(0, 1, 0, 0)));
+    cut->addChild(lego);
+    EXPECT_EQ(countDifference(*cut, viewpoint), 0u);
+    EXPECT_GT(countDifferent(*whole, *draw(*cut, viewpoint), 3), NUM_PIXELS / 100);
+}
+
+} // namespace
+
+} // namespace osgLego::test

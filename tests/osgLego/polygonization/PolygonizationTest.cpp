@@ -1,0 +1,203 @@
+#include <common/RacingCar.h>
+#include <osgLego/BrickGeometry.h>
+
+#include <GlTest.h>
+
+#include <osg/ClipNode>
+#include <osg/CullFace>
+#include <osg/Geode>
+#include <osg/MatrixTransform>
+#include <osg/PolygonMode>
+#include <osg/ShapeDrawable>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Compares what the geometry shader makes of bricks with the same bricks as plain triangles, drawn by OSG. */
+class Polygonization : public GlTest
+{
+protected:
+    /** Draw bricks, or their triangles, with an ordinary node that sticks through them. */
+    osg::ref_ptr<osg::Image> draw(osg::Node& bricks, const std::function<void(osg::StateSet&)>& change = {})
+    {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        osg::ref_ptr<osg::Geode> ball = new osg::Geode;
+        ball->addDrawable(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(0.2f, -0.5f, 0.4f), 0.45f)));
+        root->addChild(ball);
+        root->addChild(&bricks);
+        // Plain colours: the light of the two is not to be the same.
+        root->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+        if (change) change(*root->getStateSet());
+        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+        osgViewer::Viewer viewer;
+        setUpViewer(viewer, *context, *root);
+        viewer.frame();
+        if (auto* lego = dynamic_cast<LegoNode*>(&bricks))
+            _cells = lego->getBricks(context->getState()->getContextID());
+        return readPixels(*context);
+    }
+
+    osg::ref_ptr<LegoNode> createLego(const std::string& settings)
+    {
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        lego->addChild(createRacingCar());
+        return lego;
+    }
+
+    osg::ref_ptr<const BrickModel> _cells; // what was read back with the last picture
+
+    static osg::ref_ptr<osg::Node> toTriangles(const LegoNode& lego)
+    {
+        osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+        geode->addDrawable(createBrickGeometry(*lego.getBricks()));
+        return geode;
+    }
+};
+
+// Edges of the same triangles may be rounded to the other of two neighbouring pixels.
+constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
+
+TEST_F(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
+{
+    for (const char* settings :
+         {"20", "20,proportions=brick", "24,proportions=plate", "20,up=y", "20,up=y,proportions=plate"})
+    {
+        const osg::ref_ptr<LegoNode> lego = createLego(settings);
+        const osg::ref_ptr<osg::Image> bricks = draw(*lego);
+        const osg::ref_ptr<osg::Image> triangles = draw(*toTriangles(*lego));
+        EXPECT_GT(countDrawn(*bricks), 3000u);
+        EXPECT_LE(countDifferent(*bricks, *triangles, 2), FEW_PIXELS) << settings;
+    }
+}
+
+TEST_F(Polygonization, AStudOutOfPlaceWouldBeSeen)
+{
+    // That the comparison above can fail.
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 0.1));
+    moved->addChild(toTriangles(*lego));
+    EXPECT_GT(countDifferent(*draw(*lego), *draw(*moved), 2), FEW_PIXELS);
+}
+
+TEST_F(Polygonization, EveryFaceWindsOutwards)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const auto cullBack = [](osg::StateSet& stateSet) { stateSet.setAttributeAndModes(new osg::CullFace); };
+    EXPECT_EQ(countDifferent(*draw(*lego), *draw(*lego, cullBack), 0), 0u);
+    const osg::ref_ptr<LegoNode> upright = createLego("20,up=y");
+    EXPECT_EQ(countDifferent(*draw(*upright), *draw(*upright, cullBack), 0), 0u);
+}
+
+TEST_F(Polygonization, IsLitByTheLightsThatAreOn)
+{
+    const auto light = [](unsigned int modes)
+    {
+        return [modes](osg::StateSet& stateSet)
+        {
+            stateSet.setMode(GL_LIGHTING, modes & 1 ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+            stateSet.setMode(GL_LIGHT0, (modes & 2 ? osg::StateAttribute::ON : osg::StateAttribute::OFF) |
+                                            osg::StateAttribute::OVERRIDE);
+        };
+    };
+    // The full look has light without any.
+    const osg::ref_ptr<LegoNode> lego = createLego("20,look=plain");
+    const osg::ref_ptr<osg::Image> plain = draw(*lego, light(0));
+    const osg::ref_ptr<osg::Image> lit = draw(*lego, light(3));
+    const osg::ref_ptr<osg::Image> dark = draw(*lego, light(1));
+    const auto brightness = [](const osg::Image& image)
+    {
+        double sum = 0.0;
+        for (unsigned int byte = 0; byte < image.getTotalSizeInBytes(); ++byte)
+            sum += image.data()[byte];
+        return sum;
+    };
+    EXPECT_GT(brightness(*plain), brightness(*lit));
+    EXPECT_GT(brightness(*lit), 1.3 * brightness(*dark));
+}
+
+TEST_F(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    lego->setReadBack(true);
+    draw(*lego);
+    const osg::ref_ptr<const BrickModel> expected = _cells;
+    ASSERT_TRUE(expected);
+    draw(*lego,
+         [](osg::StateSet& stateSet)
+         {
+             const auto strongly = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
+             stateSet.setMode(GL_BLEND, strongly);
+             stateSet.setMode(GL_SCISSOR_TEST, strongly);
+             stateSet.setMode(GL_ALPHA_TEST, strongly);
+             stateSet.setMode(GL_STENCIL_TEST, strongly);
+             stateSet.setMode(GL_CLIP_PLANE0, strongly);
+             stateSet.setMode(GL_CULL_FACE, strongly);
+             stateSet.setAttributeAndModes(
+                 new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE), strongly);
+             osg::ref_ptr<osg::Program> program = new osg::Program;
+             program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "void main() { gl_FragColor = vec4(1.0); }"));
+             stateSet.setAttribute(program, strongly);
+         });
+    ASSERT_TRUE(_cells);
+    EXPECT_EQ(_cells->getBricks(), expected->getBricks());
+}
+
+TEST_F(Polygonization, ForeignProgramsDoNotDrawTheBricks)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const osg::ref_ptr<osg::Image> plain = draw(*lego);
+    const osg::ref_ptr<osg::Image> overridden =
+        draw(*lego,
+             [](osg::StateSet& stateSet)
+             {
+                 osg::ref_ptr<osg::Program> program = new osg::Program;
+                 program->addShader(new osg::Shader(
+                     osg::Shader::VERTEX, "void main() { gl_FrontColor = gl_Color; gl_Position = ftransform(); }"));
+                 program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "void main() { gl_FragColor = gl_Color; }"));
+                 stateSet.setAttribute(program, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+             });
+    EXPECT_LE(countDifferent(*plain, *overridden, 2), FEW_PIXELS);
+}
+
+TEST_F(Polygonization, ClipPlanesCutTheBricks)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego("20");
+    const auto cut = [](osg::Node& node)
+    {
+        osg::ref_ptr<osg::ClipNode> clip = new osg::ClipNode;
+        clip->addClipPlane(new osg::ClipPlane(0, osg::Vec4d(1, 0, 0, 0)));
+        clip->addChild(&node);
+        return clip;
+    };
+    const osg::ref_ptr<osg::Image> bricks = draw(*cut(*lego));
+    EXPECT_LE(countDifferent(*bricks, *draw(*cut(*toTriangles(*lego))), 2), FEW_PIXELS);
+    EXPECT_GT(countDifferent(*bricks, *draw(*lego), 2), 10 * FEW_PIXELS) << "the plane cuts nothing";
+}
+
+TEST_F(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
+{
+    // An ordinary node, textured, drawn after the bricks in the frame in which the passes run and in one in which not.
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<LegoNode> lego = createLego("24");
+    root->addChild(lego);
+    osg::ref_ptr<osg::MatrixTransform> beside = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 1.5));
+    beside->addChild(createRacingCar());
+    root->addChild(beside);
+    osgViewer::Viewer viewer;
+    setUpViewer(viewer, *context, *root);
+    viewer.frame();
+    const osg::ref_ptr<osg::Image> first = readPixels(*context);
+    viewer.frame();
+    EXPECT_EQ(countDifferent(*first, *readPixels(*context), 0), 0u);
+    lego->dirty();
+    viewer.frame();
+    EXPECT_EQ(countDifferent(*first, *readPixels(*context), 0), 0u);
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,251 @@
+#include <common/RacingCar.h>
+#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/TriangleOverlap.h>
+
+#include <GlTest.h>
+#include <Meshes.h>
+
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+#include <osg/Geometry>
+#include <osg/MatrixTransform>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+// Cells that a triangle overlaps, or misses, by less than this may differ: floats can't tell.
+constexpr double MARGIN = 1e-4;
+
+struct Differences
+{
+    std::size_t within = 0; //!< cells that differ, but by less than the margin
+    std::size_t beyond = 0;
+    std::size_t offColor = 0; //!< common cells whose colours are more than 2 apart
+};
+
+/** By how much the triangles cover a cell; negative when they do not. */
+double marginOf(const GridTriangles& triangles, const glm::ivec3& cell)
+{
+    double margin = -std::numeric_limits<double>::max();
+    for (const GridBatch& batch : triangles.getBatches())
+        for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
+        {
+            const TriangleOverlap overlap(batch.vertices[first].position, batch.vertices[first + 1].position,
+                                          batch.vertices[first + 2].position);
+            margin = std::max(margin, overlap.getMargin(cell));
+        }
+    return margin;
+}
+
+bool isColorOff(const Brick& a, const Brick& b)
+{
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        if (std::abs(a.color[channel] - b.color[channel]) > 2) return true;
+    return false;
+}
+
+Differences compare(const GridTriangles& triangles, const BrickModel& cpu, const BrickModel& gpu)
+{
+    Differences differences;
+    const auto count = [&](const BrickModel& from, const BrickModel& in, bool colors)
+    {
+        for (const Brick& brick : from.getBricks())
+        {
+            const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
+            if (const Brick* other = in.find(cell))
+            {
+                if (colors && isColorOff(brick, *other)) ++differences.offColor;
+                continue;
+            }
+            ++(std::abs(marginOf(triangles, cell)) < MARGIN ? differences.within : differences.beyond);
+        }
+    };
+    count(cpu, gpu, true);
+    count(gpu, cpu, false);
+    return differences;
+}
+
+struct Model
+{
+    const char* name;
+    std::function<osg::ref_ptr<osg::Node>()> create;
+};
+
+class ExactVoxelization : public GlTest, public ::testing::WithParamInterface<Model>
+{
+};
+
+/** Legolize on both sides; print and check. */
+void expectSame(const char* name, osg::Node& node, const LegoSettings& settings, const BrickModel& gpu,
+                const LegoStatistics& statistics)
+{
+    const osg::ref_ptr<const GridTriangles> triangles = GridTriangles::create(*SceneTriangles::create(node), settings);
+    const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
+    const Differences differences = compare(*triangles, *cpu, gpu);
+    const double share =
+        100.0 * static_cast<double>(differences.offColor) / static_cast<double>(cpu->getBricks().size());
+    std::printf(
+        "%-10s %-28s %8zu triangles %8zu fine %8zu cells %8zu drawn %3zu differ within the margin, %.3f %% off by "
+        "more than 2/255 in colour\n",
+        name, settings.toString().c_str(), triangles->getNumTriangles(), statistics.numFineTriangles,
+        cpu->getBricks().size(), statistics.numDrawnBricks, differences.within, share);
+    EXPECT_EQ(differences.beyond, 0u);
+    EXPECT_LT(share, 1.0);
+    EXPECT_EQ(statistics.numDrawnBricks, gpu.getNumVisible());
+}
+
+TEST_P(ExactVoxelization, FindsTheCellsAndColoursOfTheCpu)
+{
+    const osg::ref_ptr<osg::Node> node = GetParam().create();
+    if (!node) GTEST_SKIP() << "the model could not be fetched";
+    for (const char* text : {"16", "32", "64", "128", "50,proportions=brick", "50,proportions=plate,up=y",
+                             "64,edge=0.5", "64,edge=1", "64,edge=4"})
+    {
+        const LegoSettings settings = parseSettings(text);
+        LegoStatistics statistics;
+        const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+        ASSERT_TRUE(gpu);
+        expectSame(GetParam().name, *node, settings, *gpu, statistics);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, ExactVoxelization,
+                         ::testing::Values(Model{"car", createRacingCar},
+                                           Model{"sphere", [] { return createSphere(); }}, Model{"torus", createTorus},
+                                           Model{"plate", createThinPlate},
+                                           Model{"slivers", [] { return createSliverSoup(); }},
+                                           Model{"bunny", readBunny}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+class ExactVoxelizationLimits : public GlTest
+{
+};
+
+TEST_F(ExactVoxelizationLimits, AGridBeyondOneSlabIsTheSame)
+{
+    const osg::ref_ptr<osg::Node> node = createSphere();
+    const LegoSettings settings = parseSettings("300");
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    expectSame("sphere", *node, settings, *gpu, statistics);
+}
+
+TEST_F(ExactVoxelizationLimits, ResolutionOneIsOneBrick)
+{
+    const osg::ref_ptr<osg::Node> node = createSphere();
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, parseSettings("1"));
+    ASSERT_TRUE(gpu);
+    EXPECT_EQ(gpu->getBricks().size(), 1u);
+}
+
+TEST_F(ExactVoxelizationLimits, IsTheSameOnEveryRun)
+{
+    const osg::ref_ptr<osg::Node> node = createRacingCar();
+    const osg::ref_ptr<const BrickModel> first = legolizeOnGpu(*node, parseSettings("48"));
+    const osg::ref_ptr<const BrickModel> second = legolizeOnGpu(*node, parseSettings("48"));
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->getBricks(), second->getBricks());
+}
+
+TEST_F(ExactVoxelizationLimits, FarFromTheOriginTheCellsAreTheSame)
+{
+    osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(osg::Matrixd::translate(5e6, -3e6, 1e5));
+    node->addChild(createSphere());
+    const LegoSettings settings = parseSettings("64");
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    expectSame("far", *node, settings, *gpu, statistics);
+}
+
+TEST_F(ExactVoxelizationLimits, CornersThatFallTogetherLeaveTheColour)
+{
+    const osg::ref_ptr<osg::Node> node = createCoincidingCorners();
+    const LegoSettings settings = parseSettings("16");
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    expectSame("coinciding", *node, settings, *gpu, statistics);
+    for (const Brick& brick : gpu->getBricks())
+        EXPECT_EQ(brick.color[1], 255);
+}
+
+/** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than expected. */
+osg::ref_ptr<osg::Node> createCornerTriangles()
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    const float reach = 0.02f;
+    // A little beside the corner, or rounding would decide which cells it touches.
+    const osg::Vec3 beside(0.003f, 0.002f, 0.001f);
+    const auto add = [&](const osg::Vec3& corner)
+    {
+        const osg::Vec3 center = corner + beside;
+        vertices->push_back(center + osg::Vec3(reach, -reach, 0));
+        vertices->push_back(center + osg::Vec3(0, reach, -reach));
+        vertices->push_back(center + osg::Vec3(-reach, 0, reach));
+    };
+    for (int x = 1; x < 32; x += 2)
+        for (int y = 1; y < 32; y += 2)
+            for (int z = 1; z < 32; z += 2)
+                add(osg::Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
+    // Two that give the grid its size.
+    for (const float far : {0.0f, 32.0f})
+        for (const osg::Vec3& corner : {osg::Vec3(far, far, far), osg::Vec3(16, far, far), osg::Vec3(far, 16, far)})
+            vertices->push_back(corner);
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setVertexArray(vertices);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices->size())));
+    return geometry;
+}
+
+TEST_F(ExactVoxelizationLimits, ABrickBufferThatIsTooSmallGrows)
+{
+    const osg::ref_ptr<osg::Node> node = createCornerTriangles();
+    const LegoSettings settings = parseSettings("32");
+    const osg::ref_ptr<const GridTriangles> triangles = GridTriangles::create(*SceneTriangles::create(*node), settings);
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    EXPECT_GT(statistics.numDrawnBricks, triangles->estimateCoveredCells() + 1024) << "the buffer need not have grown";
+    expectSame("corners", *node, settings, *gpu, statistics);
+}
+
+/** Triangles whose edges are each just over a power of two times the limit: far more pieces than expected. */
+osg::ref_ptr<osg::Node> createAwkwardTriangles(std::size_t count)
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    for (std::size_t triangle = 0; triangle < count; ++triangle)
+    {
+        const float z = 64.0f * static_cast<float>(triangle) / static_cast<float>(count);
+        vertices->push_back(osg::Vec3(0, 0, z));
+        vertices->push_back(osg::Vec3(64, 0, z));
+        vertices->push_back(osg::Vec3(62, 1.9f, z));
+    }
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setVertexArray(vertices);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices->size())));
+    return geometry;
+}
+
+TEST_F(ExactVoxelizationLimits, ABufferOfFineTrianglesThatIsTooSmallGrows)
+{
+    const osg::ref_ptr<osg::Node> node = createAwkwardTriangles(300);
+    const LegoSettings settings = parseSettings("64,edge=2");
+    const osg::ref_ptr<const GridTriangles> triangles = GridTriangles::create(*SceneTriangles::create(*node), settings);
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
+    ASSERT_TRUE(gpu);
+    const std::size_t estimate = triangles->getBatches().front().estimateFineTriangles(2.0);
+    EXPECT_GT(statistics.numFineTriangles, estimate + estimate / 4 + 1024) << "the buffer need not have grown";
+    expectSame("awkward", *node, settings, *gpu, statistics);
+}
+
+} // namespace
+
+} // namespace osgLego::test

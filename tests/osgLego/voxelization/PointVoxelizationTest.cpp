@@ -1,0 +1,223 @@
+#include <common/RacingCar.h>
+#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/TriangleOverlap.h>
+
+#include <GlTest.h>
+#include <Meshes.h>
+
+#include <cstdio>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+struct Model
+{
+    const char* name;
+    osg::ref_ptr<osg::Node> node;
+};
+
+std::vector<Model> createModels()
+{
+    std::vector<Model> models{{"car", createRacingCar()},   {"sphere", createSphere()},      {"torus", createTorus()},
+                              {"plate", createThinPlate()}, {"slivers", createSliverSoup()}, {"bunny", readBunny()}};
+    if (!models.back().node) models.pop_back();
+    return models;
+}
+
+osg::ref_ptr<const GridTriangles> toGrid(osg::Node& node, const LegoSettings& settings)
+{
+    return GridTriangles::create(*SceneTriangles::create(node), settings);
+}
+
+/** Cells that are filled though no triangle overlaps them, those that one touches within rounding apart. */
+std::size_t countUnsound(const GridTriangles& triangles, const BrickModel& truth, const BrickModel& found)
+{
+    constexpr double MARGIN = 1e-4;
+    std::size_t count = 0;
+    for (const Brick& brick : found.getBricks())
+    {
+        const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
+        if (truth.find(cell)) continue;
+        bool touched = false;
+        for (const GridBatch& batch : triangles.getBatches())
+            for (std::size_t first = 0; first < batch.vertices.size() && !touched; first += 3)
+                touched = TriangleOverlap(batch.vertices[first].position, batch.vertices[first + 1].position,
+                                          batch.vertices[first + 2].position)
+                              .getMargin(cell) > -MARGIN;
+        if (!touched) ++count;
+    }
+    return count;
+}
+
+double recallOf(const BrickModel& truth, const BrickModel& found)
+{
+    std::size_t hits = 0;
+    for (const Brick& brick : truth.getBricks())
+        if (found.find({brick.cell[0], brick.cell[1], brick.cell[2]})) ++hits;
+    return static_cast<double>(hits) / static_cast<double>(truth.getBricks().size());
+}
+
+/** Whether the segment between the centres of a cell and of its upper neighbour along an axis crosses a triangle, well
+ * inside both. */
+bool crosses(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::ivec3& cell, int axis)
+{
+    const glm::dvec3 from = glm::dvec3(cell) + 0.5;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    if (std::abs(normal[axis]) < 1e-9) return false;
+    const double along = glm::dot(normal, a - from) / normal[axis];
+    if (along < 1e-6 || along > 1.0 - 1e-6) return false;
+    glm::dvec3 place = from;
+    place[axis] += along;
+    const double whole = glm::dot(normal, normal);
+    const double u = glm::dot(glm::cross(c - b, place - b), normal) / whole;
+    const double v = glm::dot(glm::cross(a - c, place - c), normal) / whole;
+    constexpr double INSIDE = 1e-6;
+    return u > INSIDE && v > INSIDE && 1.0 - u - v > INSIDE;
+}
+
+/** Pairs of empty neighbours between whose centres a triangle passes. */
+std::size_t countTunnels(const GridTriangles& triangles, const BrickModel& found)
+{
+    std::size_t tunnels = 0;
+    const glm::ivec3 size = found.getGrid().dimensions;
+    std::vector<glm::ivec3> cells;
+    for (const GridBatch& batch : triangles.getBatches())
+        for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
+        {
+            const glm::dvec3 a(batch.vertices[first].position);
+            const glm::dvec3 b(batch.vertices[first + 1].position);
+            const glm::dvec3 c(batch.vertices[first + 2].position);
+            cells.clear();
+            TriangleOverlap(a, b, c).findCells(size, cells);
+            for (const glm::ivec3& cell : cells)
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const int back : {0, 1})
+                    {
+                        glm::ivec3 lower = cell;
+                        lower[axis] -= back;
+                        glm::ivec3 upper = lower;
+                        ++upper[axis];
+                        if (lower[axis] < 0 || upper[axis] >= size[axis]) continue;
+                        if (found.find(lower) || found.find(upper)) continue;
+                        if (crosses(a, b, c, lower, axis)) ++tunnels;
+                    }
+        }
+    return tunnels;
+}
+
+class PointVoxelization : public GlTest
+{
+};
+
+TEST_F(PointVoxelization, AddressedIsSoundAndWithoutTunnelsUpToAnEdgeOfOneCell)
+{
+    std::printf("points, addressed: recall of the covered cells, unsound cells, tunnels\n");
+    for (const Model& model : createModels())
+        for (const char* text : {"64,edge=1", "64,edge=0.5", "64,edge=0.25", "128,edge=1"})
+        {
+            const LegoSettings settings = parseSettings(std::string(text) + ",method=points,target=addressed");
+            const osg::ref_ptr<const GridTriangles> triangles = toGrid(*model.node, settings);
+            const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
+            const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*model.node, settings);
+            ASSERT_TRUE(found);
+            const std::size_t unsound = countUnsound(*triangles, *truth, *found);
+            const std::size_t tunnels = countTunnels(*triangles, *found);
+            std::printf("  %-8s %-14s %.4f %4zu %4zu\n", model.name, text, recallOf(*truth, *found), unsound, tunnels);
+            EXPECT_EQ(unsound, 0u);
+            EXPECT_EQ(tunnels, 0u);
+        }
+}
+
+TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
+{
+    // What the tunnels are counted for: the same count must find some where there are some.
+    const osg::ref_ptr<osg::Node> node = createSphere();
+    const LegoSettings settings = parseSettings("64,method=points,target=addressed,edge=3");
+    const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*node, settings);
+    ASSERT_TRUE(found);
+    EXPECT_GT(countTunnels(*toGrid(*node, settings), *found), 100u);
+}
+
+TEST_F(PointVoxelization, ProjectedIsSoundAndFindsMoreInLargerPictures)
+{
+    std::printf("points, projected, edge 1: recall of the covered cells by the side of the picture\n");
+    std::printf("  %-8s %4s %8s %8s %8s %8s\n", "", "N", "256", "512", "1024", "2048");
+    for (const Model& model : createModels())
+        for (const char* resolution : {"32", "64", "128"})
+        {
+            std::printf("  %-8s %4s", model.name, resolution);
+            const osg::ref_ptr<const GridTriangles> triangles = toGrid(*model.node, parseSettings(resolution));
+            const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
+            double previous = 0.0;
+            double smallest = 0.0;
+            for (const char* size : {"256", "512", "1024", "2048"})
+            {
+                const LegoSettings settings = parseSettings(std::string(resolution) + ",method=points,fbo=" + size);
+                const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*model.node, settings);
+                ASSERT_TRUE(found);
+                const double recall = recallOf(*truth, *found);
+                std::printf(" %8.4f", recall);
+                EXPECT_EQ(countUnsound(*triangles, *truth, *found), 0u);
+                EXPECT_GT(recall, previous - 0.01);
+                if (previous == 0.0) smallest = recall;
+                previous = recall;
+            }
+            EXPECT_GT(smallest, 0.02);
+            EXPECT_TRUE(previous > smallest || smallest == 1.0) << previous;
+            EXPECT_GT(previous, 0.5);
+            std::printf("\n");
+        }
+}
+
+TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
+{
+    const osg::ref_ptr<osg::Node> node = createRacingCar();
+    const osg::ref_ptr<const BrickModel> addressed =
+        legolizeOnGpu(*node, parseSettings("64,method=points,target=addressed"));
+    const osg::ref_ptr<const BrickModel> projected = legolizeOnGpu(*node, parseSettings("64,method=points,fbo=2048"));
+    ASSERT_TRUE(addressed && projected);
+    EXPECT_GT(projected->getBricks().size(), addressed->getBricks().size() / 2);
+    EXPECT_LE(projected->getBricks().size(), addressed->getBricks().size());
+    for (const Brick& brick : projected->getBricks())
+        ASSERT_TRUE(addressed->find({brick.cell[0], brick.cell[1], brick.cell[2]}));
+}
+
+TEST_F(PointVoxelization, ProjectedNumbersTheLastCellsOfTheLargestGrid)
+{
+    // Beyond 2^23 every whole number is a float still, but no half is.
+    osg::ref_ptr<osg::Group> node = new osg::Group;
+    node->addChild(createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    node->addChild(createTriangle({245, 250, 250}, {250, 245, 250}, {250, 250, 245}));
+    const LegoSettings settings = parseSettings("250,method=points,fbo=2048");
+    const osg::ref_ptr<const GridTriangles> triangles = toGrid(*node, settings);
+    ASSERT_GT(triangles->getGrid().getNumCells(), std::size_t(1) << 23);
+    const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*node, settings);
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->getBricks().size(), 20u);
+    EXPECT_EQ(countUnsound(*triangles, *voxelizeOnCpu(*triangles), *found), 0u);
+}
+
+TEST_F(PointVoxelization, ProjectedRefusesMoreCellsThanAFloatCanNumber)
+{
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("257,method=points"));
+    lego->addChild(createSphere());
+    osgViewer::Viewer viewer;
+    setUpViewer(viewer, *context, *lego);
+    viewer.frame();
+    viewer.frame();
+    const unsigned int contextID = context->getState()->getContextID();
+    EXPECT_FALSE(lego->isLegolized(contextID));
+    EXPECT_NE(lego->getFailure(contextID).find("at most 16777216 cells"), std::string::npos);
+    EXPECT_GT(countDrawn(*readPixels(*context)), 1000u) << "the source is drawn instead";
+}
+
+} // namespace
+
+} // namespace osgLego::test
