@@ -64,27 +64,28 @@ osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, con
 }
 
 /** A node under a state for triangles. */
-osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
-                                    const char* fragments, const std::string& definitions = {})
+osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::StateSet& triangles,
+                                    const std::string& name, const char* fragments, const std::string& definitions = {})
 {
     constexpr const char* SPLATS = "#define SPLATS\n";
     constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(
-        new BrickDrawable(store, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
-                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
+    node->addDrawable(new BrickDrawable(
+        store, drawing, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
     node->setStateSet(&triangles);
     return node;
 }
 
 } // namespace
 
-BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe)
+BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
+                       const LightProbe& probe)
 {
     if (look == Look::PLAIN)
     {
         constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
-        _frameNode = createNode(store, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
+        _frameNode = createNode(store, drawing, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
         _bufferNode = _frameNode;
         return;
     }
@@ -102,8 +103,8 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appe
         osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
         buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    _frameNode = createNode(store, *frame, NAME, FRAGMENTS);
-    _bufferNode = createNode(store, *buffer, NAME, FRAGMENTS, BUFFER);
+    _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS);
+    _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
 }
 
 void BrickNodes::dirtyBound() const

@@ -109,8 +109,8 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
 class SplatTarget : public osg::Referenced
 {
 public:
-    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
-    bool isFor(const osg::State& state)
+    /** Whether splats are to be drawn on this renderer, and this target belongs to the context. */
+    bool isFor(const osg::State& state, Drawing drawing)
     {
         // The owner may have closed, and its frame buffer object with it.
         if (!_owner.valid())
@@ -128,7 +128,7 @@ public:
             _maximumSize = {viewport[0] / 2, viewport[1]};
         }
         // Of contexts that share objects each would need frame buffer objects of its own.
-        return _isSoftware && !_hasFailed && _owner.get() == state.getGraphicsContext();
+        return (_isSoftware || drawing == Drawing::SPLATS) && !_hasFailed && _owner.get() == state.getGraphicsContext();
     }
 
     /** Use it no more: programs or frame buffers of this context can't be had. */
@@ -236,13 +236,13 @@ BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLigh
 
 BrickSplats::~BrickSplats() = default;
 
-bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
-                       const CellView& view) const
+bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
+                       Drawing drawing) const
 {
     osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
     if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
     SplatTarget& target = *held;
-    if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    if (!view.isAllBehindNearPlane || !target.isFor(state, drawing)) return false;
     if (ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
     // Planes and ranges of depth that rays know nothing of.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
@@ -262,7 +262,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     }
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
-    setBrickUniforms(state, bricks.source->triangles->getGrid(), view, false);
+    setBrickUniforms(state, bricks.bricks->getGrid(), view, false);
     setRays(state, rays, destination.getSize());
     static const UniformName ORIGIN("origin");
     ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
@@ -274,7 +274,7 @@ bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const Conte
                              const BrickRanges& ranges, const CellView& view, const CellView::Rays& rays,
                              const glm::ivec2& size) const
 {
-    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    const BrickGrid& grid = bricks.bricks->getGrid();
     bool isCleared = false;
     for (const bool hasStuds : {false, true})
     {
@@ -302,7 +302,7 @@ void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks
     if (bricks.blocks.empty())
         tiles.add(view.area);
     else
-        ranges.addTo(tiles, bricks.source->triangles->getGrid(), view);
+        ranges.addTo(tiles, bricks.bricks->getGrid(), view);
     tiles.findRuns();
     static const UniformName NUM_ACROSS("tilesAcross");
     static const UniformName SIDE("tileSide");

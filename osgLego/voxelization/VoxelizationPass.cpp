@@ -35,9 +35,9 @@ osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
 
 } // namespace
 
-VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
                                    osg::Texture2D& voxelImage, osg::Texture2D* picture) :
-    LegolizationPass(store, step),
+    LegolizationPass(workspace, step),
     _plan(plan), _slab(slab)
 {
     constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
@@ -49,13 +49,12 @@ VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const P
     setCamera(new PassCamera(*this, voxelImage, osg::Vec4()));
 }
 
-std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) const
+std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
 {
     if (!PassCamera::isTargetThere(state))
         return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
                std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
 
-    Legolization& work = *bricks.work;
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);
