@@ -1,6 +1,7 @@
 #include <osgLego/light/LightProbeState.h>
 
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/StateOverride.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::I
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setFilter(osg::Texture::MIN_FILTER, hasLevels ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    stateSet.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    stateSet.setTextureAttribute(unit, texture, OVERRIDE_PROTECTED);
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 

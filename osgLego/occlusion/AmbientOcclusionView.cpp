@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/PerVisit.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/occlusion/OcclusionNoise.h>
 
@@ -199,9 +200,8 @@ AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOc
     // The viewport of the camera is part of the state above, and has another origin.
     _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
     // These act on the composite, and what is in the buffer is no colour.
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    _childState->setAttribute(new osg::ColorMask, OURS);
-    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OURS);
+    _childState->setAttribute(new osg::ColorMask, OVERRIDE_PROTECTED);
+    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
     createGeometryBuffer();
     createPasses();
 }
