@@ -75,6 +75,19 @@ osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint in
     return createTexture(size, internalFormat, GL_RGBA, GL_FLOAT);
 }
 
+/** Have OSG allocate a texture by glTexImage2DMultisample.
+ *
+ * By itself OSG 3.6.5 calls glTextureStorage2DMultisample with the texture's target, where GL takes its name: GL
+ * reports an error, and the texture stays without memory. OSG does so only for textures without a border. Those of
+ * several samples never have one, and OSG hands the border's width to nothing else, so a width of 1 has no other
+ * effect. What else could be done costs more: GLExtensions::isTextureStorageEnabled would have to be switched off for
+ * all textures of a context that belongs to the application, and a class that overrides Texture2DMultisample::apply()
+ * would repeat all of it. */
+void avoidTextureStorage(osg::Texture2DMultisample& texture)
+{
+    texture.setBorderWidth(1);
+}
+
 /** A texture with the samples of a format, to be attached to a frame buffer object. */
 osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& format, GLint internalFormat, GLenum pixels)
 {
@@ -82,9 +95,7 @@ osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& form
     osg::ref_ptr<osg::Texture2DMultisample> texture = new osg::Texture2DMultisample(format.samples, GL_TRUE);
     texture->setTextureSize(format.size.x, format.size.y);
     setUpTexture(*texture, internalFormat, pixels, GL_FLOAT);
-    // Textures of several samples have no borders, so that it is without effect but one: OSG takes
-    // glTexImage2DMultisample instead of glTextureStorage2DMultisample, which it calls for a texture that is none.
-    texture->setBorderWidth(1);
+    avoidTextureStorage(*texture);
     return texture;
 }
 
