@@ -77,12 +77,12 @@ osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint in
 
 /** Have OSG allocate a texture by glTexImage2DMultisample.
  *
- * By itself OSG 3.6.5 calls glTextureStorage2DMultisample with the texture's target, where GL takes its name: GL
- * reports an error, and the texture stays without memory. OSG does so only for textures without a border. Those of
- * several samples never have one, and OSG hands the border's width to nothing else, so a width of 1 has no other
- * effect. What else could be done costs more: GLExtensions::isTextureStorageEnabled would have to be switched off for
- * all textures of a context that belongs to the application, and a class that overrides Texture2DMultisample::apply()
- * would repeat all of it. */
+ * By itself OSG 3.6.5 calls what it takes for glTexStorage2DMultisample and has looked up as
+ * glTextureStorage2DMultisample, which expects the name of a texture in place of a target: GL reports an error, and the
+ * texture stays without memory. OSG does so only for textures without a border. Those of several samples never have
+ * one, and OSG hands the border's width on to nothing, so a width of 1 has no other effect. What else could be done
+ * reaches further: GLExtensions would have to be changed, which all that is drawn in a context shares, or a class that
+ * overrides Texture2DMultisample::apply() would repeat all of it. */
 void avoidTextureStorage(osg::Texture2DMultisample& texture)
 {
     texture.setBorderWidth(1);
