@@ -1,6 +1,5 @@
 #include "CellClipping.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace osgLego::test
@@ -21,7 +20,10 @@ Polygon clipByCell(const Polygon& whole, const glm::ivec3& cell)
                 const double here = sign * (from[axis] - bound);
                 const double there = sign * (to[axis] - bound);
                 if (here >= 0.0) result.push_back(from);
-                if ((here >= 0.0) != (there >= 0.0)) result.push_back(glm::mix(from, to, here / (here - there)));
+                if ((here >= 0.0) == (there >= 0.0)) continue;
+                // Exact along axes on which the two are in the same place: that may be another plane of the cell.
+                result.push_back(from + here / (here - there) * (to - from));
+                result.back()[axis] = bound;
             }
             polygon = result;
         }

@@ -18,6 +18,7 @@ namespace osgLego
 namespace
 {
 
+using test::areaOf;
 using Corners = std::array<glm::vec3, 3>;
 
 constexpr int SIZE = 1024;
