@@ -4,6 +4,7 @@
 #include <osgLego/gl/PassCamera.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 
 #include <algorithm>
@@ -27,8 +28,6 @@ namespace
 // Beside those of the relief and of the light probe.
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
-
-constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
 /** A picture with a size of its own, to be drawn into and to be fetched from. */
 osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
@@ -87,10 +86,10 @@ bool applyState(osg::State& state, const osg::StateSet& stateSet)
 /** What draws points draws squares of the size that vertices say. */
 void setPointModes(osg::StateSet& stateSet)
 {
-    stateSet.setAttribute(new osg::PolygonMode, OURS);
+    stateSet.setAttribute(new osg::PolygonMode, OVERRIDE_PROTECTED);
     // A point sprite is as large as it says; another point is rounded.
     for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
-        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
 
 osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
@@ -98,7 +97,7 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
     const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(
         "splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
-    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     setPointModes(*stateSet);
     return stateSet;
 }

@@ -4,6 +4,7 @@
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/passes/Addressing.h>
 #include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/voxelization/ProjectionPass.h>
@@ -40,11 +41,10 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
     LegolizationPass(workspace, step),
     _plan(plan), _slab(slab)
 {
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram(plan));
     stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
-                                   osg::StateAttribute::ON | OURS);
-    if (picture) stateSet->setTextureAttribute(0, picture, OURS);
+                                   osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    if (picture) stateSet->setTextureAttribute(0, picture, OVERRIDE_PROTECTED);
     setStateSet(stateSet);
     setCamera(new PassCamera(*this, voxelImage, osg::Vec4()));
 }

@@ -2,6 +2,7 @@
 // each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
 // Lengths are in widths of a cell.
 
+#include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"
 
 uniform vec3 cellProportions; // of a cell's edges to its width
@@ -14,14 +15,10 @@ uniform float roughness;    // as perceived: the square root of the microfacets'
 uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
 uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
 
-const float EDGE = 0.045;       // the width of a rounded edge; 0.36 mm of 8 mm
-const float EDGE_SLOPE = 0.9;   // where it ends
-const float GAP = 0.014;        // half the gap between two bricks, 0.1 mm, and what light does not reach into
+const float EDGE_SLOPE = 0.9;   // where a rounded edge ends
 const float GAP_DARKNESS = 0.75;
 const float TILT = 0.006;       // of faces that are never perfectly flat
 const float SHADE = 0.03;
-const float DISK_RADIUS = 0.3;
-const float STUD_HEIGHT = 0.2125;
 
 struct Surface
 {
@@ -104,8 +101,8 @@ Bend bendWall(float height, float width)
 Bend bendDisk(vec2 place, float width, vec4 slopes)
 {
     float radius = length(place);
-    vec3 rim = edgeAt(DISK_RADIUS - radius, width, false);
-    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / DISK_RADIUS, slopes.xz, slopes.yw);
+    vec3 rim = edgeAt(STUD_RADIUS - radius, width, false);
+    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / STUD_RADIUS, slopes.xz, slopes.yw);
     vec2 slope = -reliefHeight * relief.xy;
     float square = reliefHeight * reliefHeight * relief.z;
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
@@ -151,8 +148,8 @@ Surface surfaceHere()
     }
     else
     {
-        float width = 2.0 * DISK_RADIUS * max(length(slopes.xy), length(slopes.zw));
-        bend = bendDisk(DISK_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
+        float width = 2.0 * STUD_RADIUS * max(length(slopes.xy), length(slopes.zw));
+        bend = bendDisk(STUD_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
     }
     if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
     if (part != STUD_WALL) bend.slope += TILT * own.xy;
