@@ -38,6 +38,7 @@ const osg::Geode* findGeode(const osg::Node* node)
 {
     while (const osg::Group* group = node->asGroup())
     {
+        if (dynamic_cast<const LegoNode*>(group)) return nullptr; // not replaced
         if (const osg::Geode* geode = group->asGeode()) return geode;
         if (group->getNumChildren() == 0) return nullptr;
         node = group->getChild(0);
