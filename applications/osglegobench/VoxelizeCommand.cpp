@@ -154,8 +154,8 @@ double takePeakBefore(const MeshSource& source, osg::Node& node, const Contender
     for (const auto& contender : contenders)
     {
         Entrant entrant(*contender, mesh, context);
-        entrant.run(false);
-        entrant.run(false);
+        entrant.run(true);
+        entrant.run(true);
         entrant.finish();
     }
     resetPeakMemory();
