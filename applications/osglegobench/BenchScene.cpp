@@ -7,7 +7,6 @@
 
 #include <osg/GLExtensions>
 #include <osg/Math>
-#include <osg/PolygonOffset>
 #include <osg/Timer>
 
 namespace osgLego
@@ -31,6 +30,7 @@ osg::ref_ptr<LegoNode> BenchScene::createLego() const
 {
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(readMesh(mesh));
+    lego->setWaiting(true);
     return lego;
 }
 
@@ -93,12 +93,6 @@ void checkBricks(const LegoNode& lego, const FrameViewer& viewer)
     if (lego.isLegolized(viewer.getContextID())) return;
     const std::string failure = lego.getFailure(viewer.getContextID());
     throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
-}
-
-void drawByTriangles(osg::Node& node)
-{
-    // Splats don't support polygon offsets, so that bricks with one are drawn by triangles; this one moves nothing.
-    node.getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
 }
 
 } // namespace osgLego

@@ -22,7 +22,7 @@ struct BenchScene
     /** A mesh at a resolution, with default settings otherwise. */
     BenchScene(const MeshSource& source, unsigned int resolution);
 
-    /** The bricks of the mesh. Throws std::runtime_error when it can't be read. */
+    /** The bricks of the mesh, which frames wait for. Throws std::runtime_error when it can't be read. */
     osg::ref_ptr<LegoNode> createLego() const;
     /** Let a camera look at bricks of some bounds. */
     void placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const;
@@ -63,8 +63,5 @@ private:
 
 /** Throws std::runtime_error, with the reason, unless a node has its bricks in a viewer's context. */
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer);
-
-/** Make bricks be drawn by triangles where splats would be drawn. */
-void drawByTriangles(osg::Node& node);
 
 } // namespace osgLego

@@ -27,7 +27,7 @@ struct DrawOptions : BenchOptions
 {
     std::string look = "full"; // "none": a box of OSG's own instead of bricks
     std::string device = "auto";
-    bool byTriangles = false;
+    std::string drawing = "auto";
     bool hasOcclusion = false;
     unsigned int numFrames = 20;
 
@@ -36,8 +36,9 @@ struct DrawOptions : BenchOptions
     {
         BenchScene scene(getMesh(), getResolutions({16}, {64}).front());
         std::string error;
-        if (!LegoSettings::parse(fmt::format("device={},look={}", device, look == "none" ? "full" : look),
-                                 scene.settings, error))
+        if (!LegoSettings::parse(
+                fmt::format("device={},drawing={},look={}", device, drawing, look == "none" ? "full" : look),
+                scene.settings, error))
             throw std::runtime_error(error);
         return scene;
     }
@@ -65,6 +66,13 @@ ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFra
             {"milliseconds", createSpread(times)}};
 }
 
+/** The drawing that Drawing::AUTO stands for here, or the one asked for. */
+std::string findDrawing(const DrawOptions& options)
+{
+    if (options.drawing != "auto") return options.drawing;
+    return isSoftwareRenderer() ? "splats" : "triangles";
+}
+
 osg::ref_ptr<osg::Node> createBox()
 {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -82,14 +90,13 @@ ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
     const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();
     const osg::ref_ptr<osg::Group> root = options.hasOcclusion ? new AmbientOcclusionScene : new osg::Group;
     root->addChild(drawn);
-    if (options.byTriangles) drawByTriangles(*drawn);
     viewer.show(*root, scene);
     viewer.timeFrame("first");
     ordered_json row{{"mesh", scene.mesh.name},
                      {"resolution", scene.settings.resolution},
                      {"device", options.device},
                      {"look", options.look},
-                     {"drawnBy", options.byTriangles || !lego || !isSoftwareRenderer() ? "triangles" : "splats"},
+                     {"drawnBy", lego ? findDrawing(options) : "triangles"},
                      {"occlusion", options.hasOcclusion},
                      {"frames", options.numFrames},
                      {"mebibytes",
@@ -134,7 +141,8 @@ void addDrawCommand(CLI::App& app)
         ->check(CLI::IsMember({"plain", "full", "none"}));
     command->add_option("--device", options->device, "Device that finds the bricks: auto, gpu, cpu (auto)")
         ->check(CLI::IsMember({"auto", "gpu", "cpu"}));
-    command->add_flag("--triangles", options->byTriangles, "Draw by triangles where bricks would be splats");
+    command->add_option("--drawing", options->drawing, "auto, triangles, splats (auto)")
+        ->check(CLI::IsMember({"auto", "triangles", "splats"}));
     command->add_flag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
     command->add_option("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)")
         ->check(CLI::Range(0u, 10000u));

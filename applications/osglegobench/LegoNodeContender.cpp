@@ -34,6 +34,7 @@ std::string LegoNodeContender::prepare(const BenchMesh& mesh, osg::GraphicsConte
         _timeStamps = {GlQuery(state), GlQuery(state)};
     _lego = new LegoNode(settings);
     _lego->setTiming(true);
+    _lego->setWaiting(true);
     _lego->setCullingActive(false);
     _lego->addChild(mesh.node);
     createView();
