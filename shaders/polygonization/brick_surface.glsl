@@ -30,6 +30,7 @@ struct Surface
     vec3 normal;    // of the face or stud
     vec3 shading;   // with what is bent
     float openness; // 1, and less in the gap of a joint
+    float agreement; // of normals within the pixel; 1: they are one
     float roughness;
 };
 
@@ -168,8 +169,7 @@ void mergeFaces(inout Surface surface, vec3 toEye, float wide)
     vec3 direction = mean / agreement;
     surface.normal = normalize(mix(surface.normal, direction, share));
     surface.shading = mix(surface.shading, direction, share);
-    // Faces that turn away from each other hide the light from each other.
-    surface.openness *= mix(1.0, agreement, share);
+    surface.agreement = mix(1.0, agreement, share);
     surface.roughness += share * (1.0 / (agreement * agreement) - 1.0);
 }
 
@@ -214,6 +214,7 @@ Surface surfaceHere(vec3 toEye)
     surface.openness = bend.openness;
     // The fourth power is the square of the slopes of the microfacets, to which those of the surface are added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;
+    surface.agreement = 1.0;
     mergeFaces(surface, toEye, wide);
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);

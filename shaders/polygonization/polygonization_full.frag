@@ -34,7 +34,7 @@ vec3 directLight(Surface surface, vec3 albedo)
         Light light = lightAt(place);
         vec3 toLight = towardsLight(light, eyePosition);
         vec3 direction = normalize(toLight);
-        float cosine = max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
+        float cosine = surface.agreement * max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
         float attenuation = attenuationOf(light, toLight) * cosine;
         float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
         diffuse += attenuation * DIRECT_SHARE * light.diffuse;
