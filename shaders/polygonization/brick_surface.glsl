@@ -21,6 +21,8 @@ const float GAP_DARKNESS = 0.5; // of the light, what does not reach into the ga
 const float EDGE_DARKNESS = 0.5; // and into the groove that two rounded edges make, at its bottom
 const float TILT = 0.006;       // of faces that are never perfectly flat
 const float SHADE = 0.04;
+const float TOWARDS_EYE = 0.35; // of what is smaller than a pixel; see mergeFaces()
+const float MERGED_OPENNESS = 0.85; // faces and studs that turn away from each other hide light from each other
 const float DISK_RADIUS = 0.3;
 const float STUD_HEIGHT = 0.2125;
 
@@ -157,19 +159,19 @@ vec3 meanNormal(vec3 toEye)
 }
 
 // Faces and studs smaller than a pixel are shaded by the mean of their brick: by their own normals, which of them the middle
-// of a pixel happens to meet would be seen as a pattern that crawls.
+// of a pixel happens to meet would be seen as a pattern that crawls. How the bricks beside it are turned is not known; but
+// what is seen of them is turned towards the eye.
 void mergeFaces(inout Surface surface, vec3 toEye, float wide)
 {
     float share = clamp(2.0 * wide - 0.5, 0.0, 1.0);
     if (share == 0.0 || !isOutside) return;
-    vec3 mean = meanNormal(toEye);
+    vec3 mean = (meanNormal(toEye) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
     float agreement = min(length(mean), 1.0);
-    // Of some studs seen from below nothing else is seen.
-    if (agreement < 0.1) return;
-    vec3 direction = mean / agreement;
+    vec3 direction = normalize(mean);
     surface.normal = normalize(mix(surface.normal, direction, share));
     surface.shading = mix(surface.shading, direction, share);
     surface.agreement = mix(1.0, agreement, share);
+    surface.openness *= mix(1.0, MERGED_OPENNESS, share);
     surface.roughness += share * (1.0 / (agreement * agreement) - 1.0);
 }
 
