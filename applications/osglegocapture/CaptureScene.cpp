@@ -221,7 +221,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
     // The full look has light from all around besides.
     const bool isFull = _lego && _lego->getSettings().look == Look::FULL;
-    const float diffuse = isFull ? 0.45f : 0.7f;
+    const float diffuse = isFull ? 1.0f : 0.7f;
     light->getLight()->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0f));
     light->getLight()->setSpecular(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
     camera->addChild(light);

@@ -9,17 +9,19 @@ namespace osgLego
 namespace
 {
 
-const osg::Vec3d ZENITH(0.43, 0.50, 0.60);
-const osg::Vec3d HORIZON(0.60, 0.62, 0.65);
-const osg::Vec3d GROUND(0.230, 0.220, 0.205);
-const osg::Vec3d GLOW(2.30, 2.12, 1.88);
-// Half the glow's light is within 18 degrees of its middle, as in a large softbox.
-constexpr double GLOW_SHARPNESS = 14.0;
+// Together with the light of a headlight, a white surface is shown at 0.87 in front, 0.93 or more on top, 0.75 or less at
+// the sides, so that a brick's faces are told apart even where no other light shines.
+const osg::Vec3d ZENITH(0.52, 0.60, 0.72);
+const osg::Vec3d HORIZON(0.087, 0.090, 0.095);
+const osg::Vec3d GROUND(0.094, 0.090, 0.085);
+const osg::Vec3d GLOW(5.75, 5.30, 4.70);
+// Half the glow's light is within 19 degrees of its middle, as in a large softbox.
+constexpr double GLOW_SHARPNESS = 13.0;
 constexpr double HORIZON_SOFTNESS = 0.06; // as a height on the unit sphere
 
 osg::Vec3d glowDirection()
 {
-    osg::Vec3d direction(0.45, -0.45, 0.77);
+    osg::Vec3d direction(0.18, -0.46, 0.90);
     direction.normalize();
     return direction;
 }

@@ -282,6 +282,7 @@ void AmbientOcclusionView::createPasses()
                                                                                        osg::StateAttribute::OVERRIDE |
                                                                                        osg::StateAttribute::PROTECTED);
     state.setRenderBinDetails(COMPOSITE_BIN, "RenderBin");
+    state.addUniform(_radius);
     _shown = state.getOrCreateUniform("shown", osg::Uniform::INT);
     state.merge(*_programs->light);
     _composite->setSource(*_stage);

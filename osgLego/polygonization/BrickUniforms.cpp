@@ -48,14 +48,12 @@ void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const Cell
     static const UniformName PROPORTIONS("cellProportions");
     static const UniformName EYE("eye");
     static const UniformName SHOWS_INSIDES("showsInsides");
-    static const UniformName IS_MIRRORED("isMirrored");
     const ProgramUniforms uniforms(state);
     uniforms.set(UP_AXIS, grid.getUpIndex());
     uniforms.set(STUD_HEIGHT, static_cast<float>(grid.getStudHeight()));
     uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
     uniforms.set(EYE, view.eye);
     uniforms.set(SHOWS_INSIDES, showsInsides ? 1 : 0);
-    uniforms.set(IS_MIRRORED, view.isMirrored ? 1 : 0);
     setFog(uniforms, state);
     setLights(uniforms, state);
 }

@@ -12,6 +12,9 @@ uniform float radius;         // in the eye's units, how far away things occlude
 uniform float falloff;        // the part of the radius over which they come to do so
 
 const float PI = 3.14159265;
+// Pixels that the radius is wide at the least: where bricks are smaller than pixels, the shape of many of them together is
+// what occludes.
+const float LEAST_RADIUS = 8.0;
 
 float depthAt(ivec2 pixel)
 {
@@ -59,11 +62,11 @@ Side openSide(float n, float side)
 }
 
 // Let a pixel raise the horizon. What it adds to what nearer ones hide counts as much as it is near.
-void raise(inout Side side, float sign, vec3 position, vec3 here, vec3 toEye, float n)
+void raise(inout Side side, float sign, vec3 position, vec3 here, vec3 toEye, float n, float radiusHere)
 {
     vec3 step = position - here;
     float range = length(step);
-    float weight = clamp((radius - range) / (radius * falloff), 0.0, 1.0);
+    float weight = clamp((radiusHere - range) / (radiusHere * falloff), 0.0, 1.0);
     float angle = sign * acos(clamp(dot(step, toEye) / max(range, 1e-9), -1.0, 1.0));
     if (sign * (side.horizon - angle) <= 0.0 || weight == 0.0) return;
     side.light -= weight * (lightTo(side.horizon, n) - lightTo(angle, n));
@@ -80,7 +83,8 @@ void main()
     vec3 here = eyePositionOf(vec2(pixel) + 0.5, depth);
     vec3 toEye = towardsEyeFrom(here);
     vec3 normal = isBrick(normals) ? surfaceNormalOf(normals) : normalFromDepth(pixel, here);
-    vec2 reach = radius / (spreadAt(depth) * pixelSize) * vec2(sceneProjection[0][0], sceneProjection[1][1]);
+    float radiusHere = max(radius, LEAST_RADIUS * pixelWidthAt(depth));
+    vec2 reach = radiusHere / (spreadAt(depth) * pixelSize) * vec2(sceneProjection[0][0], sceneProjection[1][1]);
     vec2 random = texelFetch(noise, pixel & 63, 0).rg;
 
     float visibility = 0.0;
@@ -102,8 +106,8 @@ void main()
             float along = (float(index) + fract(random.y + 0.618034 * float(slice))) / float(STEPS);
             vec2 distances = max(along * sqrt(along) * abs(reach), vec2(1.0));
             ivec2 offset = ivec2(round(direction.xy * distances * sign(reach)));
-            raise(ahead, 1.0, positionAt(pixel + offset), here, toEye, n);
-            raise(behind, -1.0, positionAt(pixel - offset), here, toEye, n);
+            raise(ahead, 1.0, positionAt(pixel + offset), here, toEye, n, radiusHere);
+            raise(behind, -1.0, positionAt(pixel - offset), here, toEye, n, radiusHere);
         }
         vec3 light = size * (ahead.light + behind.light);
         visibility += light.x;

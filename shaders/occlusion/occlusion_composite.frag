@@ -14,6 +14,7 @@ uniform sampler2D normalBuffer;
 uniform sampler2D depthImage;
 uniform sampler2D occlusion;
 uniform ivec2 origin; // of the viewport
+uniform float radius; // in the eye's units
 uniform int shown;    // 0: all of it, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
 
 // How much of a mirrored direction is open, from how much of the whole is (Lagarde and de Rousiers 2014).
@@ -22,9 +23,9 @@ float reflectionVisibility(float cosine, float visibility, float roughness)
     return clamp(pow(cosine + visibility, exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
 }
 
-vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 surface, vec3 shading, float visibility, vec3 toEye)
+vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float visibility, vec3 toEye)
 {
-    vec3 diffuse = irradianceAt(normalize(bent + shading - surface)) * visibility * toLight(albedo.rgb);
+    vec3 diffuse = irradianceAt(normalize(bent + bend)) * visibility * toLight(albedo.rgb);
     vec3 mirrored = reflectionAt(shading, toEye, light.a) *
                     reflectionVisibility(max(dot(shading, toEye), 0.0), visibility, light.a);
     return mix(gl_Fog.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
@@ -49,8 +50,11 @@ void main()
     if (isBrick(normals))
     {
         surface = surfaceNormalOf(normals);
-        color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, surface, shadingNormalOf(normals), visibility,
-                       toEye);
+        vec3 shading = shadingNormalOf(normals);
+        // The normals of bricks as small as pixels are noise; bent ones are means.
+        float distinct = distinctnessOf(radius, depth.r);
+        color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
+                       normalize(mix(bent, shading, distinct)), visibility, toEye);
     }
     if (shown == 1) color = vec3(visibility);
     if (shown == 2) color = 0.5 + 0.5 * bent;

@@ -31,13 +31,12 @@ void main()
                        depth - texelFetch(depthImage, max(pixel - ivec2(0, 1), ivec2(0)), 0).r);
     vec2 slope = vec2(abs(beside.x) < abs(beside.y) ? beside.x : beside.y,
                       abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
-    float width = abs(spreadAt(depth) * pixelSize.x / sceneProjection[0][0]);
+    float width = pixelWidthAt(depth);
 
     // As wide as the noise is coarse: where the radius is many pixels wide, steps lie far from each other.
     float reach = radius / (width * REACH);
-    // Where bricks are as small as pixels, one surface is a pixel large, and neighbours have it no better.
-    float distinct = smoothstep(4.0, 12.0, radius / width);
-    float spread = 1.0 / clamp(reach * reach, 2.0, 10.0);
+    float distinct = distinctnessOf(radius, depth);
+    float spread = mix(0.1, 1.0 / clamp(reach * reach, 2.0, 10.0), distinct);
 
     vec4 sum = here;
     float weights = 1.0;

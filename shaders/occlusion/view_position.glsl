@@ -26,6 +26,19 @@ float spreadAt(float eyeDepth)
     return sceneProjection[2][3] * eyeDepth + sceneProjection[3][3];
 }
 
+// How many of the eye's units a pixel is wide.
+float pixelWidthAt(float eyeDepth)
+{
+    return abs(spreadAt(eyeDepth) * pixelSize.x / sceneProjection[0][0]);
+}
+
+// Whether surfaces are told apart within the radius of occlusion: where bricks are as small as pixels, each is a surface of its
+// own, and only what neighbours have in common tells anything.
+float distinctnessOf(float radius, float eyeDepth)
+{
+    return smoothstep(4.0, 12.0, radius / pixelWidthAt(eyeDepth));
+}
+
 vec3 eyePositionOf(vec2 pixel, float eyeDepth)
 {
     vec2 place = pixel * pixelSize - 1.0;

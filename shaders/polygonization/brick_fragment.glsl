@@ -94,8 +94,7 @@ bool findFragment()
     uvec2 splat = texelFetch(splats, ivec2(pixel), 0).xy;
     vec3 cell = fromStud(cellOf(splat));
     uvec3 number = uvec3(cell);
-    uvec3 brick = uvec3(number.x | number.y << 16, number.z, splat.y >> 8);
-    uint open = splat.y >> 2 & 63u;
+    uvec3 brick = uvec3(number.x | number.y << 16, number.z | (splat.y >> 2 & 63u) << 16, splat.y >> 8);
     color = splat.y >> 8;
 
     Plane plane;
@@ -109,7 +108,7 @@ bool findFragment()
         plane = isDisk ? planeOfDisk() : planeOfWall(facet);
         vec3 place = toStud(meet(plane, pixel, cell));
         normal = isDisk ? unitOf(upAxis) : fromStud(vec3(place.xy - 0.5, 0.0));
-        detail = detailOf(brick, isDisk ? STUD_DISK : STUD_WALL, upAxis, true, 0u);
+        detail = detailOf(brick, isDisk ? STUD_DISK : STUD_WALL, upAxis, true);
     }
     else
     {
@@ -117,7 +116,7 @@ bool findFragment()
         bool upper = eye[axis] > (cell[axis] + 0.5) * eye.w;
         plane = planeOfFace(axis, upper);
         normal = upper ? unitOf(axis) : -unitOf(axis);
-        detail = detailOf(brick, FACE, axis, upper, filledBeside(open, axesOf(axis, upper)));
+        detail = detailOf(brick, FACE, axis, upper);
     }
     vec3 place = meet(plane, pixel, cell);
     coordinate = coordinateOn(plane, place);
@@ -141,10 +140,10 @@ in vec2 coordinate;
 flat in uint color;
 flat in uint detail;
 
-uniform bool isMirrored; // what winds counter-clockwise is seen from inside
-
 #define normalMatrix gl_NormalMatrix
-#define isOutside (gl_FrontFacing != isMirrored)
+// Not by gl_FrontFacing: llvmpipe draws polygons as lines all over the window where a fragment shader behind a geometry
+// shader reads it.
+#define isOutside ((detail & INSIDE) == 0u)
 #define coordinateSlopes vec4(dFdx(coordinate.x), dFdy(coordinate.x), dFdx(coordinate.y), dFdy(coordinate.y))
 
 bool findFragment()

@@ -16,9 +16,12 @@ uniform float reliefHeight; // of the relief's highest point, in radii of the st
 uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
 
 const float EDGE_SLOPE = 0.9;   // where a rounded edge ends
-const float GAP_DARKNESS = 0.75;
+const float GAP_DARKNESS = 0.5; // of the light, what does not reach into the gap,
+const float EDGE_DARKNESS = 0.5; // and into the groove that two rounded edges make, at its bottom
 const float TILT = 0.006;       // of faces that are never perfectly flat
-const float SHADE = 0.03;
+const float SHADE = 0.04;
+const float TOWARDS_EYE = 0.35; // of what is smaller than a pixel; see mergeFaces()
+const float MERGED_OPENNESS = 0.85; // faces and studs that turn away from each other hide light from each other
 
 struct Surface
 {
@@ -26,6 +29,7 @@ struct Surface
     vec3 normal;    // of the face or stud
     vec3 shading;   // with what is bent
     float openness; // 1, and less in the gap of a joint
+    float agreement; // of normals within the pixel; 1: they are one
     float roughness;
 };
 
@@ -50,7 +54,15 @@ float sumOfSquares(float place)
     return sign(place) * EDGE_SLOPE * EDGE_SLOPE * (t - t * t / EDGE + t * t * t / (3.0 * EDGE * EDGE));
 }
 
-// The mean slope of one edge, its variance, and how much of the gap behind it is seen, over a pixel of some width. Behind
+// The light that does not reach the gap and the groove, summed up likewise.
+float sumOfDarkness(float place)
+{
+    float t = min(abs(place), EDGE);
+    float rest = 1.0 - t / EDGE;
+    return sign(place) * (GAP_DARKNESS * min(t, GAP) + EDGE_DARKNESS * EDGE / 3.0 * (1.0 - rest * rest * rest));
+}
+
+// The mean slope of one edge, its variance, and the light that does not reach it, over a pixel of some width. Behind
 // an edge that is a brick's last there is nothing of this side; at a silhouette the pixel's middle may lie there.
 vec3 edgeAt(float place, float width, bool isFilled)
 {
@@ -64,8 +76,8 @@ vec3 edgeAt(float place, float width, bool isFilled)
     }
     float slope = (sumOfSlopes(last) - sumOfSlopes(first)) / width;
     float square = (sumOfSquares(last) - sumOfSquares(first)) / width;
-    float gap = isFilled ? (clamp(last, -GAP, GAP) - clamp(first, -GAP, GAP)) / width : 0.0;
-    return vec3(slope, max(square - slope * slope, 0.0), gap);
+    float darkness = isFilled ? (sumOfDarkness(last) - sumOfDarkness(first)) / width : 0.0;
+    return vec3(slope, max(square - slope * slope, 0.0), darkness);
 }
 
 // How much of a coordinate there is in the pixel, by what it changes by from pixel to pixel.
@@ -85,9 +97,9 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
     vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
     vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
     vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
-    vec2 gap = mix(GAP * joints / size, vec2(left.z + right.z, lower.z + upper.z), near);
+    vec2 darkness = mix(sumOfDarkness(EDGE) * joints / size, vec2(left.z + right.z, lower.z + upper.z), near);
     return Bend(vec2(right.x - left.x, upper.x - lower.x) * near, variance.x + variance.y,
-                1.0 - GAP_DARKNESS * min(gap.x + gap.y, 1.0));
+                1.0 - min(darkness.x + darkness.y, 1.0));
 }
 
 // Of the stud's wall: up, towards the rim.
@@ -95,7 +107,7 @@ Bend bendWall(float height, float width)
 {
     vec3 rim = edgeAt(STUD_HEIGHT - height, width, false);
     vec3 foot = edgeAt(height, width, true);
-    return Bend(vec2(0.0, rim.x), rim.y, 1.0 - GAP_DARKNESS * foot.z);
+    return Bend(vec2(0.0, rim.x), rim.y, 1.0 - foot.z);
 }
 
 Bend bendDisk(vec2 place, float width, vec4 slopes)
@@ -121,7 +133,46 @@ vec3 axisOf(int axis)
     return normalize(normalMatrix[axis]);
 }
 
-Surface surfaceHere()
+// What of a brick is turned towards the eye, as far as it is open: its mean normal by the areas of the picture, in the eye's
+// coordinates. Its length is 1 where there is but one face, and less where there are several.
+vec3 meanNormal(vec3 toEye)
+{
+    vec3 sum = vec3(0.0);
+    float area = 1e-5;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        vec3 direction = axisOf(axis);
+        float cosine = dot(direction, toEye);
+        if ((detail >> (5 + 2 * axis + (cosine > 0.0 ? 1 : 0)) & 1u) == 0u) continue;
+        float seen = abs(cosine) * cellProportions[(axis + 1) % 3] * cellProportions[(axis + 2) % 3];
+        area += seen;
+        sum += sign(cosine) * seen * direction;
+        if (axis != upAxis || cosine <= 0.0) continue;
+        // The wall of the stud hides as much of what lies behind it, and is round.
+        float wall = min(2.0 * DISK_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
+        sum += wall * (0.785 * normalize(toEye - cosine * direction + vec3(1e-5)) - direction);
+    }
+    return sum / area;
+}
+
+// Faces and studs smaller than a pixel are shaded by the mean of their brick: by their own normals, which of them the middle
+// of a pixel happens to meet would be seen as a pattern that crawls. How the bricks beside it are turned is not known; but
+// what is seen of them is turned towards the eye.
+void mergeFaces(inout Surface surface, vec3 toEye, float wide)
+{
+    float share = clamp(2.0 * wide - 0.5, 0.0, 1.0);
+    if (share == 0.0 || !isOutside) return;
+    vec3 mean = (meanNormal(toEye) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
+    float agreement = min(length(mean), 1.0);
+    vec3 direction = normalize(mean);
+    surface.normal = normalize(mix(surface.normal, direction, share));
+    surface.shading = mix(surface.shading, direction, share);
+    surface.agreement = mix(1.0, agreement, share);
+    surface.openness *= mix(1.0, MERGED_OPENNESS, share);
+    surface.roughness += share * (1.0 / (agreement * agreement) - 1.0);
+}
+
+Surface surfaceHere(vec3 toEye)
 {
     uint part = detail & 3u;
     int axis = int(detail >> 2 & 3u);
@@ -135,12 +186,13 @@ Surface surfaceHere()
     vec2 place = coordinate * size;
     vec4 slopes = coordinateSlopes;
     vec2 width = vec2(widthOf(size.x * slopes.xy), widthOf(size.y * slopes.zw));
-    float wide = max(width.x, width.y);
-    vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * wide, 0.0, 1.0);
+    vec2 extent = part == FACE ? size : part == STUD_DISK ? vec2(2.0 * DISK_RADIUS) : vec2(6.283 * DISK_RADIUS, STUD_HEIGHT);
+    float wide = min(length(extent * slopes.xz), length(extent * slopes.yw));
+    vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * max(width.x, width.y), 0.0, 1.0);
 
     Bend bend;
     if (part == FACE)
-        bend = bendFace(place, size, width, detail >> 5 & 15u);
+        bend = bendFace(place, size, width, filledBeside(detail >> 5 & 63u, axes));
     else if (part == STUD_WALL)
     {
         bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));
@@ -157,9 +209,13 @@ Surface surfaceHere()
     Surface surface;
     surface.color = clamp(unpackUnorm4x8(color).rgb * (1.0 + SHADE * own.z), 0.0, 1.0);
     surface.normal = normal;
-    surface.shading = normalize(normal + bend.slope.x * u + bend.slope.y * v);
+    surface.shading = normal + bend.slope.x * u + bend.slope.y * v;
     surface.openness = bend.openness;
     // The fourth power is the square of the slopes of the microfacets, to which those of the surface are added.
-    surface.roughness = min(sqrt(sqrt(pow(roughness, 4.0) + bend.variance)), 1.0);
+    surface.roughness = pow(roughness, 4.0) + bend.variance;
+    surface.agreement = 1.0;
+    mergeFaces(surface, toEye, wide);
+    surface.shading = normalize(surface.shading);
+    surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);
     return surface;
 }

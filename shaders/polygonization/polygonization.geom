@@ -64,7 +64,12 @@ bool isTurnedToEye(float place, int axis, bool upper)
     return upper ? eye[axis] > place * eye.w : eye[axis] < place * eye.w;
 }
 
-void emitSide(vec3 cell, int axis, bool upper, uint open)
+uint insideUnless(bool isTurned)
+{
+    return isTurned ? 0u : INSIDE;
+}
+
+void emitSide(vec3 cell, int axis, bool upper)
 {
     vec3 normal = vec3(0.0);
     normal[axis] = upper ? 1.0 : -1.0;
@@ -75,7 +80,7 @@ void emitSide(vec3 cell, int axis, bool upper, uint open)
     ivec2 axes = axesOf(axis, upper);
     u[axes.x] = 1.0;
     v[axes.y] = 1.0;
-    uint details = detailOf(brick[0], FACE, axis, upper, filledBeside(open, axes));
+    uint details = detailOf(brick[0], FACE, axis, upper) | insideUnless(isTurnedToEye(corner[axis], axis, upper));
     Place first = placeOf(vec4(corner, 1.0));
     Place alongU = placeOf(u);
     Place second = moved(first, 1.0, placeOf(v));
@@ -119,29 +124,36 @@ void emitStud(vec3 center, vec3 up)
     vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
     vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
     vec3 normalUp = gl_NormalMatrix * up;
-    uint wall = detailOf(brick[0], STUD_WALL, upAxis, true, 0u);
-    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true, 0u);
+    uint wall = detailOf(brick[0], STUD_WALL, upAxis, true);
+    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true);
 
-    // A side of the wall is seen when the middle of it faces the eye; two sides share the vertices between them.
+    // A side of the wall is seen when the middle of it faces the eye; two sides share the vertices between them, whose
+    // details are those of the side that they end.
     bool wasSeen = false;
+    bool wasTurned = true;
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
         vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
         // The seam's two edges are the same edge, to the last digit.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
-        bool isSeen = side < STUD_SIDES && (showsInsides || isWallSeen(center, 0.5 * (direction + next)));
+        bool isTurned = isWallSeen(center, 0.5 * (direction + next));
+        bool isSeen = side < STUD_SIDES && (showsInsides || isTurned);
         if (isSeen || wasSeen)
         {
             vec3 normal = direction.x * normalU + direction.y * normalV;
             float around = float(side) / float(STUD_SIDES);
-            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), wall);
-            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
+            uint details = wall | insideUnless(wasTurned);
+            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), details);
+            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), details);
         }
         if (wasSeen && !isSeen) EndPrimitive();
         wasSeen = isSeen;
+        wasTurned = isTurned;
     }
 
-    if (!showsInsides && !isTurnedToEye(center[upAxis] + studHeight, upAxis, true)) return;
+    bool isDiskTurned = isTurnedToEye(center[upAxis] + studHeight, upAxis, true);
+    if (!showsInsides && !isDiskTurned) return;
+    disk |= insideUnless(isDiskTurned);
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
@@ -163,7 +175,7 @@ void main()
             int axis = side / 2;
             bool upper = side % 2 == 1;
             if ((open & (1u << side)) == 0u) continue;
-            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper, open);
+            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper);
         }
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)

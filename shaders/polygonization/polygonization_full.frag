@@ -15,8 +15,11 @@ uniform bool usesMaterial; // the specular of osg::Material in place of plastic
 
 const float PLASTIC_REFLECTANCE = 0.04;
 const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
+// The scene's lights shine beside the light from all around, which alone shows the shape of what a headlight shines upon.
+// As bright as they are made for scenes without it, they would leave nothing of that.
+const float DIRECT_SHARE = 1.0 / 6.0;
 // A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
-const float HIGHLIGHT = 0.07;
+const float HIGHLIGHT = 0.02;
 
 // Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
 vec3 directLight(Surface surface, vec3 albedo)
@@ -31,10 +34,10 @@ vec3 directLight(Surface surface, vec3 albedo)
         Light light = lightAt(place);
         vec3 toLight = towardsLight(light, eyePosition);
         vec3 direction = normalize(toLight);
-        float cosine = max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
+        float cosine = surface.agreement * max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
         float attenuation = attenuationOf(light, toLight) * cosine;
         float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
-        diffuse += attenuation * light.diffuse;
+        diffuse += attenuation * DIRECT_SHARE * light.diffuse;
         specular += attenuation * pow(max(highlight, 1e-4), shininess) * light.specular;
     }
     vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
@@ -47,7 +50,7 @@ vec3 directLight(Surface surface, vec3 albedo)
 void main()
 {
     if (!findFragment()) discard;
-    Surface surface = surfaceHere();
+    Surface surface = surfaceHere(towardsEye(eyePosition));
     vec3 albedo = toLight(surface.color);
     float transmittance = transmittanceAt(eyePosition.z);
     if (numLights < 0)
@@ -60,7 +63,7 @@ void main()
     }
     vec3 light = directLight(surface, albedo) * surface.openness;
     gl_FragData[0] = vec4(light, surface.roughness);
-    gl_FragData[1] = vec4(surface.color * pow(surface.openness, 1.0 / 2.2), transmittance);
+    gl_FragData[1] = vec4(surface.color * pow(surface.openness, 1.0 / GAMMA), transmittance);
     gl_FragData[2] = packNormals(surface.normal, surface.shading);
 }
 
@@ -69,7 +72,7 @@ void main()
 void main()
 {
     if (!findFragment()) discard;
-    Surface surface = surfaceHere();
+    Surface surface = surfaceHere(towardsEye(eyePosition));
     float transmittance = transmittanceAt(eyePosition.z);
     vec3 shown = unpackUnorm4x8(color).rgb;
     if (numLights >= 0)

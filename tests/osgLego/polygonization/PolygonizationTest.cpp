@@ -1,7 +1,9 @@
 #include <common/RacingCar.h>
 #include <osgLego/BrickGeometry.h>
 
-#include <GlTest.h>
+#include <LookTest.h>
+
+#include <algorithm>
 
 #include <osg/ClipNode>
 #include <osg/CullFace>
@@ -116,6 +118,42 @@ TEST_P(Polygonization, IsLitByTheLightsThatAreOn)
     };
     EXPECT_GT(brightness(*plain), brightness(*lit));
     EXPECT_GT(brightness(*lit), 1.3 * brightness(*dark));
+}
+
+TEST_P(Polygonization, AWireFrameStaysWithinTheBricks)
+{
+    const auto asLines = [](osg::StateSet& stateSet)
+    {
+        stateSet.setMode(GL_LIGHTING, osg::StateAttribute::ON);
+        stateSet.setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE));
+    };
+    for (const char* settings : {"20,look=plain", "20,look=full"})
+        for (const bool isInGroup : {false, true})
+        {
+            osg::ref_ptr<osg::Node> bricks = createLego(settings);
+            if (isInGroup) bricks = createGroup("medium", bricks);
+            const osg::ref_ptr<osg::Image> filled = draw(*bricks);
+            const osg::ref_ptr<osg::Image> lines = draw(*bricks, asLines);
+            const osg::Vec4 background = filled->getColor(0, 0);
+            const auto isDrawnNear = [&](int column, int row)
+            {
+                for (int y = std::max(row - 1, 0); y <= std::min(row + 1, HEIGHT - 1); ++y)
+                    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, WIDTH - 1); ++x)
+                        if (filled->getColor(static_cast<unsigned int>(x), static_cast<unsigned int>(y)) != background)
+                            return true;
+                return false;
+            };
+            int outside = 0;
+            for (int row = 0; row < HEIGHT; ++row)
+                for (int column = 0; column < WIDTH; ++column)
+                    if (lines->getColor(static_cast<unsigned int>(column), static_cast<unsigned int>(row)) !=
+                            background &&
+                        !isDrawnNear(column, row))
+                        ++outside;
+            EXPECT_EQ(outside, 0) << settings << isInGroup;
+            EXPECT_GT(countDifferent(*lines, *filled, 8), countDrawn(*filled) / 10) << "these are no lines";
+            EXPECT_GT(countDrawn(*lines), countDrawn(*filled) / 3) << settings << isInGroup;
+        }
 }
 
 TEST_P(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
