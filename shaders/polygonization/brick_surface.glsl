@@ -149,7 +149,7 @@ vec3 meanNormal(vec3 toEye)
         sum += sign(cosine) * seen * direction;
         if (axis != upAxis || cosine <= 0.0) continue;
         // The wall of the stud hides as much of what lies behind it, and is round.
-        float wall = min(2.0 * DISK_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
+        float wall = min(2.0 * STUD_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
         sum += wall * (0.785 * normalize(toEye - cosine * direction + vec3(1e-5)) - direction);
     }
     return sum / area;
@@ -186,7 +186,7 @@ Surface surfaceHere(vec3 toEye)
     vec2 place = coordinate * size;
     vec4 slopes = coordinateSlopes;
     vec2 width = vec2(widthOf(size.x * slopes.xy), widthOf(size.y * slopes.zw));
-    vec2 extent = part == FACE ? size : part == STUD_DISK ? vec2(2.0 * DISK_RADIUS) : vec2(6.283 * DISK_RADIUS, STUD_HEIGHT);
+    vec2 extent = part == FACE ? size : part == STUD_DISK ? vec2(2.0 * STUD_RADIUS) : vec2(6.283 * STUD_RADIUS, STUD_HEIGHT);
     float wide = min(length(extent * slopes.xz), length(extent * slopes.yw));
     vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * max(width.x, width.y), 0.0, 1.0);
 

@@ -123,7 +123,7 @@ TEST(BrickIntersection, AStudIsHitFromTheSide)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("16");
     // Studs of the topmost bricks reach above z = 1, faces do not.
-    const double z = 1.0 + 0.5 * BrickGrid::STUD_HEIGHT * lego->getBricks()->getGrid().getPitch();
+    const double z = 1.0 + 0.5 * BrickDimensions::STUD_HEIGHT * lego->getBricks()->getGrid().getPitch();
     const auto hit = pickFirst(*lego, {5, 0.06, z}, {-5, 0.06, z});
     ASSERT_TRUE(hit);
     EXPECT_TRUE(hit->isStud);
