@@ -14,7 +14,7 @@ std::string rangeError(const char* name, double value, double minimum, double ma
 {
     if (value >= minimum && value <= maximum) return {};
     std::ostringstream text;
-    text << "bad value '" << value << "' for " << name << "; allowed: " << minimum << " to " << maximum;
+    text << "bad value '" << value << "' for " << name << "; expected " << minimum << " to " << maximum;
     return text.str();
 }
 
@@ -30,7 +30,7 @@ std::string BrickAppearance::check() const
     const bool hasPixels = reliefImage->data() && !reliefImage->isCompressed() && reliefImage->s() > 0 &&
                            reliefImage->t() > 0 && reliefImage->r() == 1;
     if (!hasPixels || reliefImage->s() > MAXIMUM_RELIEF_SIZE || reliefImage->t() > MAXIMUM_RELIEF_SIZE)
-        return "the image of the relief can't be used; allowed: a flat one, not compressed, of 1 to 2048 pixels along "
+        return "the image of the relief can't be used; expected a flat one, not compressed, of 1 to 2048 pixels along "
                "each side";
     return {};
 }

@@ -93,23 +93,15 @@ std::string LegoSettings::check() const
     if (!(edge >= MINIMUM_EDGE_LIMIT && edge <= MAXIMUM_EDGE_LIMIT))
         return rangeError("edge", edge, "a number of cells", MINIMUM_EDGE_LIMIT, MAXIMUM_EDGE_LIMIT);
     if (method == VoxelizationMethod::EXACT && getTarget() != VoxelizationTarget::ADDRESSED)
-        return "bad value 'projected' for target; allowed with method=exact: addressed";
+        return "bad value 'projected' for target; expected addressed with method=exact";
     if (method == VoxelizationMethod::POINTS && device == Device::CPU)
-        return "bad value 'cpu' for device; allowed with method=points: auto, gpu";
+        return "bad value 'cpu' for device; expected auto or gpu with method=points";
     return {};
 }
 
 bool LegoSettings::isKey(const std::string& name)
 {
-    constexpr std::string_view SEPARATOR = ", ";
-    std::string_view keys = KEYS;
-    while (true)
-    {
-        const auto end = keys.find(SEPARATOR);
-        if (keys.substr(0, end) == name) return true;
-        if (end == std::string_view::npos) return false;
-        keys.remove_prefix(end + SEPARATOR.size());
-    }
+    return isSettingsKey(name, KEYS);
 }
 
 bool LegoSettings::givesSameBricks(const LegoSettings& other) const
@@ -122,6 +114,13 @@ bool LegoSettings::givesSameBricks(const LegoSettings& other) const
 
 bool LegoSettings::parse(const std::string& text, LegoSettings& settings, std::string& error)
 {
+    // Brackets belong to the name of a `.legolize` file, from which they are easily copied.
+    if (const auto bracket = text.find_first_of("()[]"); bracket != std::string::npos)
+    {
+        error = std::string("unexpected '") + text[bracket] + "' as character " + std::to_string(bracket + 1) +
+                " of '" + text + "'; expected settings without brackets, such as 64,up=y";
+        return false;
+    }
     return parseSettings(
         text, [](std::string_view item) { return isNumber(item) ? "resolution" : ""; }, "a resolution (1 to 1024)",
         KEYS, readSetting, settings, error);

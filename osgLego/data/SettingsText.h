@@ -33,16 +33,16 @@ std::string toText(Number number)
     return {buffer.data(), result.ptr};
 }
 
-/** What is wrong with a value, in one sentence. */
-std::string badValue(std::string_view key, std::string_view value, std::string_view allowed);
+/** The message about a value, in one sentence. @param expected the values that are, such as `y or z`. */
+std::string badValue(std::string_view key, std::string_view value, std::string_view expected);
 
 /** Read a number. @return what is wrong with it; empty when nothing is. */
 template <typename Number>
-std::string readNumber(std::string_view key, std::string_view text, std::string_view allowed, Number& number)
+std::string readNumber(std::string_view key, std::string_view text, std::string_view expected, Number& number)
 {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (code == std::errc() && end == text.data() + text.size()) return {};
-    return badValue(key, text, allowed);
+    return badValue(key, text, expected);
 }
 
 /** Read a name of a list. @return what is wrong with it; empty when nothing is. */
@@ -50,7 +50,7 @@ template <typename Value, std::size_t COUNT>
 std::string readName(std::string_view key, std::string_view text, const std::array<SettingName<Value>, COUNT>& names,
                      Value& value)
 {
-    std::string allowed;
+    std::string expected;
     for (const auto& name : names)
     {
         if (name.text == text)
@@ -58,12 +58,13 @@ std::string readName(std::string_view key, std::string_view text, const std::arr
             value = name.value;
             return {};
         }
-        allowed += (allowed.empty() ? "" : ", ") + std::string(name.text);
+        const std::string_view separator = expected.empty() ? "" : &name == &names.back() ? " or " : ", ";
+        expected.append(separator).append(name.text);
     }
-    return badValue(key, text, allowed);
+    return badValue(key, text, expected);
 }
 
-/** Go through a list of `key=value`, separated by commas, up to the first mistake.
+/** Go through a list of `key=value`, separated by commas, up to the first mistake; a missing comma is one.
  * @param bareKey answers the key that an item without one is for; empty when it is for none.
  * @param whatIsBare what such an item may be, for the message.
  * @param read takes a key and its value and answers what is wrong with them; empty when nothing is.
@@ -94,7 +95,10 @@ bool parseSettings(std::string_view text, const std::function<std::string_view(s
     return true;
 }
 
-/** What is wrong with a key that is none of the allowed. */
+/** Whether a name is one of `keys`, which are separated by a comma and a space. */
+bool isSettingsKey(std::string_view name, std::string_view keys);
+
+/** The message about a key that is not one of `keys`. */
 std::string unknownKey(std::string_view key, std::string_view keys);
 
 } // namespace osgLego

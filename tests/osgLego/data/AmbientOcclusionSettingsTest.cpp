@@ -62,19 +62,21 @@ TEST(AmbientOcclusionSettings, KeysThatAreNotNamedKeepTheirValues)
     EXPECT_EQ(settings.toString(), "high,radius=2,show=normals");
 }
 
-TEST(AmbientOcclusionSettings, AMistakeIsNamedWithWhatIsAllowed)
+TEST(AmbientOcclusionSettings, AMistakeIsNamedWithWhatIsExpected)
 {
-    EXPECT_EQ(errorOf("quality=best"), "bad value 'best' for quality; allowed: low, medium, high");
-    EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; allowed: low, medium, high");
+    EXPECT_EQ(errorOf("quality=best"), "bad value 'best' for quality; expected low, medium or high");
+    EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; expected low, medium or high");
     EXPECT_EQ(errorOf("show=depth"),
-              "bad value 'depth' for show; allowed: picture, occlusion, bent-normals, irradiance, normals");
+              "bad value 'depth' for show; expected picture, occlusion, bent-normals, irradiance or normals");
     EXPECT_EQ(errorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, show");
     EXPECT_EQ(errorOf("low,high"), "'quality' is given twice");
     EXPECT_NE(errorOf("").find("is neither a quality"), std::string::npos);
     EXPECT_NE(errorOf("low,").find("is neither a quality"), std::string::npos);
+    EXPECT_EQ(errorOf("high radius=2"), "a comma is missing before 'radius=2' in 'high radius=2'; expected "
+                                        "'high,radius=2'");
     for (const char* radius : {"0", "-1", "nan", "inf", "-inf", "two", "", "1x"})
         EXPECT_EQ(errorOf(std::string("radius=") + radius), std::string("bad value '") + radius +
-                                                                "' for radius; allowed: a number above 0, in units of "
+                                                                "' for radius; expected a number above 0, in units of "
                                                                 "the world");
 }
 

@@ -100,26 +100,44 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
     EXPECT_EQ(settings.toString(), "32,proportions=brick,up=y");
 }
 
-TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
+TEST(LegoSettings, AMistakeIsNamedWithWhatIsExpected)
 {
     EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, "
                                         "target, fbo, edge, device, look, drawing");
-    EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
-    EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
-    EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");
-    EXPECT_EQ(errorOf("resolution=-5"), "bad value '-5' for resolution; allowed: a whole number, 1 to 1024");
-    EXPECT_EQ(errorOf("proportions=tile"), "bad value 'tile' for proportions; allowed: cube, brick, plate");
-    EXPECT_EQ(errorOf("up=x"), "bad value 'x' for up; allowed: y, z");
-    EXPECT_EQ(errorOf("look=shiny"), "bad value 'shiny' for look; allowed: plain, full");
-    EXPECT_EQ(errorOf("fbo=8"), "bad value '8' for fbo; allowed: a whole number of pixels, 16 to 8192");
-    EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; allowed: a number of cells, 0.0625 to 4");
-    EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; allowed: a number of cells, 0.0625 to 4");
+    EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; expected a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; expected a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; expected a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("resolution=-5"), "bad value '-5' for resolution; expected a whole number, 1 to 1024");
+    EXPECT_EQ(errorOf("proportions=tile"), "bad value 'tile' for proportions; expected cube, brick or plate");
+    EXPECT_EQ(errorOf("up=x"), "bad value 'x' for up; expected y or z");
+    EXPECT_EQ(errorOf("look=shiny"), "bad value 'shiny' for look; expected plain or full");
+    EXPECT_EQ(errorOf("fbo=8"), "bad value '8' for fbo; expected a whole number of pixels, 16 to 8192");
+    EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; expected a number of cells, 0.0625 to 4");
+    EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; expected a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("64,32"), "'resolution' is given twice");
-    EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; allowed with method=exact: addressed");
-    EXPECT_EQ(errorOf("method=points,device=cpu"), "bad value 'cpu' for device; allowed with method=points: auto, gpu");
+    EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; expected addressed with method=exact");
+    EXPECT_EQ(errorOf("method=points,device=cpu"),
+              "bad value 'cpu' for device; expected auto or gpu with method=points");
     EXPECT_NE(errorOf("").find("is neither a resolution"), std::string::npos);
     EXPECT_NE(errorOf("64,").find("is neither a resolution"), std::string::npos);
     EXPECT_NE(errorOf("bunny").find("'bunny' is neither a resolution"), std::string::npos);
+}
+
+TEST(LegoSettings, AMissingCommaIsNamedWithThePiecesAroundIt)
+{
+    EXPECT_EQ(errorOf("64up=y"), "a comma is missing before 'up=y' in '64up=y'; expected '64,up=y'");
+    EXPECT_EQ(errorOf("64 up=y"), "a comma is missing before 'up=y' in '64 up=y'; expected '64,up=y'");
+    EXPECT_EQ(errorOf("8,up=ymethod=points"),
+              "a comma is missing before 'method=points' in 'up=ymethod=points'; expected 'up=y,method=points'");
+    EXPECT_EQ(errorOf("backup=y").find("unknown key 'backup'"), 0u) << "no item ends before 'up'";
+    EXPECT_EQ(errorOf("64up").find("'64up' is neither a resolution"), 0u) << "no item begins at 'up'";
+}
+
+TEST(LegoSettings, ABracketIsNamedWithItsPlace)
+{
+    EXPECT_EQ(errorOf("(64,up=y"), "unexpected '(' as character 1 of '(64,up=y'; expected settings without brackets, "
+                                   "such as 64,up=y");
+    EXPECT_EQ(errorOf("64,up=y]").find("unexpected ']' as character 8 of '64,up=y]'"), 0u);
 }
 
 } // namespace
