@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <set>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -56,6 +58,12 @@ struct PositionTriangles
         positions.push_back({a, b, c});
     }
 };
+
+bool isInRange(const SceneVertex& vertex)
+{
+    // Written so that NaN fails it.
+    return glm::all(glm::lessThanEqual(glm::abs(vertex.position), glm::dvec3(SceneTriangles::MAXIMUM_COORDINATE)));
+}
 
 glm::dvec3 toGlm(const osg::Vec3d& vector)
 {
@@ -165,13 +173,21 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
     if (!geometry.getVertexArray()) return;
     SceneBatch& batch = findOrMakeBatch(state, geometry.getTexCoordArray(state.getTextureUnit()) != nullptr);
     const VertexReader reader(geometry, toRoot, state);
+    std::set<unsigned int> badVertices;
     for (unsigned int set = 0; set < geometry.getNumPrimitiveSets(); ++set)
     {
         WholeTriangles functor(reader.getNumVertices());
         geometry.getPrimitiveSet(set)->accept(functor);
-        for (const auto& [a, b, c] : functor.indices)
-            addTriangle(batch, reader.read(a, set), reader.read(b, set), reader.read(c, set));
+        for (const auto& indices : functor.indices)
+        {
+            const std::array corners{reader.read(indices[0], set), reader.read(indices[1], set),
+                                     reader.read(indices[2], set)};
+            if (addTriangle(batch, corners)) continue;
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                if (!isInRange(corners[corner])) badVertices.insert(indices[corner]);
+        }
     }
+    _triangles._numBadVertices += badVertices.size();
 }
 
 void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
@@ -190,7 +206,9 @@ void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const o
         std::array<SceneVertex, 3> corners{vertex, vertex, vertex};
         for (std::size_t corner = 0; corner < 3; ++corner)
             corners[corner].position = toGlm(osg::Vec3d(triangle[corner]) * toRoot);
-        addTriangle(batch, corners[0], corners[1], corners[2]);
+        if (addTriangle(batch, corners)) continue;
+        _triangles._numBadVertices +=
+            static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), std::not_fn(isInRange)));
     }
 }
 
@@ -206,25 +224,23 @@ SceneBatch& SceneTriangleCollector::findOrMakeBatch(const SurfaceState& state, b
     return _triangles._batches[place->second];
 }
 
-void SceneTriangleCollector::addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b,
-                                         const SceneVertex& c)
+bool SceneTriangleCollector::addTriangle(SceneBatch& batch, const std::array<SceneVertex, 3>& corners)
 {
-    for (const SceneVertex* vertex : {&a, &b, &c})
+    if (!std::all_of(corners.begin(), corners.end(), isInRange))
     {
-        // Written so that NaN fails it.
-        if (glm::all(glm::lessThanEqual(glm::abs(vertex->position), glm::dvec3(SceneTriangles::MAXIMUM_COORDINATE))))
-            continue;
         ++_triangles._numOutOfRange;
-        return;
+        return false;
     }
-    if (glm::cross(b.position - a.position, c.position - a.position) == glm::dvec3(0.0)) return;
+    const auto& [a, b, c] = corners;
+    if (glm::cross(b.position - a.position, c.position - a.position) == glm::dvec3(0.0)) return true;
 
-    for (const SceneVertex* vertex : {&a, &b, &c})
+    for (const SceneVertex& vertex : corners)
     {
-        batch.vertices.push_back(*vertex);
-        _triangles._bounds.expandBy(vertex->position.x, vertex->position.y, vertex->position.z);
+        batch.vertices.push_back(vertex);
+        _triangles._bounds.expandBy(vertex.position.x, vertex.position.y, vertex.position.z);
     }
     ++_triangles._numTriangles;
+    return true;
 }
 
 } // namespace osgLego

@@ -5,6 +5,7 @@
 #include <osgLego/flattening/SurfaceState.h>
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -34,7 +35,8 @@ private:
     void collectGeometry(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state);
     void collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot, const SurfaceState& state);
     SceneBatch& findOrMakeBatch(const SurfaceState& state, bool hasCoordinates);
-    void addTriangle(SceneBatch& batch, const SceneVertex& a, const SceneVertex& b, const SceneVertex& c);
+    /** @return false when a corner is not finite or too far away, and the triangle is ignored. */
+    bool addTriangle(SceneBatch& batch, const std::array<SceneVertex, 3>& corners);
 
     SceneTriangles& _triangles;
     SurfaceTextureCache& _textures;

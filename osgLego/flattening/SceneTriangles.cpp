@@ -4,11 +4,32 @@
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
 #include <algorithm>
+#include <string>
 
 #include <osg/Notify>
 
 namespace osgLego
 {
+
+namespace
+{
+
+std::string counted(std::size_t number, const char* one, const char* several)
+{
+    return std::to_string(number) + " " + (number == 1 ? one : several);
+}
+
+void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
+{
+    const std::string owner = node.getName().empty() ? std::string() : " of '" + node.getName() + "'";
+    OSG_WARN << "osgLego: " << counted(triangles.getNumBadVertices(), "vertex", "vertices") << owner
+             << (triangles.getNumBadVertices() == 1 ? " has" : " have") << " coordinates that are not finite or beyond "
+             << SceneTriangles::MAXIMUM_COORDINATE << "; "
+             << counted(triangles.getNumOutOfRange(), "triangle", "triangles") << " with such vertices "
+             << (triangles.getNumOutOfRange() == 1 ? "is" : "are") << " ignored" << std::endl;
+}
+
+} // namespace
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 {
@@ -23,17 +44,12 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(collector);
     textures.dropUnused();
-    if (triangles->getNumOutOfRange() > 0)
-    {
-        OSG_WARN << "osgLego: " << triangles->getNumOutOfRange() << " triangles of '" << node.getName()
-                 << "' have coordinates that are not finite or beyond " << MAXIMUM_COORDINATE << ", and are left out"
-                 << std::endl;
-    }
+    if (triangles->getNumOutOfRange() > 0) warnOfBadVertices(*triangles, node);
     const osg::Vec3d size = triangles->_bounds._max - triangles->_bounds._min;
     if (triangles->_numTriangles > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
     {
         OSG_WARN << "osgLego: '" << node.getName() << "' is smaller than " << MINIMUM_SIZE
-                 << " units and is left out; allowed: a larger scale" << std::endl;
+                 << " units and is ignored; expected a larger scale" << std::endl;
         return new SceneTriangles;
     }
     return triangles;

@@ -39,8 +39,8 @@ struct SceneBatch
  * of triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials, the
  * Texture2D of the first unit with one, with wrap mode, matrix and environment, and inherited state with OVERRIDE and
  * PROTECTED. A triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points
- * are passed over, as are triangles with no area and, with a warning, triangles with a coordinate that is not finite
- * or beyond MAXIMUM_COORDINATE, and sources smaller than MINIMUM_SIZE.
+ * are passed over, as are triangles with no area and, with a warning that says how many, triangles with a vertex that
+ * is not finite or beyond MAXIMUM_COORDINATE; and sources smaller than MINIMUM_SIZE, with a warning too.
  *
  * Usage:
  *
@@ -66,7 +66,10 @@ public:
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */
     const osg::BoundingBoxd& getBounds() const { return _bounds; }
     std::size_t getNumTriangles() const { return _numTriangles; }
-    /** Triangles left out because a coordinate is NaN, infinite, or beyond MAXIMUM_COORDINATE. */
+    /** Vertices of triangles with a coordinate that is NaN, infinite, or beyond MAXIMUM_COORDINATE. One that several
+     * triangles of a geometry share by index counts once. */
+    std::size_t getNumBadVertices() const { return _numBadVertices; }
+    /** Triangles ignored because of such a vertex. */
     std::size_t getNumOutOfRange() const { return _numOutOfRange; }
 
 private:
@@ -78,6 +81,7 @@ private:
     std::vector<SceneBatch> _batches;
     osg::BoundingBoxd _bounds;
     std::size_t _numTriangles = 0;
+    std::size_t _numBadVertices = 0;
     std::size_t _numOutOfRange = 0;
 };
 

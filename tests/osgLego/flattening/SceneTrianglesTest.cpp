@@ -3,6 +3,7 @@
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
 #include <Meshes.h>
+#include <Notices.h>
 
 #include <cmath>
 #include <limits>
@@ -25,6 +26,7 @@ namespace
 {
 
 using test::createTriangle;
+using test::noticesOf;
 
 /** A geometry over `count` corners of a regular polygon, drawn by one primitive set. */
 osg::ref_ptr<osg::Geometry> createPolygon(unsigned int count, osg::PrimitiveSet* set)
@@ -223,9 +225,24 @@ TEST(SceneTriangles, CoordinatesThatAreNotFiniteOrTooLargeAreLeftOutAndCounted)
         group->addChild(createTriangle({0, 0, 0}, {bad, 0, 0}, {0, 1, 0}));
         const osg::ref_ptr<const SceneTriangles> triangles = SceneTriangles::create(*group);
         EXPECT_EQ(triangles->getNumTriangles(), 1u);
+        EXPECT_EQ(triangles->getNumBadVertices(), 1u);
         EXPECT_EQ(triangles->getNumOutOfRange(), 1u);
         EXPECT_EQ(triangles->getBounds()._max, osg::Vec3d(1, 1, 0));
     }
+}
+
+TEST(SceneTriangles, AVertexThatIsNotFiniteCountsOnceHoweverManyTrianglesShareIt)
+{
+    const osg::ref_ptr<osg::Geometry> fan = createPolygon(6, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 6));
+    (*dynamic_cast<osg::Vec3Array*>(fan->getVertexArray()))[2].x() = std::numeric_limits<float>::quiet_NaN();
+    fan->setName("fan");
+    osg::ref_ptr<const SceneTriangles> triangles;
+    const std::string notices = noticesOf([&] { triangles = SceneTriangles::create(*fan); });
+    EXPECT_EQ(triangles->getNumBadVertices(), 1u);
+    EXPECT_EQ(triangles->getNumOutOfRange(), 2u);
+    EXPECT_EQ(triangles->getNumTriangles(), 2u);
+    EXPECT_EQ(notices, "osgLego: 1 vertex of 'fan' has coordinates that are not finite or beyond 1e+18; 2 triangles "
+                       "with such vertices are ignored\n");
 }
 
 TEST(SceneTriangles, WhatIsTooSmallForOsgsBoundsIsLeftOut)

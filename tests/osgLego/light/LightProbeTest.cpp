@@ -1,11 +1,11 @@
 #include <osgLego/LightProbe.h>
 
+#include <Notices.h>
 #include <Probes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <osg/Notify>
 
 namespace osgLego
 {
@@ -73,24 +72,6 @@ void expectNear(const osg::Vec3d& actual, const osg::Vec3d& expected, double tol
 {
     for (unsigned int channel = 0; channel < 3; ++channel)
         EXPECT_NEAR(actual[channel], expected[channel], tolerance) << what << ", channel " << channel;
-}
-
-/** What OSG says while this lives. */
-class Notices : public osg::NotifyHandler
-{
-public:
-    void notify(osg::NotifySeverity, const char* message) override { text += message; }
-    std::string text;
-};
-
-std::string noticesOf(const std::function<void()>& function)
-{
-    const osg::ref_ptr<Notices> notices = new Notices;
-    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
-    osg::setNotifyHandler(notices);
-    function();
-    osg::setNotifyHandler(before);
-    return notices->text;
 }
 
 TEST(LightProbe, ConstantLightMakesConstantIrradiance)

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace osgLego::test
+{
+
+/** The text that OSG's notify handler is given while a function runs. */
+std::string noticesOf(const std::function<void()>& function);
+
+} // namespace osgLego::test
