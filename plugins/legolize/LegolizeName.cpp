@@ -4,6 +4,7 @@
 
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 #include <osgDB/FileNameUtils>
 
@@ -45,7 +46,21 @@ bool isSettingsOption(std::string_view option)
     const std::string_view first = option.substr(0, option.find(','));
     if (isNumber(first)) return true;
     const auto equals = first.find('=');
-    return equals != std::string_view::npos && LegolizeSettings::isKey(std::string(first.substr(0, equals)));
+    if (equals == std::string_view::npos) return false;
+    // Digits before a key are a resolution without its comma, which the settings refuse by name.
+    const auto begin = first.find_first_not_of("0123456789");
+    return LegolizeSettings::isKey(std::string(first.substr(begin, equals - begin)));
+}
+
+char closingOf(char bracket)
+{
+    return bracket == '(' ? ')' : ']';
+}
+
+/** A letter of a name and its place. */
+std::string describe(const std::string& name, std::string::size_type place)
+{
+    return std::string("'") + name[place] + "' as character " + std::to_string(place + 1) + " of '" + name + "'";
 }
 
 void append(std::string& list, const std::string& item, char separator)
@@ -74,6 +89,26 @@ bool LegolizeName::parse(const std::string& name, LegolizeName& result)
         }
     }
     return !result.fileName.empty();
+}
+
+std::string LegolizeName::findLoneBracket(const std::string& name)
+{
+    std::vector<std::string::size_type> open;
+    for (auto place = name.rfind('/') + 1; place < name.size(); ++place) // from 0 without a folder
+    {
+        const char letter = name[place];
+        if (letter == '(' || letter == '[') open.push_back(place);
+        if (letter != ')' && letter != ']') continue;
+        const char opening = letter == ')' ? '(' : '[';
+        if (open.empty()) return describe(name, place) + " closes no bracket; expected '" + opening + "' before it";
+        if (name[open.back()] != opening)
+            return describe(name, place) + " closes '" + name[open.back()] + "'; expected '" +
+                   closingOf(name[open.back()]) + "'";
+        open.pop_back();
+    }
+    if (open.empty()) return {};
+    return describe(name, open.back()) + " is not closed; expected '" + closingOf(name[open.back()]) +
+           "' before '.legolize'";
 }
 
 LegolizeOptions LegolizeOptions::parse(const std::string& options)

@@ -20,6 +20,10 @@ struct LegolizeName
 
     /** Take a name apart; false when it does not end in `.legolize`, or has nothing before that. */
     static bool parse(const std::string& name, LegolizeName& result);
+
+    /** The message about a bracket without its counterpart in the last part of a path; empty when there is none. Files
+     * may well have such names, so ask only when there is no such file. */
+    static std::string findLoneBracket(const std::string& name);
 };
 
 /** The settings among the options of a reader (`-O "64,proportions=plate noRotation"`), and the rest, which is meant

@@ -2,6 +2,7 @@
 #include "LegolizeSettings.h"
 
 #include <common/RacingCar.h>
+#include <common/ReadableFile.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
@@ -64,6 +65,11 @@ public:
         osg::ref_ptr<Options> rest = options ? options->cloneOptions() : new Options;
         rest->setOptionString(own.rest);
         ReadResult result = osgDB::Registry::instance()->readNode(parsed.fileName, rest);
+        if (!result.validNode())
+        {
+            const std::string obstacle = findObstacle(parsed.fileName, name, rest);
+            if (!obstacle.empty()) return ReadResult(obstacle);
+        }
         // Not "not handled": the reader of .legolize has done its part, and there is no use in looking for others.
         if (result.notHandled()) return ReadResult("there is no reader for '" + parsed.fileName + "'");
         if (!result.validNode()) return result;
@@ -71,6 +77,15 @@ public:
     }
 
 private:
+    /** Why a file can't be read, as far as its name and the file system tell; empty when they don't. */
+    static std::string findObstacle(const std::string& fileName, const std::string& name, const Options* options)
+    {
+        const std::string path = osgDB::findDataFile(fileName, options);
+        if (path.empty()) return LegolizeName::findLoneBracket(name);
+        const std::string obstacle = osgLego::findObstacleToReading(path);
+        return obstacle.empty() ? obstacle : "can't read '" + fileName + "': " + obstacle;
+    }
+
     /** The light from all around, upright; null, with the reason in `error`, when its picture can't be had. */
     static osg::ref_ptr<osgLego::LightProbe> readProbe(const LegolizeSettings& settings, const Options* options,
                                                        std::string& error)

@@ -39,6 +39,20 @@ TEST(LegolizeName, OtherNamesAreNone)
         EXPECT_FALSE(LegolizeName::parse(name, parsed)) << name;
 }
 
+TEST(LegolizeName, ABracketWithoutItsCounterpartIsNamedWithItsPlace)
+{
+    EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.(8,up=y.legolize"),
+              "'(' as character 7 of 'a.obj.(8,up=y.legolize' is not closed; expected ')' before '.legolize'");
+    EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.[8,edge=0.5.legolize"),
+              "'[' as character 7 of 'a.obj.[8,edge=0.5.legolize' is not closed; expected ']' before '.legolize'");
+    EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.8).legolize"),
+              "')' as character 8 of 'a.obj.8).legolize' closes no bracket; expected '(' before it");
+    EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.(8].legolize"),
+              "']' as character 9 of 'a.obj.(8].legolize' closes '('; expected ')'");
+    for (const char* name : {"a.obj.(8).legolize", "a.obj.(8).[9].legolize", "b(c/a.obj.8.legolize"})
+        EXPECT_EQ(LegolizeName::findLoneBracket(name), "");
+}
+
 TEST(LegolizeOptions, SettingsAreTakenAndTheRestIsLeft)
 {
     const LegolizeOptions options = LegolizeOptions::parse(
@@ -46,6 +60,7 @@ TEST(LegolizeOptions, SettingsAreTakenAndTheRestIsLeft)
     EXPECT_EQ(options.settings, "64,proportions=plate,edge=0.5,occlusion=low,probe=/a/b.c.exr");
     EXPECT_EQ(options.rest, "noRotation compressed quality=3");
     EXPECT_EQ(LegolizeOptions::parse("").settings, "");
+    EXPECT_EQ(LegolizeOptions::parse("64up=y").settings, "64up=y") << "a missing comma is for the settings to refuse";
 }
 
 } // namespace

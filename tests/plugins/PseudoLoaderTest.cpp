@@ -187,6 +187,21 @@ TEST_F(PseudoLoader, SaysWhatIsWrong)
     EXPECT_NE(errorOf(pathOf("empty.osgt.64.legolize")).find("no triangles"), std::string::npos);
 }
 
+TEST_F(PseudoLoader, SaysWhyAFileCantBeRead)
+{
+    EXPECT_EQ(errorOf(pathOf("ball.osgt.(16,up=y.legolize")).find("'(' as character"), 0u);
+    EXPECT_EQ(errorOf(pathOf("ball.osgt.(16up=y).legolize")).find("a comma is missing before 'up=y'"), 0u);
+    std::filesystem::create_directory(pathOf("folder.osgt"));
+    EXPECT_EQ(errorOf(pathOf("folder.osgt.16.legolize")),
+              "can't read '" + pathOf("folder.osgt") + "': it is a folder; expected a file");
+}
+
+TEST_F(PseudoLoader, AFileWithALoneBracketInItsNameIsRead)
+{
+    ASSERT_TRUE(osgDB::writeNodeFile(*createSphere(6), pathOf("odd(ball.osgt")));
+    EXPECT_TRUE(readLego(pathOf("odd(ball.osgt.16.legolize")));
+}
+
 /** Finds what bricks leave in a file: how many triangles, between which bounds, in which colours. */
 class Findings : public osg::NodeVisitor
 {
