@@ -159,6 +159,11 @@ bool LegoNode::isSupported(const osg::State& state)
     return GlRequirements::getMissing(state).empty();
 }
 
+std::string LegoNode::getMissing(const osg::State& state)
+{
+    return GlRequirements::getMissing(state);
+}
+
 std::string LegoNode::getFailure(unsigned int contextID) const
 {
     return _pipeline->getStore().getContext(contextID)->getFailure();

@@ -131,6 +131,9 @@ public:
 
     /** Whether a context, which is current, has all that bricks are made and drawn with; see precondition 1. */
     static bool isSupported(const osg::State& state);
+    /** The first thing that a context, which is current, lacks to make bricks, in one sentence; empty when
+     * isSupported(). */
+    static std::string getMissing(const osg::State& state);
 
     /** Why a context draws the source instead of bricks, in one sentence; empty when it does not. */
     std::string getFailure(unsigned int contextID) const;
