@@ -18,6 +18,18 @@ namespace osgLego
 namespace
 {
 
+const char* const STRAIGHT_ALPHA = "oiio:UnassociatedAlpha";
+const char* const OPENEXR = "openexr";
+
+/** The format that OpenImageIO writes for a file name; empty when there is none. */
+std::string formatOf(const std::string& fileName)
+{
+    const auto output = OIIO::ImageOutput::create(fileName);
+    if (output) return output->format_name();
+    OIIO::geterror(); // or it stays for the next to ask
+    return {};
+}
+
 CaptureError cannotWrite(const std::string& fileName, const std::string& why)
 {
     return {EXIT_BAD_OUTPUT, "can't write '" + fileName + "': " + why};
@@ -32,13 +44,16 @@ void checkPlace(const std::string& fileName)
         throw cannotWrite(fileName, obstacle);
 }
 
-void checkPicturePlace(const std::string& fileName)
+void checkPicturePlace(const std::string& fileName, bool isTransparent)
 {
     checkPlace(fileName);
-    if (fileName.empty() || OIIO::ImageOutput::create(fileName)) return;
-    OIIO::geterror(); // or it stays for the next to ask
-    throw cannotWrite(fileName, "its extension is that of no picture; allowed: .png, .tif, .exr and what else "
-                                "OpenImageIO writes");
+    if (fileName.empty()) return;
+    const std::string format = formatOf(fileName);
+    if (format.empty())
+        throw cannotWrite(fileName, "its extension is not that of a picture; expected .png, .tif, .exr or another that "
+                                    "OpenImageIO writes");
+    if (isTransparent && format != "png" && format != "tiff" && format != OPENEXR)
+        throw cannotWrite(fileName, "its format takes no transparent background; expected .png, .tif or .exr");
 }
 
 void checkAreDistinct(const std::vector<std::string>& fileNames)
@@ -46,7 +61,7 @@ void checkAreDistinct(const std::vector<std::string>& fileNames)
     for (auto fileName = fileNames.begin(); fileName != fileNames.end(); ++fileName)
         for (auto other = fileNames.begin(); other != fileName; ++other)
             if (!fileName->empty() && !other->empty() && isSameFile(*fileName, *other))
-                throw cannotWrite(*fileName, "two outputs have this name; allowed: a file each");
+                throw cannotWrite(*fileName, "two outputs have this name; expected a file each");
 }
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)
@@ -64,19 +79,35 @@ void writeText(const std::string& fileName, const std::function<void(std::ostrea
 
 void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture)
 {
+    const OIIO::ImageBuf written = formatOf(fileName) == OPENEXR ? toMultiplied(picture) : picture;
     const std::string why =
         writeCompleteFile(fileName, [&](const std::string& temporaryName)
-                          { return picture.write(temporaryName) ? std::string() : picture.geterror(); });
+                          { return written.write(temporaryName) ? std::string() : written.geterror(); });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
 
 OIIO::ImageBuf toImageBuf(const osg::Image& image)
 {
-    const OIIO::ImageSpec spec(image.s(), image.t(), 3, OIIO::TypeDesc::UINT8);
+    const bool hasAlpha = image.getPixelFormat() == GL_RGBA;
+    OIIO::ImageSpec spec(image.s(), image.t(), hasAlpha ? 4 : 3, OIIO::TypeDesc::UINT8);
+    if (hasAlpha) spec.attribute(STRAIGHT_ALPHA, 1);
     OIIO::ImageBuf upsideDown(spec);
     upsideDown.set_pixels(OIIO::ROI::All(), OIIO::TypeDesc::UINT8, image.data(), OIIO::AutoStride,
                           static_cast<OIIO::stride_t>(image.getRowStepInBytes()));
     return OIIO::ImageBufAlgo::flip(upsideDown);
+}
+
+bool hasStraightAlpha(const OIIO::ImageBuf& picture)
+{
+    return picture.spec().alpha_channel >= 0 && picture.spec().get_int_attribute(STRAIGHT_ALPHA) != 0;
+}
+
+OIIO::ImageBuf toMultiplied(const OIIO::ImageBuf& picture)
+{
+    if (!hasStraightAlpha(picture)) return picture;
+    OIIO::ImageBuf multiplied = OIIO::ImageBufAlgo::premult(picture.copy(OIIO::TypeDesc::FLOAT));
+    multiplied.specmod().erase_attribute(STRAIGHT_ALPHA);
+    return multiplied;
 }
 
 void writeCells(const std::string& fileName, const BrickModel& model)

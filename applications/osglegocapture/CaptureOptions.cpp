@@ -2,7 +2,9 @@
 
 #include "ExitCode.h"
 
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -15,6 +17,12 @@ namespace
 {
 
 constexpr int MAXIMUM_SIZE = 8192;
+constexpr double MAXIMUM_NUMBER = std::numeric_limits<double>::max();
+
+std::string badValue(const char* option, const std::string& text, const char* expected)
+{
+    return std::string("bad value '") + text + "' for " + option + "; expected " + expected;
+}
 
 std::string readSize(const std::string& text, CaptureOptions& options)
 {
@@ -23,7 +31,7 @@ std::string readSize(const std::string& text, CaptureOptions& options)
     char rest = 0;
     const bool isRead = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
     if (!isRead || width < 1 || height < 1 || width > MAXIMUM_SIZE || height > MAXIMUM_SIZE)
-        return "bad value '" + text + "' for --size; allowed: WIDTHxHEIGHT in pixels, each 1 to 8192";
+        return badValue("--size", text, "WIDTHxHEIGHT in pixels, each 1 to 8192");
     options.width = width;
     options.height = height;
     return {};
@@ -37,9 +45,8 @@ std::string readView(const std::string& text, CaptureView& view)
     const bool isFinite = std::isfinite(read.azimuth) && std::isfinite(read.elevation) && std::isfinite(read.distance);
     const bool isWhole = count == 3 || (count == 2 && text.find_last_of(',') == text.find(','));
     if (!isWhole || !isFinite || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
-        return "bad value '" + text +
-               "' for --view; allowed: AZIMUTH,ELEVATION[,DISTANCE]: degrees, degrees from -90 to 90, and radii of the "
-               "model above 0";
+        return badValue("--view", text,
+                        "AZIMUTH,ELEVATION[,DISTANCE]: degrees, degrees from -90 to 90, and radii of the mesh above 0");
     view = read;
     return {};
 }
@@ -61,15 +68,46 @@ std::string readOcclusion(const std::string& text, CaptureOptions& options)
     return "--occlusion: " + error + " (or off alone)";
 }
 
-std::string readNumber(const char* option, const std::string& text, double minimum, const char* allowed, double& number)
+/** The numbers that an option takes, and their name in messages. */
+struct NumberRange
+{
+    double minimum;
+    double maximum;
+    const char* text;
+};
+
+std::string readNumber(const char* option, const std::string& text, const NumberRange& range, double& number)
 {
     char rest = 0;
     double read = 0.0;
     const bool isRead = std::sscanf(text.c_str(), "%lf%c", &read, &rest) == 1;
-    if (!isRead || !std::isfinite(read) || read < minimum)
-        return std::string("bad value '") + text + "' for " + option + "; allowed: " + allowed;
+    // Written so that NaN fails it.
+    if (!isRead || !(read >= range.minimum && read <= range.maximum)) return badValue(option, text, range.text);
     number = read;
     return {};
+}
+
+std::string readContext(const std::string& text, ContextKind& kind)
+{
+    static const std::map<std::string, ContextKind> kinds{
+        {"auto", ContextKind::AUTO}, {"egl", ContextKind::EGL}, {"osmesa", ContextKind::OSMESA}};
+    const auto found = kinds.find(text);
+    if (found == kinds.end()) return badValue("--context", text, "auto, egl or osmesa");
+    kind = found->second;
+    return {};
+}
+
+/** Throws when options don't go together. */
+void checkCombination(const CaptureOptions& options, bool hasThreshold)
+{
+    if (options.output.empty() && options.statistics.empty() && options.cells.empty() && options.reference.empty())
+        throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells and --compare");
+    if (options.original && !options.cells.empty())
+        throw CLI::ValidationError("--original has no cells; expected --cells without --original");
+    if (hasThreshold && options.reference.empty())
+        throw CLI::ValidationError("--threshold has nothing to compare; expected --compare with it");
+    if (!options.readerOptions.empty() && options.mesh.empty())
+        throw CLI::ValidationError("-O has no mesh to read; expected MESH with it");
 }
 
 /** Turns a function that answers what is wrong into what CLI11 wants. */
@@ -110,6 +148,9 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
     app.footer(FOOTER);
     app.add_option("MESH", options.mesh, "A file that OpenSceneGraph reads; without one, the built-in racing car");
+    app.add_option("-O", options.readerOptions,
+                   "Options for the reader of MESH, the pseudo-loader .legolize included, as osgviewer's -O")
+        ->type_name("OPTIONS");
     app.add_option("-o,--output", options.output, "The picture to write; its extension is its format");
     app.add_option("--legolize", toCallback([&](const std::string& text) { return readSettings(text, options); }),
                    "Settings of the bricks, as below")
@@ -118,13 +159,19 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "Pixels of the picture (1280x720)")
         ->type_name("WxH");
     app.add_option("--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
-                   "Degrees around the model, degrees above the horizon, distance in radii (30,25)")
+                   "Degrees around the mesh, degrees above the horizon, and the distance from the middle of its "
+                   "bounding sphere, in "
+                   "radii of that; without a distance, as near as all of the mesh and of its bricks fits in, the same "
+                   "for both (30,25)")
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
     app.add_flag("--orthographic", options.view.orthographic, "A view without perspective");
-    app.add_option("--near",
-                   toCallback([&](const std::string& text)
-                              { return readNumber("--near", text, 1e-6, "radii above 0", options.view.near); }),
-                   "Cut off what is nearer than so many radii of the model")
+    app.add_option(
+           "--near",
+           toCallback(
+               [&](const std::string& text) {
+                   return readNumber("--near", text, {1e-6, MAXIMUM_NUMBER, "radii above 0"}, options.view.near);
+               }),
+           "Cut off everything nearer than this many radii of the mesh's bounding sphere")
         ->type_name("RADII");
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
                    "Ambient occlusion, as below, or off (medium)")
@@ -134,37 +181,49 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "(a built-in sky)")
         ->type_name("FILE");
     app.add_option("--probe-turn",
-                   toCallback([&](const std::string& text)
-                              { return readNumber("--probe-turn", text, -1e6, "degrees", options.probe.turn); }),
+                   toCallback(
+                       [&](const std::string& text) {
+                           return readNumber("--probe-turn", text, {-1e6, 1e6, "degrees"}, options.probe.turn);
+                       }),
                    "Turn that light around the axis that is up (0)")
         ->type_name("DEGREES");
-    app.add_option(
-           "--probe-intensity",
-           toCallback([&](const std::string& text)
-                      { return readNumber("--probe-intensity", text, 0.0, "0 or more", options.probe.intensity); }),
-           "Make that light stronger or weaker (1)")
+    app.add_option("--probe-intensity",
+                   toCallback(
+                       [&](const std::string& text) {
+                           return readNumber("--probe-intensity", text, {0.0, MAXIMUM_NUMBER, "0 or more"},
+                                             options.probe.intensity);
+                       }),
+                   "Make that light stronger or weaker (1)")
         ->type_name("FACTOR");
-    app.add_flag("--original", options.original, "Draw the mesh as it is");
-    app.add_option("--context", options.context, "How to get at GL: auto, egl or osmesa (auto)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ContextKind>{{"auto", ContextKind::AUTO},
-                                                                               {"egl", ContextKind::EGL},
-                                                                               {"osmesa", ContextKind::OSMESA}})
-                        .description(""))
+    app.add_flag("--original", options.original,
+                 "Draw the mesh as it is; with the --legolize of a picture of bricks, from the same place");
+    app.add_flag("--transparent", options.transparent,
+                 "Leave the background transparent; for .png, .tif (alpha not multiplied in) and .exr (multiplied in)");
+    app.add_option("--context", toCallback([&](const std::string& text) { return readContext(text, options.context); }),
+                   "How to get at GL: auto, egl or osmesa (auto)")
         ->type_name("KIND");
-    app.add_option("--stats", options.statistics, "Write counts, the grid and times as JSON")->type_name("FILE.json");
+    app.add_option("--stats", options.statistics,
+                   "Write counts, the grid and times as JSON; - writes them to standard output")
+        ->type_name("FILE.json");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--compare", options.reference,
                    "Compare with a picture: print the figures, write the difference beside the output, exit with 1 if "
-                   "more than 0.1 % of the pixels are off by more than 4/255")
+                   "more than 0.1 % of the pixels are off by more than the threshold")
         ->type_name("REFERENCE");
+    const CLI::Option* threshold =
+        app.add_option("--threshold",
+                       toCallback(
+                           [&](const std::string& text) {
+                               return readNumber("--threshold", text, {0.0, 1.0, "0 to 1"}, options.threshold);
+                           }),
+                       "A pixel is off when one of its channels, 0 to 1, differs by more than this (0.0157, which is "
+                       "4/255)")
+            ->type_name("DIFFERENCE");
 
     try
     {
         app.parse(argc, argv);
-        if (options.output.empty() && options.statistics.empty() && options.cells.empty() && options.reference.empty())
-            throw CLI::ValidationError("nothing to do; allowed: one or more of -o, --stats, --cells and --compare");
-        if (options.original && !options.cells.empty())
-            throw CLI::ValidationError("--original has no cells; allowed: --cells without --original");
+        checkCombination(options, threshold->count() > 0);
     }
     catch (const CLI::Success& success)
     {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Comparison.h"
+
 #include <osgLego/AmbientOcclusionSettings.h>
 #include <osgLego/LegoSettings.h>
 
@@ -22,7 +24,7 @@ struct CaptureView
 {
     double azimuth = 30.0;   //!< degrees; 0 looks at the front, 90 at the right side of it
     double elevation = 25.0; //!< degrees above the horizon, -90 to 90
-    double distance = 0.0;   //!< radii of the model's bounding sphere from its middle; 0: as near as it all fits in
+    double distance = 0.0;   //!< radii of the mesh's bounding sphere from its middle; 0: as near as all of it fits in
     bool orthographic = false;
     double near = 0.0; //!< radii before the camera of which nothing is drawn; 0: as it comes
 };
@@ -38,7 +40,8 @@ struct CaptureProbe
 /** What the command line of osglegocapture says. */
 struct CaptureOptions
 {
-    std::string mesh; //!< empty: the built-in model
+    std::string mesh;          //!< empty: the built-in model
+    std::string readerOptions; //!< for the reader of the mesh, as osgviewer's -O
     std::string output;
     std::optional<LegoSettings> settings; //!< unset: 64, or what the file name of the mesh says
     int width = 1280;
@@ -48,10 +51,14 @@ struct CaptureOptions
     bool hasOcclusion = true;
     AmbientOcclusionSettings occlusion;
     bool original = false;
+    bool transparent = false; //!< the background
     ContextKind context = ContextKind::AUTO;
-    std::string statistics;
+    std::string statistics; //!< STANDARD_OUTPUT: to there
     std::string cells;
     std::string reference;
+    double threshold = DEFAULT_THRESHOLD; //!< of `reference`
+
+    static constexpr const char* STANDARD_OUTPUT = "-";
 };
 
 /** Read the command line; help and mistakes are answered here.

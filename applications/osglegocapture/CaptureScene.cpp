@@ -1,11 +1,13 @@
 #include "CaptureScene.h"
 
+#include "CaptureCamera.h"
 #include "ExitCode.h"
+#include "SceneReach.h"
+#include "Transparency.h"
 
 #include <common/RacingCar.h>
+#include <common/ReadableFile.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <osg/LightModel>
@@ -23,9 +25,14 @@ namespace osgLego
 namespace
 {
 
-constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
 constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
+const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
+const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
+// Measured with llvmpipe, as the growth of resident memory by pixels: the frame buffer object and the picture, and the
+// buffers of an AmbientOcclusionScene.
+constexpr double BYTES_PER_PIXEL = 50.0;
+constexpr double OCCLUSION_BYTES_PER_PIXEL = 140.0;
 
 /** Finds the nodes of a class that a scene shows, but for those below one of them. */
 template <typename Found>
@@ -50,19 +57,32 @@ private:
     std::vector<Found*> _all;
 };
 
-osg::ref_ptr<osg::Node> readMesh(const std::string& fileName)
+/** Why a file that OpenSceneGraph finds can't be read; empty when the file system tells no reason, or nothing is found.
+ */
+std::string findObstacle(const std::string& fileName)
 {
-    if (fileName.empty()) return createRacingCar();
-    osgDB::ReaderWriter::ReadResult result =
-        osgDB::Registry::instance()->readNode(fileName, osgDB::Registry::instance()->getOptions());
-    if (result.validNode()) return result.getNode();
+    const std::string path = osgDB::findDataFile(fileName);
+    return path.empty() ? std::string() : findObstacleToReading(path);
+}
+
+/** Why OpenSceneGraph has not read a file. */
+std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
+{
+    if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
+    if (!result.message().empty()) return result.message();
     // Pseudo-loaders lengthen the name of a file, so that only they can tell whether it is there.
     const bool isPlain =
         osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
-    const std::string why = !result.message().empty() ? result.message()
-                            : isPlain                 ? "there is no such file"
-                                                      : "OpenSceneGraph can't read it";
-    throw CaptureError(EXIT_BAD_INPUT, "'" + fileName + "': " + why);
+    return isPlain ? "there is no such file" : "OpenSceneGraph can't read it";
+}
+
+osg::ref_ptr<osg::Node> readMesh(const CaptureOptions& options)
+{
+    if (options.mesh.empty()) return createRacingCar();
+    osg::ref_ptr<osgDB::Options> readerOptions = new osgDB::Options(options.readerOptions);
+    osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(options.mesh, readerOptions);
+    if (result.validNode()) return result.getNode();
+    throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "': " + explain(options.mesh, result));
 }
 
 double elapsed(osg::Timer_t start)
@@ -75,7 +95,7 @@ double elapsed(osg::Timer_t start)
 CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    _source = readMesh(options.mesh);
+    _source = readMesh(options);
     _readingTime = elapsed(start);
     prepare();
 }
@@ -105,6 +125,7 @@ void CaptureScene::unwrapSource()
     for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
         group->addChild(lego->getChild(child));
     _source = group;
+    _sourceSettings = lego->getSettings();
 }
 
 void CaptureScene::legolize()
@@ -113,14 +134,16 @@ void CaptureScene::legolize()
     if (!_lego)
     {
         _lego = new LegoNode(_options.settings.value_or(LegoSettings()));
+        _lego->setName(_options.mesh);
         _lego->addChild(_source);
         _shown = _lego;
     }
-    if (!_lego->hasTriangles())
-        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
     _lego->setWaiting(true);
+    // Before the source is looked at, or it would be looked at again.
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
+    if (!_lego->hasTriangles())
+        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
 }
 
 void CaptureScene::addOcclusion()
@@ -149,12 +172,16 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
     osg::ref_ptr<LightProbe> probe = new LightProbe;
     if (!_options.probe.file.empty())
     {
+        const std::string obstacle = findObstacle(_options.probe.file);
+        if (!obstacle.empty())
+            throw CaptureError(EXIT_BAD_INPUT, "can't read '" + _options.probe.file + "': " + obstacle);
         std::string error;
         probe = LightProbe::read(_options.probe.file, error);
         if (!probe) throw CaptureError(EXIT_BAD_INPUT, error);
     }
     const osg::Quat turn(osg::DegreesToRadians(_options.probe.turn), osg::Vec3d(0, 0, 1));
-    const osg::Quat upright = getUpAxis() == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
+    const osg::Quat upright =
+        getSettings().upAxis == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
     probe->setRotation(turn * upright);
     probe->setIntensity(_options.probe.intensity);
     return probe;
@@ -162,15 +189,20 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
 
 osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
 {
+    if (_lego) checkSupport(context);
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(_options.width, _options.height, 1, GL_RGB, GL_UNSIGNED_BYTE);
     setUpCamera(context, *image);
     _viewer.realize();
     _viewer.frame();
     if (_lego) checkLegolized(*context.getState());
+    if (!_options.statistics.empty()) timeFrame(context);
+    return _options.transparent ? drawTransparent(*image) : image;
+}
 
-    // The picture is there; a second one only tells how long it takes when nothing is to be made anew.
-    if (_options.statistics.empty()) return image;
+/** Draw a picture that is there already, to see how long it takes when nothing is to be made anew. */
+void CaptureScene::timeFrame(osg::GraphicsContext& context)
+{
     context.makeCurrent();
     glFinish();
     const osg::Timer_t start = osg::Timer::instance()->tick();
@@ -178,7 +210,31 @@ osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
     context.makeCurrent();
     glFinish();
     _drawingTime = elapsed(start);
-    return image;
+}
+
+/** From pictures over two backgrounds, since the alpha of a frame buffer is that of surfaces, blended or not, and not
+ * how much of the background they hide. */
+osg::ref_ptr<osg::Image> CaptureScene::drawTransparent(const osg::Image& image)
+{
+    const osg::ref_ptr<osg::Image> overBlack = new osg::Image(image, osg::CopyOp::DEEP_COPY_ALL);
+    _camera->setClearColor(WHITE);
+    _viewer.frame();
+    return makeTransparent(*overBlack, image);
+}
+
+double CaptureScene::estimateMemory() const
+{
+    const bool hasOcclusion = _occlusion && _occlusion->getEnabled();
+    return (BYTES_PER_PIXEL + (hasOcclusion ? OCCLUSION_BYTES_PER_PIXEL : 0.0)) * _options.width * _options.height;
+}
+
+/** Before anything is drawn, or OSG would tell of every shader that such a context can't compile. */
+void CaptureScene::checkSupport(osg::GraphicsContext& context) const
+{
+    context.makeCurrent();
+    const std::string missing = LegoNode::getMissing(*context.getState());
+    context.releaseContext();
+    if (!missing.empty()) throw CaptureError(EXIT_NO_GL, missing);
 }
 
 void CaptureScene::checkLegolized(const osg::State& state) const
@@ -187,7 +243,7 @@ void CaptureScene::checkLegolized(const osg::State& state) const
     if (const std::string failure = _lego->getFailure(contextID); !failure.empty())
         throw CaptureError(LegoNode::isSupported(state) ? EXIT_BAD_INPUT : EXIT_NO_GL, failure);
     if (!_lego->isLegolized(contextID))
-        throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; allowed: a level of detail, or a view, "
+        throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; expected a level of detail, or a view, "
                                            "in which they are seen");
 }
 
@@ -202,12 +258,13 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     window->setReadBuffer(GL_FRONT);
 
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    _camera = camera;
     camera->setRenderOrder(osg::Camera::PRE_RENDER);
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     camera->attach(osg::Camera::COLOR_BUFFER, &image, SAMPLES, SAMPLES);
     camera->setViewport(0, 0, _options.width, _options.height);
-    camera->setClearColor(BACKGROUND);
+    camera->setClearColor(_options.transparent ? BLACK : BACKGROUND);
     if (_options.view.near > 0.0) camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted however small they look
     placeCamera(*camera);
@@ -239,41 +296,30 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
 
 void CaptureScene::placeCamera(osg::Camera& camera) const
 {
-    const bool isYUp = getUpAxis() == UpAxis::Y;
-    const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
-    const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
-    const osg::Vec3d right(1, 0, 0);
-    const double azimuth = osg::DegreesToRadians(_options.view.azimuth);
-    const double elevation = osg::DegreesToRadians(_options.view.elevation);
-    const osg::Vec3d ahead = front * std::cos(azimuth) + right * std::sin(azimuth);
-    const osg::Vec3d toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
-    const osg::Vec3d headUp = up * std::cos(elevation) - ahead * std::sin(elevation);
-
-    // Of the mesh, not of its bricks, so that pictures of both fit on each other.
+    // By the mesh, not by the bricks that are there, so that pictures of both fit on each other.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
     const osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
-    const double halfView = osg::DegreesToRadians(0.5 * FIELD_OF_VIEW);
-    const double radii = _options.view.distance > 0.0 ? _options.view.distance : 1.05 / std::sin(halfView);
+    const LegoSettings settings = getSettings();
     const double aspect = static_cast<double>(_options.width) / _options.height;
-    const double vertical = aspect >= 1.0 ? halfView : std::atan(std::tan(halfView) / aspect);
-    const double near =
-        (_options.view.near > 0.0 ? _options.view.near : std::max(0.01, 0.5 * (radii - 2.0))) * bound.radius();
-    const double far = (radii + 4.0) * bound.radius();
-    if (_options.view.orthographic)
-    {
-        // What a perspective view shows in the middle, at the same size.
-        const double height = std::tan(vertical) * radii * bound.radius();
-        camera.setProjectionMatrixAsOrtho(-height * aspect, height * aspect, -height, height, near, far);
-    }
+    CaptureCamera place(_options.view, settings.upAxis, aspect);
+    if (_options.view.distance > 0.0)
+        place.moveToDistance(bound);
     else
-        camera.setProjectionMatrixAsPerspective(osg::RadiansToDegrees(2.0 * vertical), aspect, near, far);
-    camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * (radii * bound.radius()), bound.center(), headUp);
+        place.moveToFit(bound,
+                        [&](SceneReach& reach)
+                        {
+                            if (isInSource)
+                                _source->accept(reach);
+                            else
+                                reach.addSource(*_source, settings);
+                        });
+    place.apply(camera);
 }
 
-UpAxis CaptureScene::getUpAxis() const
+LegoSettings CaptureScene::getSettings() const
 {
-    if (_options.settings) return _options.settings->upAxis;
-    return _lego ? _lego->getSettings().upAxis : UpAxis::Z;
+    if (_options.settings) return *_options.settings;
+    return _lego ? _lego->getSettings() : _sourceSettings;
 }
 
 } // namespace osgLego

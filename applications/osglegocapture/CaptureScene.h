@@ -28,8 +28,12 @@ public:
     CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node);
 
     /** Draw in a context, as often as it takes for the bricks to be there.
-     * @return the picture, RGB of 8 bits, its first row at the bottom. */
+     * @return the picture, its first row at the bottom: RGB of 8 bits, or, with a transparent background, RGBA, its
+     * colours not multiplied by alpha. */
     osg::ref_ptr<osg::Image> draw(osg::GraphicsContext& context);
+
+    /** About how much memory draw() takes for the pixels of the picture, most of it in buffers of GL, in bytes. */
+    double estimateMemory() const;
 
     /** The node that makes the bricks; null when the mesh is drawn as it is. */
     LegoNode* getLegoNode() const { return _lego.get(); }
@@ -45,14 +49,19 @@ private:
     void legolize();
     void addOcclusion();
     osg::ref_ptr<LightProbe> createProbe() const;
+    void checkSupport(osg::GraphicsContext& context) const;
     void checkLegolized(const osg::State& state) const;
     void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
     void placeCamera(osg::Camera& camera) const;
-    UpAxis getUpAxis() const;
+    void timeFrame(osg::GraphicsContext& context);
+    osg::ref_ptr<osg::Image> drawTransparent(const osg::Image& image);
+    LegoSettings getSettings() const;
 
     const CaptureOptions& _options;
     osgViewer::Viewer _viewer; // closes the context when it goes
+    osg::ref_ptr<osg::Camera> _camera;
     osg::ref_ptr<osg::Node> _source;
+    LegoSettings _sourceSettings; // those of a node that a pseudo-loader had put around the mesh
     osg::ref_ptr<osg::Node> _shown;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;

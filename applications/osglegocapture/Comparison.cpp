@@ -3,6 +3,8 @@
 #include "CaptureFiles.h"
 #include "ExitCode.h"
 
+#include <common/ReadableFile.h>
+
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
@@ -12,15 +14,20 @@ namespace osgLego
 namespace
 {
 
-constexpr float PIXEL_TOLERANCE = 4.0f / 255.0f + 1e-4f; // of 8-bit values: 4 steps pass, 5 do not
+constexpr float SLACK = 1e-4f; // of 8-bit values: 4 steps pass, 5 do not
 constexpr double SHARE_TOLERANCE = 0.001;
 constexpr float GLARING = 0.1f;
 constexpr float STRENGTH = 5.0f;
 
-// A picture that was saved with alpha is compared in what both have.
-OIIO::ImageBuf colorsOf(const OIIO::ImageBuf& picture)
+bool hasAlpha(const OIIO::ImageBuf& picture)
 {
-    return OIIO::ImageBufAlgo::channels(picture, 3, {});
+    return picture.spec().alpha_channel == 3;
+}
+
+/** The channels in which two pictures are compared. */
+OIIO::ImageBuf comparedChannels(const OIIO::ImageBuf& picture, bool withAlpha)
+{
+    return OIIO::ImageBufAlgo::channels(toMultiplied(picture), withAlpha ? 4 : 3, {});
 }
 
 } // namespace
@@ -30,11 +37,14 @@ bool PictureDifference::isTolerable() const
     return share <= SHARE_TOLERANCE;
 }
 
-PictureDifference measureDifference(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference)
+PictureDifference measureDifference(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference, double threshold)
 {
-    const OIIO::ImageBuf colors = colorsOf(reference);
-    const auto result = OIIO::ImageBufAlgo::compare(picture, colors, PIXEL_TOLERANCE, PIXEL_TOLERANCE);
-    const auto glaring = OIIO::ImageBufAlgo::compare(picture, colors, GLARING, GLARING);
+    const bool withAlpha = hasAlpha(picture) && hasAlpha(reference);
+    const OIIO::ImageBuf channels = comparedChannels(picture, withAlpha);
+    const OIIO::ImageBuf expected = comparedChannels(reference, withAlpha);
+    const float tolerance = static_cast<float>(threshold) + SLACK;
+    const auto result = OIIO::ImageBufAlgo::compare(channels, expected, tolerance, tolerance);
+    const auto glaring = OIIO::ImageBufAlgo::compare(channels, expected, GLARING, GLARING);
     const auto pixels = static_cast<double>(picture.spec().image_pixels());
     PictureDifference difference;
     difference.mean = result.meanerror;
@@ -50,34 +60,47 @@ PictureDifference measureDifference(const OIIO::ImageBuf& picture, const OIIO::I
 
 OIIO::ImageBuf createDifferencePicture(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference)
 {
-    OIIO::ImageBuf difference = OIIO::ImageBufAlgo::mul(OIIO::ImageBufAlgo::absdiff(picture, colorsOf(reference)),
-                                                        OIIO::cspan<float>{STRENGTH, STRENGTH, STRENGTH});
+    const bool withAlpha = hasAlpha(picture) && hasAlpha(reference);
+    OIIO::ImageBuf difference =
+        OIIO::ImageBufAlgo::absdiff(comparedChannels(picture, withAlpha), comparedChannels(reference, withAlpha));
+    if (withAlpha)
+    {
+        // A difference of alpha alone is one of the picture over white.
+        const OIIO::ImageBuf alpha = OIIO::ImageBufAlgo::channels(difference, 3, {3, 3, 3});
+        difference = OIIO::ImageBufAlgo::add(OIIO::ImageBufAlgo::channels(difference, 3, {}), alpha);
+    }
+    difference = OIIO::ImageBufAlgo::mul(difference, OIIO::cspan<float>{STRENGTH, STRENGTH, STRENGTH});
     difference.set_write_format(OIIO::TypeDesc::UINT8);
     return difference;
 }
 
 OIIO::ImageBuf readReference(const std::string& fileName, int width, int height)
 {
-    OIIO::ImageBuf reference(fileName);
+    if (const std::string obstacle = findObstacleToReading(fileName); !obstacle.empty())
+        throw CaptureError(EXIT_BAD_INPUT, "can't read '" + fileName + "': " + obstacle);
+    // Multiplied by alpha in 8 bits, colours would lose what the comparison is about.
+    OIIO::ImageSpec asItIs;
+    asItIs.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageBuf reference(fileName, 0, 0, nullptr, &asItIs);
     if (!reference.read(0, 0, true, OIIO::TypeDesc::FLOAT))
         throw CaptureError(EXIT_BAD_INPUT, "can't read '" + fileName + "': " + reference.geterror());
     if (reference.spec().width != width || reference.spec().height != height)
         throw CaptureError(EXIT_BAD_INPUT,
-                           fmt::format("'{}' has {} x {} pixels and the picture {} x {}; allowed: the "
+                           fmt::format("'{}' has {} x {} pixels and the picture {} x {}; expected the "
                                        "same size, see --size",
                                        fileName, reference.spec().width, reference.spec().height, width, height));
     return reference;
 }
 
-bool compareWithReference(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference,
+bool compareWithReference(const OIIO::ImageBuf& picture, const OIIO::ImageBuf& reference, double threshold,
                           const std::string& differenceName)
 {
-    const PictureDifference difference = measureDifference(picture, reference);
+    const PictureDifference difference = measureDifference(picture, reference, threshold);
     const bool isAlike = difference.isTolerable();
     fmt::print("compared with {}: mean error {:.6f}, RMS error {:.6f}, largest error {:.6f} at {}, {}; {} pixels "
-               "({:.4f} %) off by more than 4/255, allowed {:.1f} %: {}\n",
+               "({:.4f} %) off by more than {:.4g}, at most {:.1f} % expected: {}\n",
                reference.name(), difference.mean, difference.rootMeanSquare, difference.largest, difference.column,
-               difference.row, difference.pixels, 100.0 * difference.share, 100.0 * SHARE_TOLERANCE,
+               difference.row, difference.pixels, 100.0 * difference.share, threshold, 100.0 * SHARE_TOLERANCE,
                isAlike ? "alike" : "different");
     if (difference.largest > 0.0)
     {

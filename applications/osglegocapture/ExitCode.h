@@ -17,7 +17,8 @@ enum ExitCode : int
     EXIT_NO_GL = 5        //!< no GL context that can make bricks
 };
 
-/** A failure with the code that the program ends with, and one sentence of what is wrong and what is allowed. */
+/** A failure with the code that the program ends with, and one sentence that says what is wrong and what is expected.
+ */
 class CaptureError : public std::runtime_error
 {
 public:

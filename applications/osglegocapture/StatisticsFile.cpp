@@ -1,8 +1,7 @@
 #include "StatisticsFile.h"
 
-#include "CaptureFiles.h"
-
 #include <cmath>
+#include <string>
 
 #include <nlohmann/json.hpp>
 #include <osg/GL>
@@ -33,7 +32,7 @@ std::string glText(GLenum name)
 
 } // namespace
 
-void writeStatistics(const std::string& fileName, const CaptureScene& scene, osg::GraphicsContext& context)
+void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::GraphicsContext& context)
 {
     context.makeCurrent();
     nlohmann::ordered_json json{
@@ -62,7 +61,7 @@ void writeStatistics(const std::string& fileName, const CaptureScene& scene, osg
     }
     milliseconds["drawing"] = rounded(scene.getDrawingTime());
     json["milliseconds"] = milliseconds;
-    writeText(fileName, [&](std::ostream& stream) { stream << json.dump(4) << '\n'; });
+    stream << json.dump(4) << '\n';
 }
 
 } // namespace osgLego

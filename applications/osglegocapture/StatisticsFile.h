@@ -2,15 +2,15 @@
 
 #include "CaptureScene.h"
 
-#include <string>
+#include <ostream>
 
 #include <osg/GraphicsContext>
 
 namespace osgLego
 {
 
-/** Write what a capture went through as JSON: the GL renderer, counts, the grid in model units, milliseconds by stage.
- * Makes the context current; throws CaptureError. */
-void writeStatistics(const std::string& fileName, const CaptureScene& scene, osg::GraphicsContext& context);
+/** Write the statistics of a capture as JSON: the GL renderer, counts, the grid in model units, milliseconds by stage.
+ * Makes the context current. */
+void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::GraphicsContext& context);
 
 } // namespace osgLego

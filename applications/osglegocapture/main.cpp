@@ -3,6 +3,7 @@
 #include "CaptureScene.h"
 #include "Comparison.h"
 #include "ExitCode.h"
+#include "StandardOutput.h"
 #include "StatisticsFile.h"
 
 #include <offscreen/OffscreenContext.h>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include <fmt/format.h>
 #include <osgDB/Registry>
@@ -59,13 +61,30 @@ osg::ref_ptr<osg::GraphicsContext> createContext()
     return context;
 }
 
+/** Say so before the picture takes gigabytes, which machines that swap, or end programs, may not have. */
+void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
+{
+    constexpr double GIGABYTE = 1e9;
+    constexpr double NOTABLE = 2.0 * GIGABYTE;
+    const double bytes = scene.estimateMemory();
+    if (bytes < NOTABLE) return;
+    fmt::print(stderr,
+               "osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size and "
+               "--occlusion off take less\n",
+               options.width, options.height, bytes / GIGABYTE);
+}
+
 int capture(const CaptureOptions& options)
 {
+    const bool statisticsToOutput = options.statistics == CaptureOptions::STANDARD_OUTPUT;
+    std::optional<StandardOutput> standardOutput;
+    if (statisticsToOutput) standardOutput.emplace();
     // Before the work, which may be long.
-    checkPicturePlace(options.output);
-    checkPlace(options.statistics);
+    const std::string statisticsFile = statisticsToOutput ? std::string() : options.statistics;
+    checkPicturePlace(options.output, options.transparent);
+    checkPlace(statisticsFile);
     checkPlace(options.cells);
-    checkAreDistinct({options.output, options.statistics, options.cells});
+    checkAreDistinct({options.output, statisticsFile, options.cells});
 
     OIIO::ImageBuf reference;
     if (!options.reference.empty())
@@ -73,26 +92,31 @@ int capture(const CaptureOptions& options)
         std::error_code ignored;
         if (std::filesystem::equivalent(options.reference, options.output, ignored))
             throw CaptureError(EXIT_BAD_OUTPUT, "the output would take the place of the reference '" +
-                                                    options.reference + "'; allowed: another name");
-        checkPicturePlace(differenceNameOf(options));
+                                                    options.reference + "'; expected another name");
+        checkPicturePlace(differenceNameOf(options), false);
         reference = readReference(options.reference, options.width, options.height);
     }
 
     const Progress progress;
     progress.show("reading");
     CaptureScene scene(options);
+    progress.clear();
+    warnOfMemory(scene, options);
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
     progress.show(options.original ? "drawing" : "legolizing and drawing");
     const OIIO::ImageBuf picture = toImageBuf(*scene.draw(*context));
 
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, picture);
-    if (!options.statistics.empty()) writeStatistics(options.statistics, scene, *context);
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, *context); };
+    if (standardOutput) standardOutput->write(write);
+    if (!statisticsFile.empty()) writeText(statisticsFile, write);
     if (!options.cells.empty())
         writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
     progress.clear();
     if (options.reference.empty()) return EXIT_FINE;
-    return compareWithReference(picture, reference, differenceNameOf(options)) ? EXIT_FINE : EXIT_DIFFERENT;
+    return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
+                                                                                                  : EXIT_DIFFERENT;
 }
 
 #if !defined(OSGLEGO_OSMESA)
@@ -104,7 +128,7 @@ void becomeOsMesa(char** argv)
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
     const std::string other = self.string() + "-osmesa";
     execv(other.c_str(), argv);
-    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to go on with; allowed: --context egl");
+    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to go on with; expected --context egl");
 }
 
 bool hasEgl()
@@ -155,7 +179,7 @@ int main(int argc, char** argv)
     }
     catch (const std::bad_alloc&)
     {
-        fmt::print(stderr, "osglegocapture: out of memory; allowed: a lower resolution, or a smaller picture\n");
+        fmt::print(stderr, "osglegocapture: out of memory; expected a lower resolution, or a smaller picture\n");
         return osgLego::EXIT_BAD_INPUT;
     }
     catch (const std::exception& error)

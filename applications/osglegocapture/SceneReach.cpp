@@ -1,0 +1,204 @@
+#include "SceneReach.h"
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/LegoNode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <osg/Camera>
+#include <osg/Drawable>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double MAXIMUM_COORDINATE = 1e18; // the library ignores triangles beyond
+constexpr double NOWHERE = -std::numeric_limits<double>::infinity();
+
+osg::Vec3d toPoint(const osg::Vec2d& vertex)
+{
+    return {vertex.x(), vertex.y(), 0.0};
+}
+
+osg::Vec3d toPoint(const osg::Vec3d& vertex)
+{
+    return vertex;
+}
+
+osg::Vec3d toPoint(const osg::Vec4d& vertex)
+{
+    return {vertex.x(), vertex.y(), vertex.z()};
+}
+
+/** Hands on the vertices that the primitives of a drawable use. */
+class UsedVertices : public osg::PrimitiveFunctor
+{
+public:
+    explicit UsedVertices(const std::function<void(const osg::Vec3d&)>& take) : _take(take) {}
+
+    void setVertexArray(unsigned int count, const osg::Vec2* vertices) override
+    {
+        setArray<osg::Vec2d>(count, vertices);
+    }
+    void setVertexArray(unsigned int count, const osg::Vec3* vertices) override
+    {
+        setArray<osg::Vec3d>(count, vertices);
+    }
+    void setVertexArray(unsigned int count, const osg::Vec4* vertices) override
+    {
+        setArray<osg::Vec4d>(count, vertices);
+    }
+    void setVertexArray(unsigned int count, const osg::Vec2d* vertices) override
+    {
+        setArray<osg::Vec2d>(count, vertices);
+    }
+    void setVertexArray(unsigned int count, const osg::Vec3d* vertices) override
+    {
+        setArray<osg::Vec3d>(count, vertices);
+    }
+    void setVertexArray(unsigned int count, const osg::Vec4d* vertices) override
+    {
+        setArray<osg::Vec4d>(count, vertices);
+    }
+
+    void drawArrays(GLenum, GLint first, GLsizei count) override
+    {
+        for (GLint index = first; index < first + count; ++index)
+            takeVertex(static_cast<unsigned int>(index));
+    }
+    void drawElements(GLenum, GLsizei count, const GLubyte* indices) override { takeVertices(count, indices); }
+    void drawElements(GLenum, GLsizei count, const GLushort* indices) override { takeVertices(count, indices); }
+    void drawElements(GLenum, GLsizei count, const GLuint* indices) override { takeVertices(count, indices); }
+
+private:
+    template <typename Double, typename Vector>
+    void setArray(unsigned int count, const Vector* vertices)
+    {
+        _count = count;
+        _vertexAt = [vertices](unsigned int index) { return toPoint(Double(vertices[index])); };
+    }
+
+    template <typename Index>
+    void takeVertices(GLsizei count, const Index* indices)
+    {
+        for (GLsizei place = 0; place < count; ++place)
+            takeVertex(indices[place]);
+    }
+
+    void takeVertex(unsigned int index) const
+    {
+        if (index < _count) _take(_vertexAt(index));
+    }
+
+    std::function<void(const osg::Vec3d&)> _take;
+    std::function<osg::Vec3d(unsigned int)> _vertexAt;
+    unsigned int _count = 0;
+};
+
+} // namespace
+
+SceneReach::SceneReach(const std::vector<osg::Vec3d>& directions) :
+    osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
+    _directions(directions), _surface{{}, {}, std::vector<double>(directions.size(), NOWHERE)}
+{
+}
+
+void SceneReach::addSource(osg::Node& source, const LegoSettings& settings)
+{
+    addBricks(settings, [&] { source.accept(*this); });
+}
+
+void SceneReach::apply(osg::Group& group)
+{
+    const auto* lego = dynamic_cast<LegoNode*>(&group);
+    if (!lego)
+    {
+        traverse(group);
+        return;
+    }
+    addBricks(lego->getSettings(),
+              [&]
+              {
+                  for (unsigned int child = 0; child < group.getNumChildren(); ++child)
+                      group.getChild(child)->accept(*this);
+              });
+}
+
+void SceneReach::apply(osg::Transform& transform)
+{
+    const auto* camera = transform.asCamera();
+    if (camera && camera->getRenderOrder() != osg::Camera::NESTED_RENDER) return;
+    const osg::Matrixd outer = _matrix;
+    transform.computeLocalToWorldMatrix(_matrix, this);
+    traverse(transform);
+    _matrix = outer;
+}
+
+void SceneReach::apply(osg::Drawable& drawable)
+{
+    UsedVertices vertices([this](const osg::Vec3d& vertex) { addPoint(vertex * _matrix); });
+    drawable.accept(vertices);
+}
+
+void SceneReach::addBricks(const LegoSettings& settings, const std::function<void()>& visitSource)
+{
+    const osg::Matrixd toSurface = std::exchange(_matrix, osg::Matrixd());
+    Surface outer = std::exchange(
+        _surface, Surface{toSurface * _surface.toScene, {}, std::vector<double>(_directions.size(), NOWHERE)});
+    const bool isNested = std::exchange(_isInSource, true);
+    visitSource();
+    const Surface source = std::exchange(_surface, std::move(outer));
+    _matrix = toSurface;
+    _isInSource = isNested;
+    if (!source.bounds.valid()) return;
+
+    const BrickGrid grid = BrickGrid::fit(source.bounds, settings);
+    const osg::BoundingBoxd bricks = grid.getNumCells() > 0 ? grid.getBrickBounds() : source.bounds;
+    if (isNested)
+    {
+        // Bricks of bricks: the outer ones are made of the inner ones.
+        for (unsigned int corner = 0; corner < 8; ++corner)
+            addPoint(bricks.corner(corner) * _matrix);
+        return;
+    }
+    const osg::Vec3d cell(grid.cellSize.x, grid.cellSize.y, grid.cellSize.z);
+    osg::BoundingBoxd around(-cell, cell);
+    around._max[grid.getUpIndex()] += BrickGrid::STUD_HEIGHT * grid.getPitch();
+    const std::vector<double> boxReach = reachOf(bricks, source.toScene, false);
+    const std::vector<double> cellReach = reachOf(around, source.toScene, true);
+    for (std::size_t index = 0; index < _directions.size(); ++index)
+        _surface.reach[index] =
+            std::max(_surface.reach[index], std::min(boxReach[index], source.reach[index] + cellReach[index]));
+    _surface.bounds.expandBy(source.bounds);
+}
+
+void SceneReach::addPoint(const osg::Vec3d& point)
+{
+    // Written so that NaN fails it.
+    for (const double coordinate : {point.x(), point.y(), point.z()})
+        if (!(std::abs(coordinate) <= MAXIMUM_COORDINATE)) return;
+    _surface.bounds.expandBy(point);
+    const osg::Vec3d inScene = point * _surface.toScene;
+    for (std::size_t index = 0; index < _directions.size(); ++index)
+        _surface.reach[index] = std::max(_surface.reach[index], _directions[index] * inScene);
+}
+
+std::vector<double> SceneReach::reachOf(const osg::BoundingBoxd& box, const osg::Matrixd& toScene, bool isOffset) const
+{
+    std::vector<double> reach(_directions.size(), NOWHERE);
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+        const osg::Vec3d point =
+            isOffset ? osg::Matrixd::transform3x3(box.corner(corner), toScene) : box.corner(corner) * toScene;
+        for (std::size_t index = 0; index < _directions.size(); ++index)
+            reach[index] = std::max(reach[index], _directions[index] * point);
+    }
+    return reach;
+}
+
+} // namespace osgLego
