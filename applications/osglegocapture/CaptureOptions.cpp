@@ -147,9 +147,9 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
 {
     CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
     app.footer(FOOTER);
-    app.add_option("MESH", options.mesh, "A file that OpenSceneGraph reads; without one, the built-in racing car");
+    app.add_option("MESH", options.mesh, "A file that OpenSceneGraph reads (the built-in racing car)");
     app.add_option("-O", options.readerOptions,
-                   "Options for the reader of MESH, the pseudo-loader .legolize included, as osgviewer's -O")
+                   "Options for the reader of MESH, including .legolize, as osgviewer's -O")
         ->type_name("OPTIONS");
     app.add_option("-o,--output", options.output, "The picture to write; its extension is its format");
     app.add_option("--legolize", toCallback([&](const std::string& text) { return readSettings(text, options); }),
@@ -158,13 +158,13 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--size", toCallback([&](const std::string& text) { return readSize(text, options); }),
                    "Pixels of the picture (1280x720)")
         ->type_name("WxH");
-    app.add_option("--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
-                   "Degrees around the mesh, degrees above the horizon, and the distance from the middle of its "
-                   "bounding sphere, in "
-                   "radii of that; without a distance, as near as all of the mesh and of its bricks fits in, the same "
-                   "for both (30,25)")
+    app.add_option(
+           "--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
+           "The camera: degrees around the mesh, degrees above the horizon, and the distance from the middle of the "
+           "mesh's bounding sphere in radii of that sphere. Without a distance, the mesh and its bricks just fit "
+           "in (30,25)")
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
-    app.add_flag("--orthographic", options.view.orthographic, "A view without perspective");
+    app.add_flag("--orthographic", options.view.orthographic, "Draw without perspective");
     app.add_option(
            "--near",
            toCallback(
@@ -176,16 +176,16 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
                    "Ambient occlusion, as below, or off (medium)")
         ->type_name("OCCLUSION");
-    app.add_option("--probe", options.probe.file,
-                   "The light from all around: a latitude-longitude picture, or an angular map, of high dynamic range "
-                   "(a built-in sky)")
+    app.add_option(
+           "--probe", options.probe.file,
+           "Environment light: a latitude-longitude picture or an angular map of high dynamic range (a built-in sky)")
         ->type_name("FILE");
     app.add_option("--probe-turn",
                    toCallback(
                        [&](const std::string& text) {
                            return readNumber("--probe-turn", text, {-1e6, 1e6, "degrees"}, options.probe.turn);
                        }),
-                   "Turn that light around the axis that is up (0)")
+                   "Turn the environment light about the up axis (0)")
         ->type_name("DEGREES");
     app.add_option("--probe-intensity",
                    toCallback(
@@ -193,31 +193,33 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                            return readNumber("--probe-intensity", text, {0.0, MAXIMUM_NUMBER, "0 or more"},
                                              options.probe.intensity);
                        }),
-                   "Make that light stronger or weaker (1)")
+                   "Multiply the environment light (1)")
         ->type_name("FACTOR");
     app.add_flag("--original", options.original,
-                 "Draw the mesh as it is; with the --legolize of a picture of bricks, from the same place");
-    app.add_flag("--transparent", options.transparent,
-                 "Leave the background transparent; for .png, .tif (alpha not multiplied in) and .exr (multiplied in)");
+                 "Draw the mesh instead of bricks; from the same place if --legolize is the same");
+    app.add_flag(
+        "--transparent", options.transparent,
+        "Leave the background transparent: straight alpha in .png and .tif, colours multiplied by alpha in .exr");
     app.add_option("--context", toCallback([&](const std::string& text) { return readContext(text, options.context); }),
-                   "How to get at GL: auto, egl or osmesa (auto)")
+                   "How to create the GL context: auto, egl or osmesa (auto)")
         ->type_name("KIND");
     app.add_option("--stats", options.statistics,
                    "Write counts, the grid and times as JSON; - writes them to standard output")
         ->type_name("FILE.json");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--compare", options.reference,
-                   "Compare with a picture: print the figures, write the difference beside the output, exit with 1 if "
-                   "more than 0.1 % of the pixels are off by more than the threshold")
+                   "Compare with a picture: print the differences, write a picture of them beside the output, and exit "
+                   "with 1 if "
+                   "more than 0.1 % of the pixels are off")
         ->type_name("REFERENCE");
     const CLI::Option* threshold =
-        app.add_option("--threshold",
-                       toCallback(
-                           [&](const std::string& text) {
-                               return readNumber("--threshold", text, {0.0, 1.0, "0 to 1"}, options.threshold);
-                           }),
-                       "A pixel is off when one of its channels, 0 to 1, differs by more than this (0.0157, which is "
-                       "4/255)")
+        app.add_option(
+               "--threshold",
+               toCallback(
+                   [&](const std::string& text) {
+                       return readNumber("--threshold", text, {0.0, 1.0, "0 to 1"}, options.threshold);
+                   }),
+               "For --compare: a pixel is off if a channel, 0 to 1, differs by more than this (0.0157, or 4/255)")
             ->type_name("DIFFERENCE");
 
     try

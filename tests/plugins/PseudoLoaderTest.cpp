@@ -189,11 +189,13 @@ TEST_F(PseudoLoader, SaysWhatIsWrong)
 
 TEST_F(PseudoLoader, SaysWhyAFileCantBeRead)
 {
-    EXPECT_EQ(errorOf(pathOf("ball.osgt.(16,up=y.legolize")).find("'(' as character"), 0u);
-    EXPECT_EQ(errorOf(pathOf("ball.osgt.(16up=y).legolize")).find("a comma is missing before 'up=y'"), 0u);
+    EXPECT_NE(errorOf(pathOf("ball.osgt.(16,up=y.legolize")).find("is not closed; expected ')'"), std::string::npos);
+    EXPECT_NE(errorOf(pathOf("ball.osgt.(16up=y).legolize")).find("a comma is missing before 'up=y'"),
+              std::string::npos);
     std::filesystem::create_directory(pathOf("folder.osgt"));
-    EXPECT_EQ(errorOf(pathOf("folder.osgt.16.legolize")),
-              "can't read '" + pathOf("folder.osgt") + "': it is a folder; expected a file");
+    EXPECT_NE(errorOf(pathOf("folder.osgt.16.legolize"))
+                  .find("can't read '" + pathOf("folder.osgt") + "': it is a folder; expected a file"),
+              std::string::npos);
 }
 
 TEST_F(PseudoLoader, AFileWithALoneBracketInItsNameIsRead)
