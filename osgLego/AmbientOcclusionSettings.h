@@ -57,7 +57,7 @@ struct OSGLEGO_EXPORT AmbientOcclusionSettings
     std::optional<double> radius;
     AmbientOcclusionOutput output = AmbientOcclusionOutput::PICTURE;
 
-    /** What is wrong with these values and what is expected instead, in one sentence; empty when nothing is. */
+    /** What is wrong with these values and what is allowed instead, in one sentence; empty when nothing is. */
     std::string check() const;
 
     /** Read the text form; keys that it does not name keep the values that `settings` had.

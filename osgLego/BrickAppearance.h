@@ -41,7 +41,7 @@ struct OSGLEGO_EXPORT BrickAppearance
     /** Highlights by the osg::Material of the state above the node (specular, shininess), instead of plastic's. */
     bool materialSpecular = false;
 
-    /** What is wrong with these values and what is expected instead, in one sentence; empty when nothing is. */
+    /** What is wrong with these values and what is allowed instead, in one sentence; empty when nothing is. */
     std::string check() const;
 
     bool operator==(const BrickAppearance&) const = default;

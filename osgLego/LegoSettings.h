@@ -124,7 +124,7 @@ struct OSGLEGO_EXPORT LegoSettings
     /** The height of a cell over its width: 1, 1.2 or 0.4. */
     double getCellHeight() const;
 
-    /** What is wrong with these values and what is expected instead, in one sentence; empty when nothing is. */
+    /** What is wrong with these values and what is allowed instead, in one sentence; empty when nothing is. */
     std::string check() const;
 
     /** Read the text form.

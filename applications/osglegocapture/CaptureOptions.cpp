@@ -132,6 +132,7 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
   edge         0.0625 to 4, longest edge left, in cells  (points: 1, exact: 2)
   device       auto, gpu, cpu, which finds the bricks    (auto: cpu for exact where OpenGL is in software)
   look         plain, full                               (full)
+  drawing      auto, triangles, splats                   (auto: splats where OpenGL is in software)
 
 OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
   quality      low, medium, high                         (medium)
