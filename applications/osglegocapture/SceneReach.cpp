@@ -168,7 +168,7 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
     }
     const osg::Vec3d cell(grid.cellSize.x, grid.cellSize.y, grid.cellSize.z);
     osg::BoundingBoxd around(-cell, cell);
-    around._max[grid.getUpIndex()] += BrickGrid::STUD_HEIGHT * grid.getPitch();
+    around._max[grid.getUpIndex()] += grid.getStudHeight() * grid.cellSize[grid.getUpIndex()];
     const std::vector<double> boxReach = reachOf(bricks, source.toScene, false);
     const std::vector<double> cellReach = reachOf(around, source.toScene, true);
     for (std::size_t index = 0; index < _directions.size(); ++index)
