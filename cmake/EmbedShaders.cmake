@@ -1,5 +1,5 @@
 # As a module: osglego_embed_shaders(OUTPUT FUNCTION FOLDER FILE...) makes OUTPUT, a C++ source whose FUNCTION returns the
-# texts of the files by their paths below FOLDER.
+# texts of the files by their paths below FOLDER, or by those below its parent where they lie elsewhere there.
 # As a script: cmake -D OUTPUT=... -D FUNCTION=... -D FOLDER=... -D "FILES=a|b" -P EmbedShaders.cmake does it.
 set(OSGLEGO_EMBED_SHADERS ${CMAKE_CURRENT_LIST_FILE})
 
@@ -23,6 +23,7 @@ string(APPEND text "const std::map<std::string_view, std::string_view>& ${FUNCTI
 string(APPEND text "    static const std::map<std::string_view, std::string_view> shaders{\n")
 foreach(file IN LISTS FILES)
     file(RELATIVE_PATH name ${FOLDER} ${file})
+    string(REGEX REPLACE "^\\.\\./" "" name ${name})
     file(READ ${file} source)
     string(APPEND text "{\"${name}\", R\"glsl(${source})glsl\"},\n")
 endforeach()

@@ -1,5 +1,5 @@
-# Precompiled headers, which halve the time of a build: one for libraries, and one for programs, which are compiled with
-# other options (-fPIE). A source still includes all that it uses.
+# Precompiled headers, which halve the time of a build: one for libraries, one for programs, and one for tests; the last
+# two are compiled with -fPIE, as executables are. A source still includes all that it uses.
 
 set(OSGLEGO_PRECOMPILED_HEADERS
     <algorithm> <array> <cmath> <functional> <map> <memory> <mutex> <string> <utility> <vector>
@@ -26,4 +26,10 @@ osglego_add_precompiled(osgLegoPrecompiledLibrary STATIC HEADERS ${OSGLEGO_PRECO
 # Have a library of the project use the precompiled header.
 function(osglego_precompile target)
     target_precompile_headers(${target} REUSE_FROM osgLegoPrecompiledLibrary)
+endfunction()
+
+# Have a program, or objects that only programs are linked with, use the header that applications/ precompiles for these.
+function(osglego_precompile_program target)
+    target_compile_options(${target} PRIVATE -fPIE)
+    target_precompile_headers(${target} REUSE_FROM osgLegoPrecompiledProgram)
 endfunction()

@@ -1,5 +1,7 @@
 #include <common/BrickRayCaster.h>
 
+#include <osgLego/BrickDimensions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +19,9 @@ namespace osgLego
 namespace
 {
 
-// As createBrickGeometry and the shader draw it.
-constexpr int STUD_SIDES = 16;
+using BrickDimensions::STUD_HEIGHT;
+using BrickDimensions::STUD_RADIUS;
+using BrickDimensions::STUD_SIDES;
 // The cells along a block's edge are 2 to the power of this.
 constexpr int BLOCK_SHIFT = 2;
 constexpr int BLOCK_MASK = (1 << BLOCK_SHIFT) - 1;
@@ -68,7 +71,7 @@ const std::array<glm::dvec2, STUD_SIDES / 2> STUD_NORMALS = []
     return normals;
 }();
 /** From a stud's axis to its sides. */
-const double STUD_APOTHEM = BrickGrid::STUD_RADIUS * std::cos(std::numbers::pi / STUD_SIDES);
+const double STUD_APOTHEM = STUD_RADIUS * std::cos(std::numbers::pi / STUD_SIDES);
 
 /** A ray's way through the cells of a grid, in cell units (Amanatides and Woo, A Fast Voxel Traversal Algorithm for Ray
  * Tracing, 1987), with a stride for empty blocks. */
@@ -283,11 +286,11 @@ std::optional<double> BrickRayCaster::findStud(const glm::ivec3& cell, const glm
     const glm::dvec2 slope(direction[u], direction[v]);
     // Most rays miss even the circle around the stud, which takes no division to tell.
     const double moment = place.x * slope.y - place.y * slope.x;
-    constexpr double SQUARED_RADIUS = BrickGrid::STUD_RADIUS * BrickGrid::STUD_RADIUS;
+    constexpr double SQUARED_RADIUS = STUD_RADIUS * STUD_RADIUS;
     if (moment * moment > SQUARED_RADIUS * glm::dot(slope, slope)) return std::nullopt;
 
     Stretch stretch{0.0, maximumDistance};
-    constexpr double HALF_HEIGHT = 0.5 * BrickGrid::STUD_HEIGHT;
+    constexpr double HALF_HEIGHT = 0.5 * STUD_HEIGHT;
     stretch.clip(origin[_up] - cell[_up] * _cellExtent[_up] - HALF_HEIGHT, direction[_up], HALF_HEIGHT);
     for (const glm::dvec2& normal : STUD_NORMALS)
     {

@@ -1,5 +1,7 @@
 #include <osgLego/BrickGeometry.h>
 
+#include <osgLego/BrickDimensions.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,7 +14,9 @@ namespace osgLego
 namespace
 {
 
-constexpr int STUD_SIDES = 16;
+using BrickDimensions::STUD_HEIGHT;
+using BrickDimensions::STUD_RADIUS;
+using BrickDimensions::STUD_SIDES;
 
 osg::Vec3 toOsg(const glm::dvec3& vector)
 {
@@ -102,17 +106,17 @@ private:
         const glm::dvec3 u = unitOf((up + 1) % 3);
         const glm::dvec3 v = unitOf((up + 2) % 3);
         const glm::dvec3 foot = glm::dvec3(brick.cell[0], brick.cell[1], brick.cell[2]) + 0.5 * (u + v) + unitOf(up);
-        const glm::dvec3 rise = BrickGrid::STUD_HEIGHT * _grid.getPitch() / _grid.cellSize[up] * unitOf(up);
+        const glm::dvec3 rise = STUD_HEIGHT * _grid.getPitch() / _grid.cellSize[up] * unitOf(up);
         const unsigned int firstWall = _vertices->getNumElements();
         const unsigned int firstDisk = firstWall + 2 * STUD_SIDES;
         for (int side = 0; side < STUD_SIDES; ++side)
         {
             const glm::dvec3 direction = directionOf(side, u, v);
-            addVertex(foot + BrickGrid::STUD_RADIUS * direction, direction);
-            addVertex(foot + BrickGrid::STUD_RADIUS * direction + rise, direction);
+            addVertex(foot + STUD_RADIUS * direction, direction);
+            addVertex(foot + STUD_RADIUS * direction + rise, direction);
         }
         for (int side = 0; side < STUD_SIDES; ++side)
-            addVertex(foot + BrickGrid::STUD_RADIUS * directionOf(side, u, v) + rise, unitOf(up));
+            addVertex(foot + STUD_RADIUS * directionOf(side, u, v) + rise, unitOf(up));
 
         for (unsigned int side = 0; side < STUD_SIDES; ++side)
         {

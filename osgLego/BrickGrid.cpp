@@ -80,7 +80,7 @@ osg::BoundingBoxd BrickGrid::getBrickBounds() const
 {
     if (getNumCells() == 0) return {};
     glm::dvec3 maximum = origin + cellSize * glm::dvec3(dimensions);
-    maximum[getUpIndex()] += STUD_HEIGHT * getPitch();
+    maximum[getUpIndex()] += BrickDimensions::STUD_HEIGHT * getPitch();
     return {origin.x, origin.y, origin.z, maximum.x, maximum.y, maximum.z};
 }
 

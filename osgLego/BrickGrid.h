@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BrickDimensions.h>
 #include <osgLego/Export.h>
 #include <osgLego/LegoSettings.h>
 
@@ -31,10 +32,6 @@ namespace osgLego
  */
 struct OSGLEGO_EXPORT BrickGrid
 {
-    /** Of a stud, over the pitch (the width of a cell): the LEGO proportions 4.8 mm, 1.7 mm over 8 mm. */
-    static constexpr double STUD_RADIUS = 0.3;
-    static constexpr double STUD_HEIGHT = 0.2125;
-
     glm::dvec3 origin{0.0};   //!< the corner of cell (0, 0, 0), in model units
     glm::dvec3 cellSize{1.0}; //!< the edges of a cell, in model units
     glm::ivec3 dimensions{0}; //!< cells along each axis; zero in a grid around nothing
@@ -49,7 +46,7 @@ struct OSGLEGO_EXPORT BrickGrid
     /** The width of a cell, in model units. */
     double getPitch() const { return cellSize.x; }
     /** The height of a stud, in cells along the axis that it points along. */
-    double getStudHeight() const { return STUD_HEIGHT * getPitch() / cellSize[getUpIndex()]; }
+    double getStudHeight() const { return BrickDimensions::STUD_HEIGHT * getPitch() / cellSize[getUpIndex()]; }
     /** How many cells the grid has; up to 1024 * 1024 * 2560. */
     std::size_t getNumCells() const;
 

@@ -43,6 +43,8 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
 {
     setTiming(node.getTiming());
     setReadBack(node.getReadBack());
+    setWaiting(node.getWaiting());
+    setBricksCallback(node.getBricksCallback().get());
     setAppearance(node.getAppearance());
     setLightProbe(node.getLightProbe());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
@@ -74,25 +76,25 @@ bool LegoNode::setAppearance(const BrickAppearance& appearance)
         OSG_WARN << "osgLego: " << error << std::endl;
         return false;
     }
-    _pipeline->setAppearance(appearance);
+    _pipeline->getDisplay().setAppearance(appearance);
     return true;
 }
 
 BrickAppearance LegoNode::getAppearance() const
 {
-    return _pipeline->getAppearance();
+    return _pipeline->getDisplay().getAppearance();
 }
 
 void LegoNode::setLightProbe(const LightProbe* probe)
 {
     // A copy, since it is read while frames are culled.
     const osg::ref_ptr<LightProbe> copy = probe ? new LightProbe(*probe) : new LightProbe;
-    _pipeline->setLightProbe(*copy);
+    _pipeline->getDisplay().setLightProbe(*copy);
 }
 
 osg::ref_ptr<const LightProbe> LegoNode::getLightProbe() const
 {
-    return _pipeline->getLightProbe();
+    return _pipeline->getDisplay().getLightProbe();
 }
 
 void LegoNode::dirty()
@@ -103,8 +105,8 @@ void LegoNode::dirty()
 
 bool LegoNode::hasTriangles() const
 {
-    _pipeline->refresh(*this);
-    return _pipeline->getStore().getSource().valid();
+    refresh();
+    return _pipeline->getSource().valid();
 }
 
 void LegoNode::setTiming(bool timing)
@@ -115,6 +117,25 @@ void LegoNode::setTiming(bool timing)
 bool LegoNode::getTiming() const
 {
     return _pipeline->getTiming();
+}
+
+void LegoNode::setWaiting(bool waiting)
+{
+    _pipeline->setWaiting(waiting);
+}
+
+bool LegoNode::getWaiting() const
+{
+    return _pipeline->getWaiting();
+}
+
+void LegoNode::setBricksCallback(BricksCallback* callback)
+{
+    _bricksCallback = callback;
+    if (callback)
+        _pipeline->setAnnouncement([kept = _bricksCallback] { kept->ready(); });
+    else
+        _pipeline->setAnnouncement(nullptr);
 }
 
 void LegoNode::setReadBack(bool readBack)
@@ -129,13 +150,13 @@ bool LegoNode::getReadBack() const
 
 osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
 {
-    _pipeline->refresh(*this);
-    return _pipeline->getStore().getModel();
+    refresh();
+    return _pipeline->getModel();
 }
 
 osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
 {
-    return _pipeline->getStore().getContext(contextID)->getModel();
+    return getReadBack() ? _pipeline->getStore().getContext(contextID)->getModel() : nullptr;
 }
 
 LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
@@ -145,9 +166,8 @@ LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 
 bool LegoNode::isLegolized(unsigned int contextID) const
 {
-    const BrickStore& store = _pipeline->getStore();
-    const osg::ref_ptr<const LegoSource> source = store.getSource();
-    return source && store.getContext(contextID)->isOf(*source);
+    const osg::ref_ptr<const LegoSource> source = _pipeline->getSource();
+    return source && _pipeline->getStore().getContext(contextID)->isOf(source->revision);
 }
 
 bool LegoNode::isSupported(const osg::State& state)
@@ -166,9 +186,8 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     {
     case osg::NodeVisitor::UPDATE_VISITOR:
         osg::Group::traverse(visitor);
-        _pipeline->refresh(*this);
-        if (_pipeline->takeBoundDirty()) dirtyBound();
-        _pipeline->releaseIdlePasses(visitor.getTraversalNumber());
+        refresh();
+        if (_pipeline->update(visitor.getTraversalNumber())) dirtyBound();
         return;
     case osg::NodeVisitor::EVENT_VISITOR:
         osg::Group::traverse(visitor);
@@ -179,6 +198,13 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     default:
         visitBricks(visitor);
     }
+}
+
+/** Look at the source, and remember where it was. */
+void LegoNode::refresh() const
+{
+    _pipeline->refresh(*this);
+    _sourceBound = osg::Group::computeBound();
 }
 
 void LegoNode::cull(osg::NodeVisitor& visitor)
@@ -204,7 +230,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
         // What will be drawn is compiled, and nothing else.
         const osg::State* state = compiler->getRenderInfo().getState();
         if (!state || _pipeline->isFit(*state))
-            _pipeline->getBrickNode()->accept(visitor);
+            _pipeline->getDisplay().getBrickNode()->accept(visitor);
         else
             osg::Group::traverse(visitor);
         return;
@@ -212,7 +238,9 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     else if (!isGeometryWriter(visitor))
     {
         if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
-        _pipeline->getBrickNode()->accept(visitor);
+        _pipeline->refreshIfDirty(*this);
+        _pipeline->prepareForPicking();
+        _pipeline->getDisplay().getBrickNode()->accept(visitor);
         return;
     }
 
@@ -227,7 +255,8 @@ osg::BoundingSphere LegoNode::computeBound() const
 {
     // A child whose bound nobody asked for would not tell when it changes.
     const osg::BoundingSphere sourceBound = osg::Group::computeBound();
-    _pipeline->refresh(*this);
+    // A source that lies where it lay when it was looked at need not be looked at again before the next update.
+    if (_pipeline->isDirty() || sourceBound != _sourceBound) refresh();
     const osg::BoundingBoxd bounds = _pipeline->getBounds();
     return bounds.valid() ? osg::BoundingSphere(osg::BoundingBox(bounds)) : sourceBound;
 }
@@ -235,7 +264,7 @@ osg::BoundingSphere LegoNode::computeBound() const
 void LegoNode::setThreadSafeRefUnref(bool threadSafe)
 {
     osg::Group::setThreadSafeRefUnref(threadSafe);
-    _pipeline->getBrickNode()->setThreadSafeRefUnref(threadSafe);
+    _pipeline->getDisplay().getBrickNode()->setThreadSafeRefUnref(threadSafe);
 }
 
 void LegoNode::resizeGLObjectBuffers(unsigned int maxSize)

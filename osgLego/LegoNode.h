@@ -84,6 +84,30 @@ public:
     void setTiming(bool timing);
     bool getTiming() const;
 
+    /** Wait, in the cull traversal, for bricks that are made on the CPU, so that each frame shows the source as it is.
+     * Off at first: the node goes on showing the bricks it has until the new ones are ready, and a newer change of the
+     * source takes the place of an older one that is still being worked on. The first bricks are waited for in any
+     * case, since there is nothing to show before. */
+    void setWaiting(bool waiting);
+    bool getWaiting() const;
+
+    /** Called when bricks made on the CPU are ready to be shown from the next frame on; for viewers that run on demand,
+     * which must be asked for that frame.
+     *
+     * Called by a thread of its own: ready() may do nothing but what is allowed from any thread, such as
+     * osgViewer::ViewerBase::requestRedraw(), and may not call the node. */
+    class OSGLEGO_EXPORT BricksCallback : public osg::Referenced
+    {
+    public:
+        virtual void ready() = 0;
+
+    protected:
+        ~BricksCallback() override = default;
+    };
+    /** Null: call nothing. */
+    void setBricksCallback(BricksCallback* callback);
+    osg::ref_ptr<BricksCallback> getBricksCallback() const { return _bricksCallback; }
+
     /** Bring all covered cells back from the GPU with each legolization, for getBricks(contextID). Off at first. */
     void setReadBack(bool readBack);
     bool getReadBack() const;
@@ -118,10 +142,13 @@ protected:
     ~LegoNode() override;
 
 private:
+    void refresh() const;
     void cull(osg::NodeVisitor& visitor);
     void visitBricks(osg::NodeVisitor& visitor);
 
     osg::ref_ptr<LegoPipeline> _pipeline;
+    osg::ref_ptr<BricksCallback> _bricksCallback;
+    mutable osg::BoundingSphere _sourceBound; // when the source was looked at last
 };
 
 } // namespace osgLego

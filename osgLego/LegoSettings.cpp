@@ -23,7 +23,10 @@ constexpr std::array TARGET_NAMES{SettingName<VoxelizationTarget>{"projected", V
 constexpr std::array DEVICE_NAMES{SettingName<Device>{"auto", Device::AUTO}, SettingName<Device>{"gpu", Device::GPU},
                                   SettingName<Device>{"cpu", Device::CPU}};
 constexpr std::array LOOK_NAMES{SettingName<Look>{"plain", Look::PLAIN}, SettingName<Look>{"full", Look::FULL}};
-constexpr std::string_view KEYS = "resolution, proportions, up, method, target, fbo, edge, device, look";
+constexpr std::array DRAWING_NAMES{SettingName<Drawing>{"auto", Drawing::AUTO},
+                                   SettingName<Drawing>{"triangles", Drawing::TRIANGLES},
+                                   SettingName<Drawing>{"splats", Drawing::SPLATS}};
+constexpr std::string_view KEYS = "resolution, proportions, up, method, target, fbo, edge, device, look, drawing";
 
 bool isNumber(std::string_view text)
 {
@@ -42,6 +45,7 @@ std::string readSetting(std::string_view key, std::string_view value, LegoSettin
     if (key == "edge") return readNumber(key, value, "a number of cells, 0.0625 to 4", settings.edgeLimit.emplace());
     if (key == "device") return readName(key, value, DEVICE_NAMES, settings.device);
     if (key == "look") return readName(key, value, LOOK_NAMES, settings.look);
+    if (key == "drawing") return readName(key, value, DRAWING_NAMES, settings.drawing);
     return unknownKey(key, KEYS);
 }
 
@@ -112,6 +116,7 @@ bool LegoSettings::givesSameBricks(const LegoSettings& other) const
 {
     LegoSettings alike = other;
     alike.look = look;
+    alike.drawing = drawing;
     return alike == *this;
 }
 
@@ -135,6 +140,7 @@ std::string LegoSettings::toString() const
     if (edgeLimit) text << ",edge=" << toText(*edgeLimit);
     if (device != defaults.device) text << ",device=" << nameOf(DEVICE_NAMES, device);
     if (look != defaults.look) text << ",look=" << nameOf(LOOK_NAMES, look);
+    if (drawing != defaults.drawing) text << ",drawing=" << nameOf(DRAWING_NAMES, drawing);
     return text.str();
 }
 

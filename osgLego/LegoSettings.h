@@ -52,6 +52,14 @@ enum class Look
     FULL   //!< plastic with joints and relief (BrickAppearance), in the light of a probe besides (LightProbe)
 };
 
+/** By which means bricks are drawn; the picture is the same. */
+enum class Drawing
+{
+    AUTO,      //!< splats where a software renderer draws, else triangles
+    TRIANGLES, //!< triangles out of a geometry shader
+    SPLATS     //!< points whose pixels cast rays; triangles where rays can't show the bricks, as when they are cut open
+};
+
 /** Everything that decides which bricks stand for a mesh, and whether they look like bricks; and the one text form of
  * it.
  *
@@ -74,6 +82,7 @@ enum class Look
  * | edge        | 0.0625 to 4                                | 1 (points), 2 (exact)               |
  * | device      | auto, gpu, cpu (points: auto, gpu)         | auto                                |
  * | look        | plain, full                                | full                                |
+ * | drawing     | auto, triangles, splats                    | auto                                |
  *
  * Usage:
  *
@@ -104,8 +113,9 @@ struct OSGLEGO_EXPORT LegoSettings
     std::optional<double> edgeLimit;
     /** Both find the same cells; colours may differ by what rounding does. */
     Device device = Device::AUTO;
-    /** The only one of these that has no part in which bricks there are. */
+    // These two have no effect on which bricks there are.
     Look look = Look::FULL;
+    Drawing drawing = Drawing::AUTO;
 
     /** The target in force: `target`, or the method's own (points: projected, exact: addressed). */
     VoxelizationTarget getTarget() const;
@@ -130,7 +140,7 @@ struct OSGLEGO_EXPORT LegoSettings
     /** The shortest text that parse() turns into these values, beginning with the resolution. */
     std::string toString() const;
 
-    /** Whether the same mesh gives the same bricks: equal in everything but the look. */
+    /** Whether the same mesh gives the same bricks: equal in everything but the look and the drawing. */
     bool givesSameBricks(const LegoSettings& other) const;
 
     bool operator==(const LegoSettings&) const = default;

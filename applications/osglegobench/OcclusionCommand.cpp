@@ -1,6 +1,7 @@
 #include "Commands.h"
 
 #include "OcclusionBench.h"
+#include "SharedOptions.h"
 
 #include <cstdio>
 #include <memory>

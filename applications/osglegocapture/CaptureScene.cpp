@@ -118,6 +118,7 @@ void CaptureScene::legolize()
     }
     if (!_lego->hasTriangles())
         throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
+    _lego->setWaiting(true);
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
 }

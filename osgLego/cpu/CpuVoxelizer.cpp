@@ -5,6 +5,7 @@
 #include <osgLego/cpu/TriangleColor.h>
 #include <osgLego/cpu/TriangleOverlap.h>
 #include <osgLego/cpu/TriangleSlicer.h>
+#include <osgLego/data/PassConstants.h>
 
 #include <algorithm>
 #include <tuple>
@@ -20,9 +21,6 @@ namespace osgLego
 
 namespace
 {
-
-// In cells squared: lets a triangle that only grazes a cell decide its colour when no other covers it.
-constexpr double LEAST_WEIGHT = 1e-9;
 
 /** The order in which TriangleSlicer finds parts. */
 bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
@@ -69,7 +67,7 @@ private:
         TriangleColor(batch, corners).getColors(_parts, _colors.data());
         auto color = _colors.begin();
         for (const CellPart& part : _parts)
-            _sums.add(part.cell, static_cast<float>(part.area + LEAST_WEIGHT), *color++);
+            _sums.add(part.cell, static_cast<float>(part.area + PassConstants::LEAST_WEIGHT), *color++);
     }
 
     /** Let the overlap test say which parts there are. */

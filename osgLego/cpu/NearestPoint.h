@@ -13,8 +13,10 @@ namespace osgLego
 /** Finds the points of a triangle that are nearest to others, four at a time.
  *
  * The nearest point of its plane, if that is inside of the triangle; else the nearest of those of its edges. All four
- * are reckoned out, as which of them it is can hardly be foreseen, and jumping costs more than reckoning. What depends
- * on the triangle alone is kept, so that a point costs two scalar products and no division.
+ * are computed, since a branch on which of them it is can't be predicted and costs more. What depends on the triangle
+ * alone is kept, so that a point costs two scalar products and no division.
+ *
+ * shaders/voxelization/nearest_point.glsl is the same on the GPU, and says why it is written otherwise.
  *
  * Immutable, free of GL; may be called from any thread.
  */

@@ -20,53 +20,6 @@ constexpr double GENEROSITY = 1e-9;
 // An axis this short comes from a sliver or an edge along an axis, and tells nothing.
 constexpr double SHORTEST_AXIS = 1e-9;
 
-using Corners = std::array<glm::dvec3, 3>;
-
-/** Twice the vector area between the origin and the part of the segment pq that lies in the unit cell, faces included.
- */
-glm::dvec3 sweptInCell(const glm::dvec3& p, const glm::dvec3& q)
-{
-    const glm::dvec3 along = q - p;
-    double begin = 0.0;
-    double end = 1.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (along[axis] == 0.0)
-        {
-            if (p[axis] < 0.0 || p[axis] > 1.0) return glm::dvec3(0.0);
-            continue;
-        }
-        const double lower = -p[axis] / along[axis];
-        const double upper = (1.0 - p[axis]) / along[axis];
-        begin = std::max(begin, std::min(lower, upper));
-        end = std::min(end, std::max(lower, upper));
-    }
-    return begin < end ? glm::cross(p + begin * along, p + end * along) : glm::dvec3(0.0);
-}
-
-/** The chord along which the plane of a face cuts a triangle, from where its outline leaves the inner side to where it
- * comes back; nothing where the plane misses it.
- * @param face 0 for the lower face of an axis, 1 for the upper. */
-glm::dvec3 sweptOnFace(const Corners& corners, int axis, double face)
-{
-    glm::dvec3 leave(0.0);
-    glm::dvec3 enter(0.0);
-    bool isCut = false;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-        const glm::dvec3& from = corners[corner];
-        const glm::dvec3& to = corners[(corner + 1) % 3];
-        const double here = face == 0.0 ? from[axis] : 1.0 - from[axis];
-        const double there = face == 0.0 ? to[axis] : 1.0 - to[axis];
-        if ((here >= 0.0) == (there >= 0.0)) continue;
-        glm::dvec3 crossing = glm::mix(from, to, here / (here - there));
-        crossing[axis] = face;
-        (here >= 0.0 ? leave : enter) = crossing;
-        isCut = true;
-    }
-    return isCut ? sweptInCell(leave, enter) : glm::dvec3(0.0);
-}
-
 } // namespace
 
 TriangleOverlap::TriangleOverlap(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) :
@@ -133,65 +86,6 @@ double TriangleOverlap::getMargin(const glm::ivec3& cell) const
                                 length);
     }
     return -gap;
-}
-
-double TriangleOverlap::getAreaInside(const glm::ivec3& cell) const
-{
-    // By Stokes' theorem: the outline of the part inside is made of pieces of the triangle's edges and of its chords
-    // with the planes of the cell's faces.
-    const glm::dvec3 origin(cell);
-    const Corners corners{_corners[0] - origin, _corners[1] - origin, _corners[2] - origin};
-    glm::dvec3 sum =
-        sweptInCell(corners[0], corners[1]) + sweptInCell(corners[1], corners[2]) + sweptInCell(corners[2], corners[0]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (_minimum[axis] < origin[axis]) sum += sweptOnFace(corners, axis, 0.0);
-        if (_maximum[axis] > origin[axis] + 1.0) sum += sweptOnFace(corners, axis, 1.0);
-    }
-    return 0.5 * glm::length(sum);
-}
-
-glm::dvec3 TriangleOverlap::findNearest(const glm::dvec3& point) const
-{
-    // Corners may coincide, once they are rounded to floats: no edge is asked that has no length.
-    const auto& [a, b, c] = _corners;
-    const glm::dvec3 ab = b - a;
-    const glm::dvec3 ac = c - a;
-    const double d1 = glm::dot(ab, point - a);
-    const double d2 = glm::dot(ac, point - a);
-    if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
-
-    const double d3 = glm::dot(ab, point - b);
-    const double d4 = glm::dot(ac, point - b);
-    if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
-
-    const double shareC = d1 * d4 - d3 * d2;
-    if (shareC <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3)
-    {
-        const double v = d1 / (d1 - d3);
-        return {1.0 - v, v, 0.0};
-    }
-
-    const double d5 = glm::dot(ab, point - c);
-    const double d6 = glm::dot(ac, point - c);
-    if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
-
-    const double shareB = d5 * d2 - d1 * d6;
-    if (shareB <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6)
-    {
-        const double w = d2 / (d2 - d6);
-        return {1.0 - w, 0.0, w};
-    }
-
-    const double shareA = d3 * d6 - d5 * d4;
-    if (shareA <= 0.0 && d4 >= d3 && d5 >= d6 && (d4 > d3 || d5 > d6))
-    {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0.0, 1.0 - w, w};
-    }
-
-    const double sum = shareA + shareB + shareC;
-    return sum > 0.0 ? glm::dvec3(shareA, shareB, shareC) / sum : glm::dvec3(1.0, 0.0, 0.0);
 }
 
 void TriangleOverlap::findCells(const glm::ivec3& dimensions, std::vector<glm::ivec3>& cells) const

@@ -34,13 +34,6 @@ public:
      * how far, as a negative number, to begin (a lower bound of that distance). */
     double getMargin(const glm::ivec3& cell) const;
 
-    /** The area of the part of the triangle inside the cell, in cell units squared. */
-    double getAreaInside(const glm::ivec3& cell) const;
-
-    /** The barycentric coordinates, of a, b and c, of the point of the triangle nearest to `point`
-     * (Ericson, Real-Time Collision Detection, 5.1.5). */
-    glm::dvec3 findNearest(const glm::dvec3& point) const;
-
     /** Append every overlapped cell from (0, 0, 0) to below `dimensions`; each once, in an order that depends on the
      * triangle alone. */
     void findCells(const glm::ivec3& dimensions, std::vector<glm::ivec3>& cells) const;

@@ -14,8 +14,8 @@ namespace osgLego
 namespace
 {
 
-// A line that goes less far than this in y, for each cell in x, is nearly parallel to the planes across y.
-constexpr double PARALLELITY = 1e-4;
+// A line that goes less far than this along y, for each cell along x, is nearly parallel to x.
+constexpr double LEAST_SLOPE = 1e-4;
 
 /** A convex polygon: a triangle, with one more corner at most for each of the six planes that it is cut by. */
 struct Polygon
@@ -51,7 +51,8 @@ void split(const Polygon& whole, double plane, Polygon& below, Polygon& above)
     }
 }
 
-bool isClear(double place)
+/** Whether a place on an axis is so far from the planes between cells that no rounding moves it across one. */
+bool isAwayFromPlanes(double place)
 {
     const double fraction = place - static_cast<double>(static_cast<int>(place));
     return fraction > TriangleSlicer::NEARNESS && fraction < 1.0 - TriangleSlicer::NEARNESS;
@@ -123,10 +124,11 @@ double projectedArea(const Polygon& polygon, std::size_t axis)
     return std::abs(sum);
 }
 
-/** Whether a small error in y, where a line is cut across y, is a large one in x. */
-bool isSteep(double x, double y)
+/** Whether a line, by how far it goes along x and y, is nearly parallel to x without being so: where it meets a plane
+ * across y, a small error in y is a large one in x. */
+bool isNearlyAlongX(double x, double y)
 {
-    return y != 0.0 && std::abs(y) < PARALLELITY * std::abs(x);
+    return y != 0.0 && std::abs(y) < LEAST_SLOPE * std::abs(x);
 }
 
 /** How much of a triangle is below a plane, as a fraction of its area, from the places of its corners. */
@@ -170,17 +172,17 @@ public:
         const glm::dvec3 normal = glm::cross(edge1, edge2);
         const double length2 = glm::dot(normal, normal);
         if (length2 > 0.0) chooseProjection(glm::abs(normal), std::sqrt(length2));
-        _isCertain = length2 > 0.0 && !(glm::all(_isCut) && isDelicate(normal));
+        _areCellsKnown = length2 > 0.0 && !(glm::all(_isCut) && mayMagnifyErrors(normal));
     }
 
-    /** @return whether it is certain that the parts' cells are all there are. */
+    /** @return whether it is known that the parts' cells are those of the triangle. */
     bool cut(const glm::ivec3& minimum, const glm::ivec3& maximum)
     {
         Polygon triangle;
         for (const glm::vec3& corner : _corners)
             triangle.add(corner);
         cutAcross<2>(triangle, minimum, maximum, _first);
-        return _isCertain;
+        return _areCellsKnown;
     }
 
 private:
@@ -195,20 +197,20 @@ private:
         if (size > STEEPEST * length) _areaOfProjectedAcrossX = length / size;
     }
 
-    /** Whether cuts across y, of what cuts across z have moved, may end elsewhere in x than they ought to. */
-    bool isDelicate(const glm::dvec3& normal) const
+    /** Whether a cut across y may turn an error in y, which a cut across z has left, into a larger one in x. */
+    bool mayMagnifyErrors(const glm::dvec3& normal) const
     {
-        // A cut across z runs across the normal.
-        if (isSteep(normal.y, normal.x)) return true;
+        // The sides that cuts across z make run across the normal.
+        if (isNearlyAlongX(normal.y, normal.x)) return true;
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
             const glm::dvec3 edge = glm::dvec3(_corners[(corner + 1) % 3]) - glm::dvec3(_corners[corner]);
-            if (isSteep(edge.x, edge.y)) return true;
+            if (isNearlyAlongX(edge.x, edge.y)) return true;
         }
         return false;
     }
 
-    /** Cut what lies in one cell of the axes behind AXIS. @param cell its place along those. */
+    /** Cut what lies in one cell of the axes after AXIS, which were cut before. @param cell its place along those. */
     template <int AXIS>
     void cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
     {
@@ -225,13 +227,13 @@ private:
             goOn(polygon, _first[AXIS]);
             return;
         }
-        // Of what is still whole the corners tell to the last digit which cells are met; of the rest the cuts do.
+        // Of what is still whole, the corners say exactly which cells are met; of the rest, the cuts do.
         Extent extent{_minimum[AXIS], _maximum[AXIS]};
-        if (isCutBehind<AXIS>())
+        if (wasCutBefore<AXIS>())
         {
             extent = extentOf<AXIS>(polygon);
-            _isCertain = _isCertain && isCertain<AXIS>(polygon, extent.lowest, false) &&
-                         isCertain<AXIS>(polygon, extent.highest, true);
+            _areCellsKnown = _areCellsKnown && isCellOfEndKnown<AXIS>(polygon, extent.lowest, false) &&
+                             isCellOfEndKnown<AXIS>(polygon, extent.highest, true);
         }
         if (AXIS == 0 && _areaOfProjectedAcrossX > 0.0)
             addParts(polygon, extent, minimum.x, maximum.x, cell);
@@ -297,22 +299,22 @@ private:
     }
 
     template <int AXIS>
-    bool isCutBehind() const
+    bool wasCutBefore() const
     {
         return (AXIS < 2 && _isCut.z) || (AXIS < 1 && _isCut.y);
     }
 
-    /** Whether it is certain in which cell along an axis the end of a polygon lies that was cut along the axes behind.
-     */
+    /** Whether rounding has no say in which cell along an axis the end of a polygon lies that was cut before. */
     template <int AXIS>
-    bool isCertain(const Polygon& polygon, double end, bool isHighest) const
+    bool isCellOfEndKnown(const Polygon& polygon, double end, bool isHighest) const
     {
-        return isClear(end) || isExact<AXIS>(polygon, end, isHighest);
+        return isAwayFromPlanes(end) || endsAtCorner<AXIS>(polygon, end, isHighest);
     }
 
-    /** Whether a polygon ends where a corner of the triangle is, or an edge that no cut moves along the axis. */
+    /** Whether a polygon ends exactly where a corner of the triangle does: at that corner, or at an edge across the
+     * axis, along which a cut leaves the place on the axis as it is. */
     template <int AXIS>
-    bool isExact(const Polygon& polygon, double end, bool isHighest) const
+    bool endsAtCorner(const Polygon& polygon, double end, bool isHighest) const
     {
         if (std::none_of(_corners.begin(), _corners.end(),
                          [end](const glm::vec3& corner) { return static_cast<double>(corner[AXIS]) == end; }))
@@ -324,21 +326,21 @@ private:
             const glm::dvec3& corner = polygon.corners[number];
             if (std::abs(corner[AXIS] - end) > NEARNESS) continue;
             // Where a cut meets another plane too, rounding may have put it on the other side of that.
-            if (corner[AXIS] != end || countUnclear<AXIS>(corner) > 1) return false;
+            if (corner[AXIS] != end || countPlanesNear<AXIS>(corner) > 1) return false;
             sum += corner;
             count += 1.0;
         }
-        // A cell does not hold its upper faces: what ends there alone does not reach its end inside of the cell.
-        return !isHighest || countUnclear<AXIS>(sum / count) == 0;
+        // A cell does not hold its upper faces: what ends on one of them alone does not reach its end inside the cell.
+        return !isHighest || countPlanesNear<AXIS>(sum / count) == 0;
     }
 
-    /** Of the axes behind AXIS, along how many a place is near a plane. */
+    /** Along how many of the axes after AXIS a place is near a plane between cells. */
     template <int AXIS>
-    static int countUnclear(const glm::dvec3& place)
+    static int countPlanesNear(const glm::dvec3& place)
     {
         int count = 0;
         for (int axis = AXIS + 1; axis < 3; ++axis)
-            count += isClear(place[axis]) ? 0 : 1;
+            count += isAwayFromPlanes(place[axis]) ? 0 : 1;
         return count;
     }
 
@@ -352,7 +354,7 @@ private:
     double _areaOfProjected = 0.0;        // half the area over that of the projection
     std::size_t _axisAcrossX = 0;         // the same of the axes but x
     double _areaOfProjectedAcrossX = 0.0; // the area over that of the projection; 0 where that is too small
-    bool _isCertain = false;
+    bool _areCellsKnown = false;
 };
 
 TriangleSlicer::TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) :

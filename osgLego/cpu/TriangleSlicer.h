@@ -20,19 +20,37 @@ struct CellPart
  * cut for each further cell.
  *
  * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
- * numbers are so near to each other that cutting could come to another end, TriangleOverlap is to be asked which cells
- * there are, and the areas found here are still good. So it is where a cut ends within NEARNESS of another plane, and
- * it can't be shown that this is what it does exactly.
+ * rounding could change which cells the cuts find, TriangleOverlap is to be asked for the cells; the areas found here
+ * are still good.
  *
- * Why that is enough: cuts go across z first, then y, then x. Corners are floats, so which cells along z are met is
- * exact. A cut of the triangle's own edges lies within 1e-12 cells of where it ought to, as differences of coordinates
- * of at most 4096 cells lose nothing in double precision; each further cut of the rest of an edge adds as much. A cut
- * of what is cut already does too, times how fast x changes with y along it; where that is by more than 1e4, nothing is
- * certain either. Cuts across x find areas alone.
+ * Where that is: cuts go across z first, then y, then x. Corners are floats, so which cells are met along z is exact.
+ * What a cut leaves is looked at along the next axis: the cells from its lowest to its highest end are met.
  *
- * A mere touch TriangleOverlap may lose by rounding, which grows with the triangle, and cutting knows it: of triangles
- * whose corners were put a few steps of a float beside planes, one in a thousand differed where they reached over
- * hundreds of cells, and one in a million within twenty.
+ *     y = 2              3              4
+ *         |              |              |
+ *         |  p-----------|-----------.  |
+ *         |   \          |            `-|-.
+ *         |    \         |              |  `-q
+ *         |     \        |         _,-'-|'
+ *         |      \       |   _,--'      |
+ *         |       \__,---|-'            |
+ *         |       r      |              |
+ *       >| |<          >| |<          >| |<  NEARNESS
+ *
+ * This is a triangle seen along z; a cut across z left the side pq. If p, the lowest end, came of that cut, it is in
+ * the cells from y = 2 on, as it is farther than NEARNESS from any plane: rounding, of 1e-12 cells, can't move it
+ * across one. If q were within NEARNESS of y = 4, whether it reaches the cells beyond would be known only where q is
+ * exact: a corner of the triangle, or on an edge along which y does not change.
+ *
+ * Why rounding is of 1e-12 cells: a cut of the triangle's own edges lies within that of its true place, as differences
+ * of coordinates of at most 4096 cells lose nothing in double precision, and each further cut of what is left of an
+ * edge adds as much. The line pq has that error in y, too, and a cut of it across y has it in x, times how far x goes
+ * for each cell along y. Where that is more than 1e4 cells, the cells are not known either. Cuts across x find areas
+ * alone.
+ *
+ * TriangleOverlap may miss a mere touch by rounding, which grows with the triangle, where cutting finds it: of
+ * triangles whose corners were put a few steps of a float beside planes, one in a thousand differed where they reached
+ * over hundreds of cells, and one in a million within twenty.
  *
  * Usage:
  *

@@ -112,6 +112,36 @@ BrickPoint packBrick(const Brick& brick)
             red | std::uint32_t(green) << 8 | std::uint32_t(blue) << 16 | std::uint32_t(0xff) << 24};
 }
 
+Brick unpackBrick(const BrickPoint& point)
+{
+    Brick brick;
+    brick.cell = {static_cast<std::uint16_t>(point[0]), static_cast<std::uint16_t>(point[0] >> 16),
+                  static_cast<std::uint16_t>(point[1])};
+    brick.openSides = static_cast<std::uint8_t>(point[1] >> 16);
+    brick.color = {static_cast<std::uint8_t>(point[2]), static_cast<std::uint8_t>(point[2] >> 8),
+                   static_cast<std::uint8_t>(point[2] >> 16)};
+    return brick;
+}
+
+std::vector<BrickBlock> findBlocks(std::span<const BrickPoint> points)
+{
+    std::vector<BrickBlock> blocks;
+    glm::ivec3 last(-1);
+    for (const BrickPoint& point : points)
+    {
+        const Brick brick = unpackBrick(point);
+        const glm::ivec3 place = brick.getCell() / SIDE;
+        if (place != last)
+        {
+            blocks.emplace_back();
+            blocks.back().first = static_cast<int>(&point - points.data());
+            last = place;
+        }
+        include(brick, blocks.back());
+    }
+    return blocks;
+}
+
 BrickPoints createBrickPoints(const BrickModel& model)
 {
     const std::vector<Brick>& bricks = model.getBricks();

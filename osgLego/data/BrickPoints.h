@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace osgLego
@@ -14,6 +15,8 @@ namespace osgLego
 using BrickPoint = std::array<std::uint32_t, 3>;
 
 BrickPoint packBrick(const Brick& brick);
+/** The cell and the open sides of a packed brick; the colour as well. */
+Brick unpackBrick(const BrickPoint& point);
 
 /** The bricks that can be seen, block by block. */
 struct BrickPoints
@@ -27,5 +30,9 @@ struct BrickPoints
 
 /** The points of a model's visible bricks; in a block they are sorted by z, y and x. May be called from any thread. */
 BrickPoints createBrickPoints(const BrickModel& model);
+
+/** The blocks of points of which those of a block follow each other. A block whose points stand in several places, as
+ * at the border of two slabs, is several blocks. May be called from any thread. */
+std::vector<BrickBlock> findBlocks(std::span<const BrickPoint> points);
 
 } // namespace osgLego

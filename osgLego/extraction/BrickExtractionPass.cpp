@@ -77,12 +77,12 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
     const auto keptBytes = static_cast<GLsizeiptr>(work.numBricks * BRICK_BYTES);
     if (work.numBricks > 0)
     {
-        extensions.glBindBuffer(GL_ARRAY_BUFFER, work.bricks.get());
+        extensions.glBindBuffer(GL_ARRAY_BUFFER, work.buffer.get());
         extensions.glGetBufferSubData(GL_ARRAY_BUFFER, 0, keptBytes, kept.data());
     }
-    work.bricks = GlBuffer(state);
+    work.buffer = GlBuffer(state);
     work.brickCapacity = capacity;
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, work.bricks.get());
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, work.buffer.get());
     extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity * BRICK_BYTES), nullptr, GL_STATIC_DRAW);
     if (work.numBricks > 0) extensions.glBufferSubData(GL_ARRAY_BUFFER, 0, keptBytes, kept.data());
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -119,18 +119,17 @@ void findWords(const osg::State& state, const Occupancy& occupancy, int numBlock
 
 } // namespace
 
-BrickExtractionPass::BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
-                                         const ExtractionStates& states) :
-    LegolizationPass(store, step),
+BrickExtractionPass::BrickExtractionPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan,
+                                         std::size_t slab, const ExtractionStates& states) :
+    LegolizationPass(workspace, step),
     _plan(plan), _slab(slab), _states(&states)
 {
     setStateSet(&states.getWords());
     setCamera(new PassCamera(*this));
 }
 
-std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) const
+std::string BrickExtractionPass::run(osg::State& state, Legolization& work) const
 {
-    Legolization& work = *bricks.work;
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
     const int numBlocks = Occupancy::countBlocks(grid, slab);
@@ -153,7 +152,7 @@ std::string BrickExtractionPass::run(osg::State& state, ContextBricks& bricks) c
     const OccupancyTexture texture(state, work.occupancy);
     const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);
     if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
-    if (_slab + 1 == _plan.numSlabs) bricks.finish();
+    if (_slab + 1 == _plan.numSlabs) work.isComplete = true;
     return {};
 }
 
@@ -180,7 +179,7 @@ std::string BrickExtractionPass::capture(osg::State& state, Legolization& work, 
     {
         const auto offset = static_cast<GLintptr>(work.numBricks * BRICK_BYTES);
         const auto size = static_cast<GLsizeiptr>(work.brickCapacity * BRICK_BYTES) - offset;
-        feedback.begin(GL_POINTS, work.bricks.get(), offset, size);
+        feedback.begin(GL_POINTS, work.buffer.get(), offset, size);
         words.draw(GL_POINTS);
         feedback.end();
         const CapturedPrimitives result = feedback.getResult();

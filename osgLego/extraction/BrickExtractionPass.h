@@ -21,7 +21,7 @@ namespace osgLego
 class BrickExtractionPass : public LegolizationPass
 {
 public:
-    BrickExtractionPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+    BrickExtractionPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
                         const ExtractionStates& states);
 
     bool isSameKindAs(const osg::Object* object) const override
@@ -34,7 +34,7 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize) override;
 
 protected:
-    std::string run(osg::State& state, ContextBricks& bricks) const override;
+    std::string run(osg::State& state, Legolization& work) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.extraction; }
 
 private:

@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/PassCamera.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 
 namespace osgLego
 {
@@ -16,7 +17,7 @@ osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<
     program->addTransformFeedBackVarying(captured);
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
-    stateSet->setTextureAttribute(0, &voxelImage, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    stateSet->setTextureAttribute(0, &voxelImage, OVERRIDE_PROTECTED);
     return stateSet;
 }
 

@@ -65,7 +65,7 @@ double textureLevel(const Corners& corners, const SurfaceTexture* texture)
 {
     if (!texture) return 0.0;
     const double texels = texelsPerCell(corners, texture->getSize());
-    return texels > 2.0 ? std::min(std::log2(0.5 * texels), GridVertex::MAXIMUM_LEVEL) : 0.0;
+    return texels > 2.0 ? std::min(std::log2(0.5 * texels), PassConstants::MAXIMUM_LEVEL) : 0.0;
 }
 
 Corners toGrid(const BrickGrid& grid, const SceneVertex* vertices, const SurfaceTexture* texture,
@@ -78,7 +78,7 @@ Corners toGrid(const BrickGrid& grid, const SceneVertex* vertices, const Surface
         corners[corner].coordinate = vertices[corner].coordinate;
         corners[corner].triangle = triangle;
     }
-    const auto level = static_cast<float>(textureLevel(corners, texture) / GridVertex::MAXIMUM_LEVEL);
+    const auto level = static_cast<float>(textureLevel(corners, texture) / PassConstants::MAXIMUM_LEVEL);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
         const glm::vec3& color = vertices[corner].color;

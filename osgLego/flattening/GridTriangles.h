@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickGrid.h>
+#include <osgLego/data/PassConstants.h>
 #include <osgLego/flattening/SceneTriangles.h>
 
 #include <array>
@@ -18,13 +19,11 @@ namespace osgLego
 /** A corner of a triangle in a grid: 32 bytes, laid out as the shaders of the passes read it.
  *
  * `colorAndLevel` packs four 16-bit fractions: red, green (first word), blue, and the texture level over
- * MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels wide, where
- * linear filtering gathers what lies within one cell; all three corners carry the same.
+ * PassConstants::MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels
+ * wide, where linear filtering gathers what lies within one cell; all three corners carry the same.
  */
 struct GridVertex
 {
-    static constexpr double MAXIMUM_LEVEL = 16.0;
-
     glm::vec3 position{0.0f};   //!< in cell units, at least 0 and below the grid's dimensions on every axis
     std::uint32_t triangle = 0; //!< the number of the source triangle in its batch
     glm::vec2 coordinate{0.0f};
@@ -35,7 +34,7 @@ struct GridVertex
         const glm::vec2 redGreen = glm::unpackUnorm2x16(colorAndLevel[0]);
         return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
     }
-    double getLevel() const { return MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
+    double getLevel() const { return PassConstants::MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 

@@ -1,5 +1,7 @@
 #include <osgLego/gl/PassCamera.h>
 
+#include <osgLego/gl/StateOverride.h>
+
 #include <osg/BlendEquation>
 #include <osg/ColorMask>
 #include <osg/GLExtensions>
@@ -9,13 +11,6 @@
 
 namespace osgLego
 {
-
-namespace
-{
-
-constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-
-} // namespace
 
 PassCamera::PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, const osg::Vec4& clearColor) :
     PassCamera(drawable, std::vector<osg::ref_ptr<osg::Texture2D>>{&target}, clearColor)
@@ -90,21 +85,21 @@ bool PassCamera::isTargetThere(const osg::State& state)
 osg::ref_ptr<osg::StateSet> PassCamera::createStateSet(osg::Program& program)
 {
     osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-    stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OURS);
+    stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     applyInitialState(*stateSet);
     return stateSet;
 }
 
 void PassCamera::applyInitialState(osg::StateSet& stateSet)
 {
-    stateSet.setAttribute(new osg::Point(1.0f), OURS);
-    stateSet.setAttribute(new osg::ColorMask, OURS);
-    stateSet.setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OURS);
+    stateSet.setAttribute(new osg::Point(1.0f), OVERRIDE_PROTECTED);
+    stateSet.setAttribute(new osg::ColorMask, OVERRIDE_PROTECTED);
+    stateSet.setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OVERRIDE_PROTECTED);
     for (const auto mode :
          {GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP, GL_POINT_SMOOTH,
           GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_DITHER, GL_FOG,
           GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
-        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OURS);
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
 }
 
 } // namespace osgLego

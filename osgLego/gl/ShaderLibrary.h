@@ -15,7 +15,8 @@ namespace osgLego
  *
  * When the environment variable OSGLEGO_SHADER_PATH names a folder, files are read from there instead, so that shaders
  * can be edited without building; a file that is missing there comes from the library. A line `#include "file"` is
- * replaced by that file.
+ * replaced by that file. So can headers of C++ be, `#include "osgLego/NAME.h"`, which are written to suit both
+ * languages; CMakeLists.txt lists them.
  *
  * Every function may be called from any thread.
  */

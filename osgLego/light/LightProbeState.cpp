@@ -1,6 +1,8 @@
 #include <osgLego/light/LightProbeState.h>
 
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/StateOverride.h>
+#include <osgLego/light/SphericalHarmonics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +31,7 @@ void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::I
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setFilter(osg::Texture::MIN_FILTER, hasLevels ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    stateSet.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    stateSet.setTextureAttribute(unit, texture, OVERRIDE_PROTECTED);
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 
@@ -93,15 +95,12 @@ osg::ref_ptr<osg::Image> createLevels(const LightProbe& probe)
 
 void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
 {
-    osg::ref_ptr<osg::Uniform> coefficients = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "irradianceCoefficients",
-                                                               static_cast<int>(probe.getCoefficients().size()));
-    for (unsigned int index = 0; index < probe.getCoefficients().size(); ++index)
-    {
-        // Of radiance; the cosine lobe turns them into those of irradiance over pi (Ramamoorthi and Hanrahan 2001).
-        const float lobe = index == 0 ? 1.0f : index < 4 ? 2.0f / 3.0f : 0.25f;
-        coefficients->setElement(index, osg::Vec3(probe.getCoefficients()[index]) * lobe);
-    }
-    stateSet.addUniform(coefficients);
+    const auto coefficients = SphericalHarmonics::toIrradiancePolynomial(probe.getCoefficients());
+    osg::ref_ptr<osg::Uniform> polynomial =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC3, "irradiancePolynomial", SphericalHarmonics::COUNT);
+    for (unsigned int index = 0; index < coefficients.size(); ++index)
+        polynomial->setElement(index, osg::Vec3(coefficients[index]));
+    stateSet.addUniform(polynomial);
     stateSet.addUniform(new osg::Uniform("usesConvolvedMap", probe.usesConvolvedMap()));
     stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
     stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));

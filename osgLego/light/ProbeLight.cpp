@@ -42,7 +42,8 @@ double largestOf(const osg::Vec3d& color)
 
 } // namespace
 
-ProbeLight::ProbeLight(const RadiancePicture& picture) : _coefficients(project(picture))
+ProbeLight::ProbeLight(const RadiancePicture& picture) :
+    _coefficients(project(picture)), _irradiancePolynomial(SphericalHarmonics::toIrradiancePolynomial(_coefficients))
 {
     const RadianceGrid fine(picture, LightProbe::REFLECTION_WIDTH, LightProbe::REFLECTION_WIDTH / 2);
     const RadianceGrid coarse = fine.halved();
@@ -71,7 +72,7 @@ const ProbeLight& ProbeLight::getSky()
 
 osg::Vec3d ProbeLight::getHarmonicIrradiance(const osg::Vec3d& normal) const
 {
-    return notBelowZero(SphericalHarmonics::irradiance(_coefficients, normal));
+    return notBelowZero(SphericalHarmonics::evaluatePolynomial(_irradiancePolynomial, normal));
 }
 
 osg::Vec3d ProbeLight::getConvolvedPixel(int column, int row) const

@@ -41,6 +41,7 @@ private:
     osg::Vec3d getConvolvedPixel(int column, int row) const;
 
     SphericalHarmonics::Coefficients _coefficients;
+    SphericalHarmonics::Coefficients _irradiancePolynomial;
     osg::ref_ptr<osg::Image> _convolvedMap;
     std::array<osg::ref_ptr<osg::Image>, LightProbe::REFLECTION_LEVELS> _reflectionMaps;
     double _harmonicError = 0.0;

@@ -2,200 +2,131 @@
 
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
-#include <osgLego/gl/ProgramUniforms.h>
-#include <osgLego/occlusion/GeometryBufferStage.h>
 
-#include <algorithm>
 #include <utility>
-
-#include <osg/Notify>
-#include <osg/Timer>
 
 namespace osgLego
 {
 
-namespace
-{
-
-// After so many frames without work the passes are let go, and with them their textures; a frame that is still being
-// drawn is never that far behind.
-constexpr unsigned int IDLE_FRAMES = 8;
-
-std::uint64_t makeRevision()
-{
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
-
-} // namespace
-
 LegoPipeline::LegoPipeline(const LegoSettings& settings) :
-    _settings(settings), _store(new BrickStore), _lightProbe(new LightProbe)
+    _store(new BrickStore), _display(*_store),
+    _cpuProducer(new CpuProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
+    _gpuProducer(new GpuProducer(*_store))
 {
-}
-
-osg::ref_ptr<const BrickNodes> LegoPipeline::getNodes() const
-{
-    const std::lock_guard lock(_mutex);
-    if (!_nodes)
-    {
-        _nodes = new BrickNodes(*_store, _settings.look, _appearance, *_lightProbe);
-        _nodes->getBound();
-    }
-    return _nodes;
+    setSettings(settings);
 }
 
 void LegoPipeline::setSettings(const LegoSettings& settings)
 {
     const std::lock_guard lock(_mutex);
-    if (!settings.givesSameBricks(_settings)) _isDirty = true;
-    const bool looksOtherwise = settings.look != _settings.look;
-    _settings = settings;
-    if (looksOtherwise) _nodes = nullptr;
+    if (!settings.givesSameBricks(_wishes.settings)) _isDirty = true;
+    _wishes.settings = settings;
+    _display.setLook(settings.look, settings.drawing);
 }
 
 LegoSettings LegoPipeline::getSettings() const
 {
     const std::lock_guard lock(_mutex);
-    return _settings;
-}
-
-void LegoPipeline::setAppearance(const BrickAppearance& appearance)
-{
-    const std::lock_guard lock(_mutex);
-    if (appearance == _appearance) return;
-    _appearance = appearance;
-    _nodes = nullptr;
-}
-
-BrickAppearance LegoPipeline::getAppearance() const
-{
-    const std::lock_guard lock(_mutex);
-    return _appearance;
-}
-
-void LegoPipeline::setLightProbe(const LightProbe& probe)
-{
-    const std::lock_guard lock(_mutex);
-    _lightProbe = &probe;
-    _nodes = nullptr;
-}
-
-osg::ref_ptr<const LightProbe> LegoPipeline::getLightProbe() const
-{
-    const std::lock_guard lock(_mutex);
-    return _lightProbe;
+    return _wishes.settings;
 }
 
 void LegoPipeline::setTiming(bool timing)
 {
     const std::lock_guard lock(_mutex);
-    if (timing == _timing) return;
-    _timing = timing;
-    _isDirty = true;
+    if (std::exchange(_wishes.timing, timing) != timing) _isDirty = true;
 }
 
 bool LegoPipeline::getTiming() const
 {
     const std::lock_guard lock(_mutex);
-    return _timing;
+    return _wishes.timing;
 }
 
 void LegoPipeline::setReadBack(bool readBack)
 {
     const std::lock_guard lock(_mutex);
-    if (readBack == _readBack) return;
-    _readBack = readBack;
-    _isDirty = true;
+    if (std::exchange(_wishes.readBack, readBack) != readBack) _isDirty = true;
 }
 
 bool LegoPipeline::getReadBack() const
 {
     const std::lock_guard lock(_mutex);
-    return _readBack;
+    return _wishes.readBack;
+}
+
+void LegoPipeline::setAnnouncement(std::function<void()> announcement)
+{
+    const std::lock_guard lock(_announcement->mutex);
+    _announcement->call = std::move(announcement);
+}
+
+void LegoPipeline::Announcement::operator()()
+{
+    const std::lock_guard lock(mutex);
+    if (call) call();
 }
 
 void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
-    const bool wasDirty = _isDirty.exchange(false);
-    const SourceSignature& signature = _signatures.compute(source);
-    if (!wasDirty && signature == _signature) return;
-
-    const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(source, _textures);
-    osg::ref_ptr<LegoSource> lego;
-    if (scene->getNumTriangles() > 0)
+    if (!_watch.look(source, _wishes, _isDirty.exchange(false))) return;
+    if (const osg::ref_ptr<const LegoSource> lego = _watch.getSource())
     {
-        lego = new LegoSource;
-        lego->revision = makeRevision();
-        lego->settings = _settings;
-        lego->triangles = GridTriangles::create(*scene, _settings);
-        lego->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-        lego->timing = _timing;
-        lego->readBack = _readBack;
+        _store->expect(lego->revision, lego->triangles->getGrid());
+        return;
     }
-    _store->setSource(lego.get());
-    if (_nodes)
-    {
-        _nodes->dirtyBound();
-        _nodes->getBound(); // here, or several cull threads would compute it at once
-    }
-    _signature = signature;
-    _isBoundDirty = true;
+    _cpuProducer->cancel();
+    _gpuProducer->cancel();
+    _store->clear();
 }
 
-void LegoPipeline::releaseIdlePasses(unsigned int frame)
+bool LegoPipeline::update(unsigned int frame)
 {
+    _cpuProducer->update(frame);
+    _gpuProducer->update(frame);
+    const osg::BoundingBoxd bounds = getBounds();
     const std::lock_guard lock(_mutex);
-    // With several parents there are several updates in a frame.
-    if (frame == std::exchange(_lastUpdate, frame)) return;
-    if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
-    _passes = nullptr;
-    _lastCulls.clear();
-    _store->releaseTextures();
+    if (bounds == _lastBounds) return false;
+    _lastBounds = bounds;
+    _display.dirtyBound();
+    return true;
 }
 
 bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
 {
-    const osg::ref_ptr<const LegoSource> source = _store->getSource();
+    const osg::ref_ptr<const LegoSource> source = getSource();
     if (!source) return false;
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     if (isHopeless(state, *bricks, *source)) return false;
-    if (!bricks->isOf(*source)) cullPasses(visitor, *source);
-    cullBricks(visitor, *source);
+    if (!bricks->isOf(source->revision))
+        chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
+    _display.cull(visitor);
     return true;
 }
 
-void LegoPipeline::cullBricks(osgUtil::CullVisitor& visitor, const LegoSource& source)
+/** The one place that knows where bricks are made. A context whose renderer is not known yet gets bricks from the CPU,
+ * which any context can show. */
+BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsigned int contextID) const
 {
-    const osg::ref_ptr<const BrickNodes> nodes = getNodes();
-    if (auto* stage = dynamic_cast<GeometryBufferStage*>(visitor.getCurrentRenderBin()->getStage()))
-    {
-        stage->noteBricks(source.triangles->getGrid().getPitch(), *visitor.getModelViewMatrix());
-        nodes->getBufferNode().accept(visitor);
-        return;
-    }
-    visitor.pushStateSet(getViewState(visitor));
-    nodes->getFrameNode().accept(visitor);
-    visitor.popStateSet();
+    if (settings.device == Device::CPU) return *_cpuProducer;
+    if (settings.device == Device::GPU || settings.method != VoxelizationMethod::EXACT) return *_gpuProducer;
+    if (GlRequirements::getRenderer(contextID) == Renderer::HARDWARE) return *_gpuProducer;
+    return *_cpuProducer;
 }
 
-/** What only this visit knows of the view: where the probe's light comes from, in the eye's coordinates. */
-osg::ref_ptr<osg::StateSet> LegoPipeline::getViewState(osgUtil::CullVisitor& visitor)
+/** Whether a frame must wait for its bricks: by request, or because there would be nothing to show. */
+bool LegoPipeline::mustWait(const ContextBricks& bricks) const
 {
-    const std::lock_guard lock(_mutex);
-    osg::ref_ptr<osg::StateSet>& state = _viewStates.find(visitor);
-    if (!state) state = new osg::StateSet;
-    state->getOrCreateUniform("eyeToWorld", osg::Uniform::FLOAT_MAT3)->set(toUniform(computeEyeToWorld(visitor)));
-    return state;
+    if (_waiting) return true;
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    return bricks.isEmpty() && !(newest && newest->hasPoints());
 }
 
 bool LegoPipeline::isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
 {
     if (bricks.isHopeless() || bricks.getFailedRevision() == source.revision) return true;
-    // There once the context has been current; in a first frame without it, the first pass finds out.
+    // There once the context has been current; in a first frame without it, drawing finds out.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
     const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();
     if (missing.empty()) return false;
@@ -210,33 +141,34 @@ bool LegoPipeline::isFit(const osg::State& state) const
     return missing.empty();
 }
 
-/** Whether a visitor has not been here before in its frame, as it is with a node of several parents. */
-bool LegoPipeline::isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source)
-{
-    std::erase_if(_lastCulls, [](const LastCull& cull) { return !cull.visitor.valid(); });
-    auto last = std::find_if(_lastCulls.begin(), _lastCulls.end(),
-                             [&](const LastCull& cull) { return cull.visitor == &visitor; });
-    if (last == _lastCulls.end()) last = _lastCulls.insert(last, LastCull{&visitor});
-    const unsigned int frame = visitor.getTraversalNumber();
-    if (last->revision == source.revision && last->frame == frame) return false;
-    last->revision = source.revision;
-    last->frame = frame;
-    return true;
-}
-
-void LegoPipeline::cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source)
+osg::ref_ptr<const LegoSource> LegoPipeline::getSource() const
 {
     const std::lock_guard lock(_mutex);
-    if (!isFirstCullOfFrame(visitor, source)) return;
-    const PassPlan plan = PassPlan::create(source, GlRequirements::getRenderer(visitor.getState()->getContextID()));
-    if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_store, plan);
-    _passes->cull(visitor);
-    _idleFrames = 0;
+    return _watch.getSource();
+}
+
+osg::ref_ptr<const BrickModel> LegoPipeline::getModel()
+{
+    const osg::ref_ptr<const LegoSource> source = getSource();
+    if (!source) return nullptr;
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    if (newest && newest->getRevision() == source->revision) return newest->getModel();
+    return _cpuProducer->getModel(*source);
+}
+
+void LegoPipeline::prepareForPicking()
+{
+    const osg::ref_ptr<const LegoSource> source = getSource();
+    if (!source) return;
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    // A set that is shown is picked until the next one is; one that was only picked is as old as the source.
+    const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source->revision);
+    if (!isShown) _store->deliver(*createGpuBrickSet(*source));
 }
 
 osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
 {
-    const osg::ref_ptr<const BrickModel> model = _store->getModel();
+    const osg::ref_ptr<const BrickModel> model = getModel();
     if (!model) return nullptr;
     const std::lock_guard lock(_mutex);
     if (model != _geometryModel)
@@ -248,26 +180,17 @@ osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
     return _geometryNode;
 }
 
-osg::BoundingBoxd LegoPipeline::getBounds() const
-{
-    const osg::ref_ptr<const LegoSource> source = _store->getSource();
-    return source ? source->triangles->getGrid().getBrickBounds() : osg::BoundingBoxd();
-}
-
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
-    const std::lock_guard lock(_mutex);
-    if (_nodes) _nodes->resizeGLObjectBuffers(maxSize);
-    if (_passes) _passes->resizeGLObjectBuffers(maxSize);
+    _display.resizeGLObjectBuffers(maxSize);
+    _gpuProducer->resizeGLObjectBuffers(maxSize);
 }
 
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
-    const std::lock_guard lock(_mutex);
-    if (_nodes) _nodes->releaseGLObjects(state);
+    _display.releaseGLObjects(state);
     _store->releaseGLObjects(state);
-    if (_passes) _passes->releaseGLObjects(state);
-    _lastCulls.clear();
+    _gpuProducer->releaseGLObjects(state);
 }
 
 } // namespace osgLego

@@ -1,28 +1,29 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/flattening/SourceSignature.h>
-#include <osgLego/flattening/SurfaceTextureCache.h>
-#include <osgLego/gl/PerVisit.h>
-#include <osgLego/passes/BrickStore.h>
-#include <osgLego/polygonization/BrickNodes.h>
-#include <osgLego/producer/LegolizationPasses.h>
+#include <osgLego/node/BrickDisplay.h>
+#include <osgLego/node/SourceWatch.h>
+#include <osgLego/producer/CpuProducer.h>
+#include <osgLego/producer/GpuProducer.h>
+#include <osgLego/store/BrickStore.h>
 
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <mutex>
-#include <vector>
 
+#include <osg/BoundingBox>
 #include <osg/Geode>
-#include <osg/Group>
-#include <osg/NodeVisitor>
+#include <osg/Node>
 #include <osg/Referenced>
-#include <osg/observer_ptr>
+#include <osg/ref_ptr>
 #include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
 
-/** What is behind a LegoNode: watches its source, has the passes run when they must, and shows the bricks.
+/** All that is behind a LegoNode: looks at its source, has a producer make bricks when that has changed, and shows what
+ * the producers have delivered.
  *
  * Every function may be called from any thread, as long as no other thread changes the source meanwhile.
  */
@@ -33,91 +34,87 @@ public:
 
     void setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
-    void setAppearance(const BrickAppearance& appearance);
-    BrickAppearance getAppearance() const;
-    void setLightProbe(const LightProbe& probe);
-    osg::ref_ptr<const LightProbe> getLightProbe() const;
     void setTiming(bool timing);
     bool getTiming() const;
     void setReadBack(bool readBack);
     bool getReadBack() const;
+    /** Whether frames wait for bricks that are made on the CPU. */
+    void setWaiting(bool waiting) { _waiting = waiting; }
+    bool getWaiting() const { return _waiting; }
+    /** Called after each set that was made on the CPU, by the thread that finished it. */
+    void setAnnouncement(std::function<void()> announcement);
 
-    /** Flatten the source at the next chance, whatever its signature says. */
+    BrickDisplay& getDisplay() { return _display; }
+    const BrickDisplay& getDisplay() const { return _display; }
+    const BrickStore& getStore() const { return *_store; }
+
+    /** Flatten the source at the next look, whatever its signature says. */
     void dirty() { _isDirty = true; }
+    bool isDirty() const { return _isDirty; }
 
-    /** Look at the source, and flatten it if it is another than before. */
+    /** Look at the source, and flatten it if it is not the one of the last look. */
     void refresh(const osg::Node& source);
     /** The same, but look only when dirty() was said. */
     void refreshIfDirty(const osg::Node& source)
     {
         if (_isDirty) refresh(source);
     }
-    /** Whether the bounds may have changed since this was asked last. */
-    bool takeBoundDirty() { return _isBoundDirty.exchange(false); }
-
-    /** Let go of the passes when they have had nothing to do for a while. Called in every update. */
-    void releaseIdlePasses(unsigned int frame);
+    /** Take over what the producers have finished. Called in every update, behind refresh().
+     * @return whether the bounds of the bricks are not those of the last update. */
+    bool update(unsigned int frame);
 
     /** Draw the bricks, and have them made first if the visitor's context lacks them.
      * @return false when the context can't have them, or there are none: then the source is to be drawn. */
     bool cull(osgUtil::CullVisitor& visitor);
 
-    /** Find out whether a context, which is current, has what the passes need. */
+    /** Find out whether a context, which is current, has what bricks need. */
     bool isFit(const osg::State& state) const;
 
-    /** The node that stands for the bricks: drawn, picked, bounded. */
-    osg::ref_ptr<osg::Geode> getBrickNode() const { return &getNodes()->getFrameNode(); }
-    /** The bricks as osg::Geometry, made when first asked for; null when there are none. */
-    osg::ref_ptr<osg::Node> getGeometryNode();
+    /** The source of the last look; null when it shows no triangles. */
+    osg::ref_ptr<const LegoSource> getSource() const;
+    /** The model of that source, made now if it is not there yet; null without source. */
+    osg::ref_ptr<const BrickModel> getModel();
+    /** Where bricks are, or will be as soon as they are made. */
+    osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
 
-    const BrickStore& getStore() const { return *_store; }
-    osg::BoundingBoxd getBounds() const;
+    /** See to it that there is a brick set to be picked, which may be made before any context has drawn one. */
+    void prepareForPicking();
+    /** The bricks of the source as osg::Geometry, made when first asked for; null when there are none. */
+    osg::ref_ptr<osg::Node> getGeometryNode();
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state);
 
 private:
-    /** When a visitor queued the passes last. */
-    struct LastCull
-    {
-        osg::observer_ptr<osgUtil::CullVisitor> visitor; // to tell it from a later one at the same address
-        std::uint64_t revision = 0;
-        unsigned int frame = 0;
-    };
-
     ~LegoPipeline() override = default;
 
-    osg::ref_ptr<const BrickNodes> getNodes() const;
-
-    bool isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source);
-
+    BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
     bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
-    osg::ref_ptr<osg::StateSet> getViewState(osgUtil::CullVisitor& visitor);
-    void cullBricks(osgUtil::CullVisitor& visitor, const LegoSource& source);
-    void cullPasses(osgUtil::CullVisitor& visitor, const LegoSource& source);
+    bool mustWait(const ContextBricks& bricks) const;
 
-    mutable std::mutex _mutex;
-    LegoSettings _settings;
-    bool _timing = false;
-    bool _readBack = false;
+    mutable std::mutex _mutex; // of the wishes, the watch and the geometry
+    SourceWatch::Wishes _wishes;
+    SourceWatch _watch;
     std::atomic<bool> _isDirty{true};
-    std::atomic<bool> _isBoundDirty{false};
-    SourceSignature _signature;
-    SourceSignatures _signatures;
-    SurfaceTextureCache _textures;
+    std::atomic<bool> _waiting{false};
 
     osg::ref_ptr<BrickStore> _store;
-    BrickAppearance _appearance;
-    osg::ref_ptr<const LightProbe> _lightProbe;
-    PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;
-    mutable osg::ref_ptr<const BrickNodes> _nodes; // made when first asked for
-    osg::ref_ptr<LegolizationPasses> _passes;
-    unsigned int _idleFrames = 0;
-    unsigned int _lastUpdate = 0;
-    std::vector<LastCull> _lastCulls;
-
+    BrickDisplay _display;
+    osg::BoundingBoxd _lastBounds;
     osg::ref_ptr<osg::Geode> _geometryNode;
     osg::ref_ptr<const BrickModel> _geometryModel;
+
+    /** What producers may call after the pipeline has gone. */
+    struct Announcement
+    {
+        void operator()();
+
+        std::mutex mutex;
+        std::function<void()> call;
+    };
+    std::shared_ptr<Announcement> _announcement = std::make_shared<Announcement>();
+    osg::ref_ptr<CpuProducer> _cpuProducer;
+    osg::ref_ptr<GpuProducer> _gpuProducer;
 };
 
 } // namespace osgLego

@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/PerVisit.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/occlusion/OcclusionNoise.h>
 
@@ -74,6 +75,19 @@ osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint in
     return createTexture(size, internalFormat, GL_RGBA, GL_FLOAT);
 }
 
+/** Have OSG allocate a texture by glTexImage2DMultisample.
+ *
+ * By itself OSG 3.6.5 calls what it takes for glTexStorage2DMultisample and has looked up as
+ * glTextureStorage2DMultisample, which expects the name of a texture in place of a target: GL reports an error, and the
+ * texture stays without memory. OSG does so only for textures without a border. Those of several samples never have
+ * one, and OSG hands the border's width on to nothing, so a width of 1 has no other effect. What else could be done
+ * reaches further: GLExtensions would have to be changed, which all that is drawn in a context shares, or a class that
+ * overrides Texture2DMultisample::apply() would repeat all of it. */
+void avoidTextureStorage(osg::Texture2DMultisample& texture)
+{
+    texture.setBorderWidth(1);
+}
+
 /** A texture with the samples of a format, to be attached to a frame buffer object. */
 osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& format, GLint internalFormat, GLenum pixels)
 {
@@ -81,9 +95,7 @@ osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& form
     osg::ref_ptr<osg::Texture2DMultisample> texture = new osg::Texture2DMultisample(format.samples, GL_TRUE);
     texture->setTextureSize(format.size.x, format.size.y);
     setUpTexture(*texture, internalFormat, pixels, GL_FLOAT);
-    // Textures of several samples have no borders, so that it is without effect but one: OSG takes
-    // glTexImage2DMultisample instead of glTextureStorage2DMultisample, which it calls for a texture that is none.
-    texture->setBorderWidth(1);
+    avoidTextureStorage(*texture);
     return texture;
 }
 
@@ -199,9 +211,8 @@ AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOc
     // The viewport of the camera is part of the state above, and has another origin.
     _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
     // These act on the composite, and what is in the buffer is no colour.
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    _childState->setAttribute(new osg::ColorMask, OURS);
-    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OURS);
+    _childState->setAttribute(new osg::ColorMask, OVERRIDE_PROTECTED);
+    _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
     createGeometryBuffer();
     createPasses();
 }

@@ -16,27 +16,13 @@ namespace osgLego
 namespace
 {
 
-/** What a stage inherits, which it tells nobody but its own kind. */
-class Inheritance : public osgUtil::RenderStage
-{
-public:
-    static osgUtil::PositionalStateContainer* getState(const osgUtil::RenderStage& stage)
-    {
-        return (stage.*(&Inheritance::_inheritedPositionalStateContainer)).get();
-    }
-    static const osg::Matrix& getMatrix(const osgUtil::RenderStage& stage)
-    {
-        return stage.*(&Inheritance::_inheritedPositionalStateContainerMatrix);
-    }
-};
-
 /** The positional state of a stage, behind what it inherits. */
 class StateOfStage : public osgUtil::PositionalStateContainer
 {
 public:
     explicit StateOfStage(osgUtil::RenderStage& stage) :
-        _inherited(Inheritance::getState(stage)), _matrix(Inheritance::getMatrix(stage)),
-        _own(stage.getPositionalStateContainer())
+        _inherited(stage.getInheritedPositionalStateContainer()),
+        _matrix(stage.getInheritedPositionalStateContainerMatrix()), _own(stage.getPositionalStateContainer())
     {
     }
 

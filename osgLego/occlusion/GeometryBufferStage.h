@@ -1,17 +1,18 @@
 #pragma once
 
+#include <osgLego/polygonization/BrickStage.h>
+
 #include <osg/Matrixd>
 #include <osg/ref_ptr>
-#include <osgUtil/RenderStage>
 
 namespace osgLego
 {
 
-/** The stage in which an AmbientOcclusionScene draws its children; by it, bricks know that they are among them.
+/** The stage in which an AmbientOcclusionScene draws its children.
  *
  * Used by one cull visitor.
  */
-class GeometryBufferStage : public osgUtil::RenderStage
+class GeometryBufferStage : public BrickStage
 {
 public:
     GeometryBufferStage();
@@ -25,9 +26,7 @@ public:
     /** Have cameras among the children that draw after the frame do so after the frame around. */
     void handOnPostRenderStages(osgUtil::RenderStage& outer);
 
-    /** Say that bricks are drawn in this frame, how wide they are in their own coordinates, and the transform from
-     * these to the eye's. */
-    void noteBricks(double pitch, const osg::Matrixd& modelView);
+    void noteBricks(double pitch, const osg::Matrixd& modelView) override;
     /** How wide the widest bricks of this frame are, in the eye's coordinates; 0 when there are none. */
     double getPitch() const { return _pitch; }
 

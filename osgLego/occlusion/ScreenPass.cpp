@@ -1,6 +1,7 @@
 #include <osgLego/occlusion/ScreenPass.h>
 
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/StateOverride.h>
 
 #include <osg/CullFace>
 #include <osg/PolygonMode>
@@ -17,16 +18,17 @@ ScreenPass::ScreenPass(osg::Program& program, const std::vector<Input>& inputs)
     setUseVertexBufferObjects(true);
     setCullingActive(false);
     setDataVariance(osg::Object::STATIC);
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-    stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OURS);
-    stateSet->setAttribute(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::FILL), OURS);
+    stateSet->setAttributeAndModes(&program, osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    stateSet->setAttribute(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::FILL),
+                           OVERRIDE_PROTECTED);
     for (const auto mode : {GL_CULL_FACE, GL_ALPHA_TEST, GL_POLYGON_OFFSET_FILL, GL_CLIP_PLANE0, GL_CLIP_PLANE1,
                             GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
-        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OURS);
+        stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode),
+                          osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
     for (std::size_t unit = 0; unit < inputs.size(); ++unit)
     {
-        stateSet->setTextureAttribute(static_cast<unsigned int>(unit), inputs[unit].texture, OURS);
+        stateSet->setTextureAttribute(static_cast<unsigned int>(unit), inputs[unit].texture, OVERRIDE_PROTECTED);
         stateSet->addUniform(new osg::Uniform(inputs[unit].name, static_cast<int>(unit)));
     }
     setStateSet(stateSet);

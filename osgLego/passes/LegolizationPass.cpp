@@ -4,6 +4,7 @@
 #include <osgLego/passes/SurfaceBinding.h>
 
 #include <new>
+#include <utility>
 
 #include <osg/RenderInfo>
 #include <osg/Timer>
@@ -11,7 +12,7 @@
 namespace osgLego
 {
 
-LegolizationPass::LegolizationPass(BrickStore& store, unsigned int step) : _store(&store), _step(step)
+LegolizationPass::LegolizationPass(PassWorkspace& workspace, unsigned int step) : _workspace(&workspace), _step(step)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -22,70 +23,93 @@ LegolizationPass::LegolizationPass(BrickStore& store, unsigned int step) : _stor
 void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
-    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    const unsigned int contextID = state.getContextID();
+    ContextBricks& shown = *_workspace->getStore().getContext(contextID);
     if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
     {
-        bricks->despair(state.getContextID(), missing);
+        shown.despair(contextID, missing);
         return;
     }
-    const std::lock_guard lock(bricks->getMutex());
-    if (!begin(state, *bricks)) return;
+    const osg::ref_ptr<PassContext> context = _workspace->getContext(contextID);
+    const std::lock_guard lock(context->mutex);
+    if (!begin(state, *context)) return;
 
-    osg::ref_ptr<const LegoSource> source = bricks->work->source;
+    Legolization& work = *context->work;
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    std::string failure;
-    if (hasProgram() && !state.getLastAppliedProgramObject())
-        failure = std::string("the shaders of ") + className() + " do not compile";
-    else
+    if (const std::string failure = runWithProgram(state, work); !failure.empty())
     {
-        state.disableAllVertexArrays();
-        state.unbindVertexBufferObject();
-        try
-        {
-            failure = run(state, *bricks);
-        }
-        catch (const std::bad_alloc&)
-        {
-            failure = "there is no memory for so many bricks; allowed: a lower resolution";
-        }
-    }
-    if (!failure.empty())
-    {
-        bricks->fail(*source, failure);
+        const std::uint64_t revision = work.source->revision;
+        context->work.reset();
+        shown.fail(revision, failure);
         return;
     }
-    // The last pass has finished the work, and moved its statistics.
-    if (source->timing) glFinish();
-    LegoStatistics& statistics = bricks->work ? bricks->work->statistics : bricks->statistics;
-    getTime(statistics) += osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-    if (bricks->work) ++bricks->work->nextStep;
+    if (work.source->timing) glFinish();
+    getTime(work.statistics) += osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    ++work.nextStep;
+    if (!work.isComplete) return;
+    deliver(state, work);
+    context->work.reset();
 }
 
-bool LegolizationPass::begin(osg::State& state, ContextBricks& bricks) const
+std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& work) const
 {
-    return bricks.work && bricks.work->owner == state.getGraphicsContext() && bricks.work->nextStep == _step;
+    if (!state.getLastAppliedProgramObject()) return std::string("the shaders of ") + className() + " do not compile";
+    state.disableAllVertexArrays();
+    state.unbindVertexBufferObject();
+    try
+    {
+        return run(state, work);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return "there is no memory for so many bricks; expected a lower resolution";
+    }
 }
 
-bool LegolizationPass::start(osg::State& state, ContextBricks& bricks, const PassPlan& plan) const
+/** Show the bricks in this context, and let everything else know of their set. */
+void LegolizationPass::deliver(const osg::State& state, Legolization& work) const
 {
-    const osg::ref_ptr<const LegoSource> source = _store->getSource();
-    if (!source || bricks.getFailedRevision() == source->revision || bricks.isOf(*source)) return false;
+    GpuBricks made;
+    made.bricks = work.bricks;
+    made.buffer = std::move(work.buffer);
+    made.numBricks = static_cast<GLsizei>(work.numBricks);
+    if (work.source->readBack)
+        made.model = BrickModel::create(work.source->triangles->getGrid(), std::move(work.readBack));
+    made.statistics = work.statistics;
+    BrickStore& store = _workspace->getStore();
+    store.getContext(state.getContextID())->show(state, std::move(made));
+    store.deliver(*work.bricks);
+}
+
+bool LegolizationPass::begin(osg::State& state, PassContext& context) const
+{
+    return context.work && context.work->owner == state.getGraphicsContext() && context.work->nextStep == _step;
+}
+
+bool LegolizationPass::start(osg::State& state, PassContext& context, const PassPlan& plan) const
+{
+    const osg::ref_ptr<const LegoSource> source = _workspace->getSource();
+    const osg::ref_ptr<const BrickSet> bricks = _workspace->getBricks();
+    const osg::ref_ptr<const ContextBricks> shown = _workspace->getStore().getContext(state.getContextID());
+    if (!source || bricks->getRevision() != source->revision) return false;
+    if (shown->getFailedRevision() == source->revision || shown->isOf(source->revision)) return false;
     // The source may have changed since the frame was culled: then the next frame has passes that fit.
     if (!plan.fits(*source)) return false;
-    const bool isOthers = bricks.work && bricks.work->owner != state.getGraphicsContext();
+    const bool isOthers = context.work && context.work->owner != state.getGraphicsContext();
     if (isOthers) return false;
 
-    bricks.work = std::make_unique<Legolization>();
-    bricks.work->source = source;
-    bricks.work->owner = state.getGraphicsContext();
-    bricks.work->statistics.numTriangles = source->triangles->getNumTriangles();
-    bricks.work->statistics.flattening = source->flattening;
+    context.work = std::make_unique<Legolization>();
+    context.work->source = source;
+    context.work->bricks = bricks;
+    context.work->owner = state.getGraphicsContext();
+    context.work->statistics.numTriangles = source->triangles->getNumTriangles();
+    context.work->statistics.flattening = source->flattening;
     return true;
 }
 
 void LegolizationPass::bindSurfaceOf(osg::State& state, const GridBatch& batch) const
 {
-    const osg::ref_ptr<osg::Texture2D> texture = batch.texture ? _store->getTexture(*batch.texture) : nullptr;
+    const osg::ref_ptr<osg::Texture2D> texture = batch.texture ? _workspace->getTexture(*batch.texture) : nullptr;
     bindSurface(state, batch, texture.get());
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <osgLego/gl/PassCamera.h>
-#include <osgLego/passes/BrickStore.h>
 #include <osgLego/passes/PassPlan.h>
+#include <osgLego/passes/PassWorkspace.h>
 
 #include <string>
 
@@ -39,32 +39,31 @@ public:
     const char* libraryName() const override { return "osgLego"; }
 
 protected:
-    LegolizationPass(BrickStore& store, unsigned int step);
+    LegolizationPass(PassWorkspace& workspace, unsigned int step);
     ~LegolizationPass() override = default;
 
     void setCamera(PassCamera* camera) { _camera = camera; }
-    const BrickStore& getStore() const { return *_store; }
-
-    /** Whether this pass draws, and so has a program. */
-    virtual bool hasProgram() const { return true; }
-    /** Start the legolization of the wanted source, unless the context has it, or can't, or another one is at it.
-     * For begin() of a first pass. */
-    bool start(osg::State& state, ContextBricks& bricks, const PassPlan& plan) const;
+    /** Start the legolization of the wanted source, unless the context has its bricks, or can't have them, or another
+     * context is at work on them. For begin() of a first pass. */
+    bool start(osg::State& state, PassContext& context, const PassPlan& plan) const;
 
     /** Bind the texture of a batch, and say how it joins the colours, for shaders/passes/surface_color.glsl. For run().
      */
     void bindSurfaceOf(osg::State& state, const GridBatch& batch) const;
 
     /** Whether there is something to do; the first pass starts the legolization here. Called as run() is. */
-    virtual bool begin(osg::State& state, ContextBricks& bricks) const;
-    /** Do the work on bricks.work. Called with the context current, bricks locked and the pass's own program applied.
-     * @return why it can't be done; empty when it was. */
-    virtual std::string run(osg::State& state, ContextBricks& bricks) const = 0;
+    virtual bool begin(osg::State& state, PassContext& context) const;
+    /** Do the work; the last pass says that it is complete. Called with the context current, its work locked and the
+     * pass's own program applied. @return why it can't be done; empty when it was. */
+    virtual std::string run(osg::State& state, Legolization& work) const = 0;
     /** Where the time it took is to be added. */
     virtual double& getTime(LegoStatistics& statistics) const = 0;
 
 private:
-    osg::ref_ptr<BrickStore> _store;
+    std::string runWithProgram(osg::State& state, Legolization& work) const;
+    void deliver(const osg::State& state, Legolization& work) const;
+
+    osg::ref_ptr<PassWorkspace> _workspace;
     unsigned int _step;
     osg::ref_ptr<PassCamera> _camera;
 };

@@ -15,18 +15,11 @@ int cellsMetAtMost(double edgeLimit)
     return along * along * along;
 }
 
-Device chooseDevice(const LegoSettings& settings, Renderer renderer)
-{
-    if (settings.device != Device::AUTO) return settings.device;
-    if (settings.method != VoxelizationMethod::EXACT || renderer == Renderer::HARDWARE) return Device::GPU;
-    return renderer == Renderer::SOFTWARE ? Device::CPU : Device::AUTO;
-}
+} // namespace
 
-PassPlan createFor(const LegoSource& source, Device device)
+PassPlan PassPlan::create(const LegoSource& source)
 {
     PassPlan plan;
-    plan.device = device;
-    if (device == Device::CPU) return plan;
     const LegoSettings& settings = source.settings;
     const SlabPlan slabs = SlabPlan::create(source.triangles->getGrid());
     plan.method = settings.method;
@@ -36,19 +29,6 @@ PassPlan createFor(const LegoSource& source, Device device)
     plan.imageSize = slabs.imageSize;
     plan.numSlabs = slabs.slabs.size();
     return plan;
-}
-
-} // namespace
-
-PassPlan PassPlan::create(const LegoSource& source, Renderer renderer)
-{
-    return createFor(source, chooseDevice(source.settings, renderer));
-}
-
-bool PassPlan::fits(const LegoSource& source) const
-{
-    const Device wanted = chooseDevice(source.settings, Renderer::UNKNOWN);
-    return (wanted == device || wanted == Device::AUTO) && createFor(source, device) == *this;
 }
 
 std::string PassPlan::findObstacle(const LegoSource& source)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <osgLego/gl/GlRequirements.h>
-#include <osgLego/passes/LegoSource.h>
+#include <osgLego/flattening/LegoSource.h>
 #include <osgLego/passes/SlabPlan.h>
 
 #include <cstddef>
@@ -16,7 +15,6 @@ struct PassPlan
     /** Cells of a grid that a projected target can number: whole numbers that a float holds. */
     static constexpr std::size_t MAXIMUM_PROJECTED_CELLS = std::size_t(1) << 24;
 
-    Device device = Device::GPU; //!< AUTO: both, one of which does the work once the renderer is known
     VoxelizationMethod method = VoxelizationMethod::EXACT;
     VoxelizationTarget target = VoxelizationTarget::ADDRESSED;
     int pictureSize = 0;      //!< the side of a projected target, in pixels; else 0
@@ -24,10 +22,10 @@ struct PassPlan
     glm::ivec2 imageSize{0};  //!< of the voxel image
     std::size_t numSlabs = 0;
 
-    static PassPlan create(const LegoSource& source, Renderer renderer);
+    static PassPlan create(const LegoSource& source);
 
     /** Whether the passes of this plan can legolize a source. */
-    bool fits(const LegoSource& source) const;
+    bool fits(const LegoSource& source) const { return create(source) == *this; }
 
     /** Why no passes can legolize a source, and what is allowed, in one sentence; empty when they can. */
     static std::string findObstacle(const LegoSource& source);

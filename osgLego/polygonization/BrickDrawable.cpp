@@ -1,6 +1,7 @@
 #include <osgLego/polygonization/BrickDrawable.h>
 
 #include <osgLego/BrickGeometry.h>
+#include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 
 #include <osg/CullFace>
@@ -51,10 +52,10 @@ bool isClockwise(const osg::State& state)
 
 } // namespace
 
-BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
-                             osg::StateSet& splatStateByOneLight) :
+BrickDrawable::BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState,
+                             osg::StateSet& splatState, osg::StateSet& splatStateByOneLight) :
     _store(&store),
-    _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
+    _drawing(drawing), _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -63,9 +64,7 @@ BrickDrawable::BrickDrawable(BrickStore& store, osg::StateSet& geometryState, os
 
 osg::BoundingBox BrickDrawable::computeBoundingBox() const
 {
-    const osg::ref_ptr<const LegoSource> source = _store->getSource();
-    if (!source) return {};
-    const osg::BoundingBoxd bounds = source->triangles->getGrid().getBrickBounds();
+    const osg::BoundingBoxd bounds = _store->getBounds();
     if (!bounds.valid()) return {};
     return {osg::Vec3(bounds._min), osg::Vec3(bounds._max)};
 }
@@ -73,17 +72,27 @@ osg::BoundingBox BrickDrawable::computeBoundingBox() const
 void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
-    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    const unsigned int contextID = state.getContextID();
+    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(contextID);
+    if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
+    {
+        bricks->despair(contextID, missing);
+        return;
+    }
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     const std::lock_guard lock(bricks->getMutex());
+    state.unbindVertexBufferObject();
+    if (newest && newest->hasPoints()) bricks->upload(state, *newest);
+    bricks->pollBlocks(state);
     if (bricks->numBricks == 0 || !state.getLastAppliedProgramObject()) return;
 
     // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
     // origin of their coordinates do not shake.
-    const BrickGrid& grid = bricks->source->triangles->getGrid();
+    const BrickGrid& grid = bricks->bricks->getGrid();
     // The state holds its matrices as osg::RefMatrix and nothing else.
     const osg::ref_ptr<const osg::RefMatrix> modelView =
         static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
-    Workspace& workspace = _workspaces[state.getContextID()];
+    Workspace& workspace = _workspaces[contextID];
     if (!workspace.cellsToEye) workspace.cellsToEye = new osg::RefMatrix;
     workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
     state.applyModelViewMatrix(workspace.cellsToEye.get());
@@ -94,16 +103,16 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
 
 void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const
 {
-    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    const BrickGrid& grid = bricks.bricks->getGrid();
     CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
     view.isMirrored = view.isMirrored != isClockwise(state);
     const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
     workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
     // An offset goes by the slope of triangles.
     const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
-    if (!showsInsides && !isOffset)
+    if (!showsInsides && !isOffset && _drawing != Drawing::TRIANGLES)
     {
-        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view);
+        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view, _drawing);
         state.apply(_geometryState);
         if (isDrawn || !state.getLastAppliedProgramObject()) return;
         if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
@@ -116,7 +125,9 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
 
 void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
 {
-    if (const osg::ref_ptr<const BrickModel> model = _store->getModel()) acceptBrickFaces(*model, functor);
+    const osg::ref_ptr<const BrickSet> bricks = _store->getBricks();
+    const osg::ref_ptr<const BrickModel> model = bricks ? bricks->getModel() : nullptr;
+    if (model) acceptBrickFaces(*model, functor);
 }
 
 void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <osgLego/passes/BrickStore.h>
+#include <osgLego/LegoSettings.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickSplats.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/store/BrickStore.h>
 
 #include <osg/Drawable>
 #include <osg/StateSet>
@@ -25,7 +26,7 @@ public:
     /** @param geometryState what it is drawn under, its program that of the geometry shader.
      * @param splatState the same for splats, its program that of their shading.
      * @param splatStateByOneLight likewise, where the scene has one light. */
-    BrickDrawable(BrickStore& store, osg::StateSet& geometryState, osg::StateSet& splatState,
+    BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState, osg::StateSet& splatState,
                   osg::StateSet& splatStateByOneLight);
 
     osg::BoundingBox computeBoundingBox() const override;
@@ -61,6 +62,7 @@ private:
     void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const;
 
     osg::ref_ptr<BrickStore> _store;
+    Drawing _drawing;
     osg::ref_ptr<osg::StateSet> _geometryState;
     mutable osg::buffered_object<Workspace> _workspaces;
     BrickSplats _splats;

@@ -1,6 +1,7 @@
 #include <osgLego/polygonization/BrickNodes.h>
 
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/polygonization/ReliefMap.h>
 
@@ -16,8 +17,7 @@ namespace
 constexpr unsigned int RELIEF_UNIT = 0;
 
 // Protected, since no other program, as of a pass for shadows, can draw what the buffer holds.
-constexpr osg::StateAttribute::OverrideValue OURS =
-    osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+constexpr osg::StateAttribute::OverrideValue PROGRAM = osg::StateAttribute::ON | OVERRIDE_PROTECTED;
 
 void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, osg::StateSet& stateSet)
 {
@@ -27,7 +27,7 @@ void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, 
     stateSet.addUniform(new osg::Uniform("reliefHeight", static_cast<float>(appearance.reliefHeight)));
     stateSet.addUniform(new osg::Uniform("usesMaterial", appearance.materialSpecular));
     stateSet.addUniform(new osg::Uniform("reliefMap", static_cast<int>(RELIEF_UNIT)));
-    stateSet.setTextureAttribute(RELIEF_UNIT, &relief, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    stateSet.setTextureAttribute(RELIEF_UNIT, &relief, OVERRIDE_PROTECTED);
 }
 
 osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearance)
@@ -49,7 +49,7 @@ osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fra
     stateSet->setAttributeAndModes(
         ShaderLibrary::createProgram(
             name, {"polygonization/polygonization.vert", "polygonization/polygonization.geom", fragments}, definitions),
-        OURS);
+        PROGRAM);
     return stateSet;
 }
 
@@ -59,32 +59,33 @@ osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, con
 {
     osg::ref_ptr<osg::StateSet> splats = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
     splats->setAttributeAndModes(
-        ShaderLibrary::createProgram(name, {"polygonization/splat_shading.vert", fragments}, definitions), OURS);
+        ShaderLibrary::createProgram(name, {"polygonization/splat_shading.vert", fragments}, definitions), PROGRAM);
     return splats;
 }
 
 /** A node under a state for triangles. */
-osg::ref_ptr<osg::Geode> createNode(BrickStore& store, osg::StateSet& triangles, const std::string& name,
-                                    const char* fragments, const std::string& definitions = {})
+osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::StateSet& triangles,
+                                    const std::string& name, const char* fragments, const std::string& definitions = {})
 {
     constexpr const char* SPLATS = "#define SPLATS\n";
     constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(
-        new BrickDrawable(store, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
-                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
+    node->addDrawable(new BrickDrawable(
+        store, drawing, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
     node->setStateSet(&triangles);
     return node;
 }
 
 } // namespace
 
-BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe)
+BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
+                       const LightProbe& probe)
 {
     if (look == Look::PLAIN)
     {
         constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
-        _frameNode = createNode(store, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
+        _frameNode = createNode(store, drawing, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
         _bufferNode = _frameNode;
         return;
     }
@@ -98,12 +99,11 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, const BrickAppearance& appe
         applyAppearance(appearance, *relief, *stateSet);
     applyLightProbe(probe, *frame);
     // What is in the buffer is no colour.
-    constexpr osg::StateAttribute::OverrideValue OFF =
-        osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+    constexpr osg::StateAttribute::OverrideValue OFF = osg::StateAttribute::OFF | OVERRIDE_PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
         buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    _frameNode = createNode(store, *frame, NAME, FRAGMENTS);
-    _bufferNode = createNode(store, *buffer, NAME, FRAGMENTS, BUFFER);
+    _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS);
+    _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
 }
 
 void BrickNodes::dirtyBound() const

@@ -18,7 +18,8 @@ namespace osgLego
 class BrickNodes : public osg::Referenced
 {
 public:
-    BrickNodes(BrickStore& store, Look look, const BrickAppearance& appearance, const LightProbe& probe);
+    BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
+               const LightProbe& probe);
 
     /** Draws into a frame as it is. */
     osg::Geode& getFrameNode() const { return *_frameNode; }

@@ -1,6 +1,7 @@
 #include <osgLego/polygonization/BrickRanges.h>
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/polygonization/StudVisibility.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ public:
     }
 
 private:
-    /** As isStudSeen() of polygonization.geom, of any stud that the block may have. */
+    /** Whether any stud that the block may have can be seen. */
     bool areStudsSeen(const BrickBlock& block) const
     {
         const glm::vec3 eye(_view.eye);
@@ -73,8 +74,7 @@ private:
         glm::vec3 across = glm::max(glm::abs(first), glm::abs(last));
         across[_up] = 0.0f;
         const float below = static_cast<float>(block.minimum[_up] + 1) * _view.eye.w - eye[_up];
-        const auto radius = static_cast<float>(BrickGrid::STUD_RADIUS);
-        return _studHeight * (glm::length(across) + radius * _view.eye.w) > 0.2f * below;
+        return BrickDimensions::isStudSeen(glm::length(across), below, _studHeight, _view.eye.w);
     }
 
     const CellView& _view;

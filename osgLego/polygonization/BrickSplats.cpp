@@ -4,6 +4,7 @@
 #include <osgLego/gl/PassCamera.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 
 #include <algorithm>
@@ -27,8 +28,6 @@ namespace
 // Beside those of the relief and of the light probe.
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
-
-constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
 /** A picture with a size of its own, to be drawn into and to be fetched from. */
 osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
@@ -87,10 +86,10 @@ bool applyState(osg::State& state, const osg::StateSet& stateSet)
 /** What draws points draws squares of the size that vertices say. */
 void setPointModes(osg::StateSet& stateSet)
 {
-    stateSet.setAttribute(new osg::PolygonMode, OURS);
+    stateSet.setAttribute(new osg::PolygonMode, OVERRIDE_PROTECTED);
     // A point sprite is as large as it says; another point is rounded.
     for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
-        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OURS);
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
 
 osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
@@ -98,7 +97,7 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
     const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(
         "splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
-    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OURS);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     setPointModes(*stateSet);
     return stateSet;
 }
@@ -109,8 +108,8 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
 class SplatTarget : public osg::Referenced
 {
 public:
-    /** Whether the renderer computes on the CPU, and this target belongs to the context. */
-    bool isFor(const osg::State& state)
+    /** Whether splats are to be drawn on this renderer, and this target belongs to the context. */
+    bool isFor(const osg::State& state, Drawing drawing)
     {
         // The owner may have closed, and its frame buffer object with it.
         if (!_owner.valid())
@@ -128,7 +127,7 @@ public:
             _maximumSize = {viewport[0] / 2, viewport[1]};
         }
         // Of contexts that share objects each would need frame buffer objects of its own.
-        return _isSoftware && !_hasFailed && _owner.get() == state.getGraphicsContext();
+        return (_isSoftware || drawing == Drawing::SPLATS) && !_hasFailed && _owner.get() == state.getGraphicsContext();
     }
 
     /** Use it no more: programs or frame buffers of this context can't be had. */
@@ -236,13 +235,13 @@ BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLigh
 
 BrickSplats::~BrickSplats() = default;
 
-bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
-                       const CellView& view) const
+bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
+                       Drawing drawing) const
 {
     osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
     if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
     SplatTarget& target = *held;
-    if (!view.isAllBehindNearPlane || !target.isFor(state)) return false;
+    if (!view.isAllBehindNearPlane || !target.isFor(state, drawing)) return false;
     if (ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
     // Planes and ranges of depth that rays know nothing of.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
@@ -262,7 +261,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     }
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
-    setBrickUniforms(state, bricks.source->triangles->getGrid(), view, false);
+    setBrickUniforms(state, bricks.bricks->getGrid(), view, false);
     setRays(state, rays, destination.getSize());
     static const UniformName ORIGIN("origin");
     ProgramUniforms(state).set(ORIGIN, destination.getOrigin());
@@ -274,7 +273,7 @@ bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const Conte
                              const BrickRanges& ranges, const CellView& view, const CellView::Rays& rays,
                              const glm::ivec2& size) const
 {
-    const BrickGrid& grid = bricks.source->triangles->getGrid();
+    const BrickGrid& grid = bricks.bricks->getGrid();
     bool isCleared = false;
     for (const bool hasStuds : {false, true})
     {
@@ -302,7 +301,7 @@ void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks
     if (bricks.blocks.empty())
         tiles.add(view.area);
     else
-        ranges.addTo(tiles, bricks.source->triangles->getGrid(), view);
+        ranges.addTo(tiles, bricks.bricks->getGrid(), view);
     tiles.findRuns();
     static const UniformName NUM_ACROSS("tilesAcross");
     static const UniformName SIDE("tileSide");

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <osgLego/passes/BrickStore.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/PictureTiles.h>
+#include <osgLego/store/BrickStore.h>
 
 #include <osg/State>
 #include <osg/StateSet>
@@ -31,9 +31,11 @@ public:
     ~BrickSplats();
 
     /** Draw; leaves a state set of this class applied. Needs the context of the state current.
-     * @return false, and nothing is drawn, when the renderer is none in software, or the bricks or the frame buffer
+     * @param drawing SPLATS: on any renderer; AUTO: only on one in software.
+     * @return false, and nothing is drawn, when the renderer does not want splats, or the bricks or the frame buffer
      * that is bound are not for this way. */
-    bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view) const;
+    bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
+              Drawing drawing) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state) const;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <osgLego/BrickGrid.h>
-#include <osgLego/passes/BrickStore.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/store/BrickStore.h>
 
 #include <glm/vec2.hpp>
 #include <osg/State>

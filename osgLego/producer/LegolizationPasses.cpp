@@ -1,8 +1,6 @@
 #include <osgLego/producer/LegolizationPasses.h>
 
 #include <osgLego/extraction/BrickExtractionPass.h>
-#include <osgLego/producer/BrickUploadPass.h>
-#include <osgLego/producer/CpuVoxelizationPass.h>
 #include <osgLego/subdivision/SubdivisionPass.h>
 #include <osgLego/voxelization/ProjectionPass.h>
 #include <osgLego/voxelization/VoxelizationPass.h>
@@ -10,33 +8,22 @@
 namespace osgLego
 {
 
-LegolizationPasses::LegolizationPasses(BrickStore& store, const PassPlan& plan) : _plan(plan)
+LegolizationPasses::LegolizationPasses(PassWorkspace& workspace, const PassPlan& plan) : _plan(plan)
 {
-    if (plan.device != Device::GPU)
-    {
-        _passes.emplace_back(new CpuVoxelizationPass(store, plan));
-        _passes.emplace_back(new BrickUploadPass(store));
-    }
-    if (plan.device != Device::CPU) addGpuPasses(store);
-}
-
-void LegolizationPasses::addGpuPasses(BrickStore& store)
-{
-    const PassPlan& plan = _plan;
     unsigned int step = 0;
-    _passes.emplace_back(new SubdivisionPass(store, plan));
+    _passes.emplace_back(new SubdivisionPass(workspace, plan));
     osg::ref_ptr<osg::Texture2D> picture;
     if (plan.pictureSize > 0)
     {
         picture = PassCamera::createTarget(glm::ivec2(plan.pictureSize));
-        _passes.emplace_back(new ProjectionPass(store, ++step, *picture));
+        _passes.emplace_back(new ProjectionPass(workspace, ++step, *picture));
     }
     const osg::ref_ptr<osg::Texture2D> voxelImage = PassCamera::createTarget(plan.imageSize);
     const osg::ref_ptr<const ExtractionStates> extraction = new ExtractionStates(*voxelImage);
     for (std::size_t slab = 0; slab < plan.numSlabs; ++slab)
     {
-        _passes.emplace_back(new VoxelizationPass(store, ++step, plan, slab, *voxelImage, picture.get()));
-        _passes.emplace_back(new BrickExtractionPass(store, ++step, plan, slab, *extraction));
+        _passes.emplace_back(new VoxelizationPass(workspace, ++step, plan, slab, *voxelImage, picture.get()));
+        _passes.emplace_back(new BrickExtractionPass(workspace, ++step, plan, slab, *extraction));
     }
 }
 

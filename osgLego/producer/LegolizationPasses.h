@@ -1,23 +1,25 @@
 #pragma once
 
-#include <osgLego/passes/BrickStore.h>
 #include <osgLego/passes/LegolizationPass.h>
 #include <osgLego/passes/PassPlan.h>
+#include <osgLego/passes/PassWorkspace.h>
 
 #include <vector>
 
+#include <osg/Referenced>
+#include <osg/State>
+#include <osg/ref_ptr>
 #include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
 
-/** The passes of a plan in their order. On the GPU: subdivision, the picture of a projected target, and for each slab
- * of the grid voxelization and extraction, all slabs sharing one voxel image. On the CPU: voxelization, and the upload.
- */
+/** The passes of a plan in their order: subdivision, the picture of a projected target, and for each slab of the grid
+ * voxelization and extraction, all slabs sharing one voxel image. */
 class LegolizationPasses : public osg::Referenced
 {
 public:
-    LegolizationPasses(BrickStore& store, const PassPlan& plan);
+    LegolizationPasses(PassWorkspace& workspace, const PassPlan& plan);
 
     const PassPlan& getPlan() const { return _plan; }
 
@@ -30,8 +32,6 @@ public:
 
 private:
     ~LegolizationPasses() override = default;
-
-    void addGpuPasses(BrickStore& store);
 
     PassPlan _plan;
     std::vector<osg::ref_ptr<LegolizationPass>> _passes;

@@ -176,20 +176,20 @@ osg::ref_ptr<osg::Program> createProgram()
 
 } // namespace
 
-SubdivisionPass::SubdivisionPass(BrickStore& store, const PassPlan& plan) : LegolizationPass(store, 0), _plan(plan)
+SubdivisionPass::SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan) :
+    LegolizationPass(workspace, 0), _plan(plan)
 {
     setStateSet(PassCamera::createStateSet(*createProgram()));
     setCamera(new PassCamera(*this));
 }
 
-bool SubdivisionPass::begin(osg::State& state, ContextBricks& bricks) const
+bool SubdivisionPass::begin(osg::State& state, PassContext& context) const
 {
-    return start(state, bricks, _plan);
+    return start(state, context, _plan);
 }
 
-std::string SubdivisionPass::run(osg::State& state, ContextBricks& bricks) const
+std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
 {
-    Legolization& work = *bricks.work;
     // Here, in the first pass, and not where it would show: work that leads nowhere is not begun.
     if (std::string obstacle = PassPlan::findObstacle(*work.source); !obstacle.empty()) return obstacle;
     const double edgeLimit = work.source->settings.getEdgeLimit();

@@ -17,7 +17,7 @@ namespace osgLego
 class SubdivisionPass : public LegolizationPass
 {
 public:
-    SubdivisionPass(BrickStore& store, const PassPlan& plan);
+    SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan);
 
     bool isSameKindAs(const osg::Object* object) const override
     {
@@ -26,8 +26,8 @@ public:
     const char* className() const override { return "SubdivisionPass"; }
 
 protected:
-    bool begin(osg::State& state, ContextBricks& bricks) const override;
-    std::string run(osg::State& state, ContextBricks& bricks) const override;
+    bool begin(osg::State& state, PassContext& context) const override;
+    std::string run(osg::State& state, Legolization& work) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.subdivision; }
 
 private:

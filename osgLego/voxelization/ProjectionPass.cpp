@@ -39,8 +39,8 @@ glm::mat4 projectionOf(const BrickGrid& grid)
 
 } // namespace
 
-ProjectionPass::ProjectionPass(BrickStore& store, unsigned int step, osg::Texture2D& picture) :
-    LegolizationPass(store, step)
+ProjectionPass::ProjectionPass(PassWorkspace& workspace, unsigned int step, osg::Texture2D& picture) :
+    LegolizationPass(workspace, step)
 {
     setStateSet(PassCamera::createStateSet(
         *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"})));
@@ -53,17 +53,17 @@ float ProjectionPass::getNumberScale(const BrickGrid& grid)
     return static_cast<float>(std::bit_ceil(grid.getNumCells()));
 }
 
-std::string ProjectionPass::run(osg::State& state, ContextBricks& bricks) const
+std::string ProjectionPass::run(osg::State& state, Legolization& work) const
 {
     if (!PassCamera::isTargetThere(state))
         return "there is no memory on the GPU for the picture of the projected target; allowed: a smaller fbo";
-    const BrickGrid& grid = bricks.work->source->triangles->getGrid();
+    const BrickGrid& grid = work.source->triangles->getGrid();
     const ProgramUniforms uniforms(state);
     uniforms.set("projection", projectionOf(grid));
     uniforms.set("gridSize", grid.dimensions);
     uniforms.set("numberScale", getNumberScale(grid));
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
-    for (const WorkingBatch& batch : bricks.work->batches)
+    for (const WorkingBatch& batch : work.batches)
     {
         bindSurfaceOf(state, *batch.batch);
         arrays.bind(batch.getFineBuffer());

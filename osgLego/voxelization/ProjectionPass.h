@@ -17,7 +17,7 @@ namespace osgLego
 class ProjectionPass : public LegolizationPass
 {
 public:
-    ProjectionPass(BrickStore& store, unsigned int step, osg::Texture2D& picture);
+    ProjectionPass(PassWorkspace& workspace, unsigned int step, osg::Texture2D& picture);
 
     /** The power of two by which cell numbers are divided in the picture's alpha. */
     static float getNumberScale(const BrickGrid& grid);
@@ -29,7 +29,7 @@ public:
     const char* className() const override { return "ProjectionPass"; }
 
 protected:
-    std::string run(osg::State& state, ContextBricks& bricks) const override;
+    std::string run(osg::State& state, Legolization& work) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.voxelization; }
 };
 

@@ -4,6 +4,7 @@
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/passes/Addressing.h>
 #include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/voxelization/ProjectionPass.h>
@@ -35,27 +36,25 @@ osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
 
 } // namespace
 
-VoxelizationPass::VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
                                    osg::Texture2D& voxelImage, osg::Texture2D* picture) :
-    LegolizationPass(store, step),
+    LegolizationPass(workspace, step),
     _plan(plan), _slab(slab)
 {
-    constexpr osg::StateAttribute::OverrideValue OURS = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram(plan));
     stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
-                                   osg::StateAttribute::ON | OURS);
-    if (picture) stateSet->setTextureAttribute(0, picture, OURS);
+                                   osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    if (picture) stateSet->setTextureAttribute(0, picture, OVERRIDE_PROTECTED);
     setStateSet(stateSet);
     setCamera(new PassCamera(*this, voxelImage, osg::Vec4()));
 }
 
-std::string VoxelizationPass::run(osg::State& state, ContextBricks& bricks) const
+std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
 {
     if (!PassCamera::isTargetThere(state))
         return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
                std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
 
-    Legolization& work = *bricks.work;
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);

@@ -19,7 +19,7 @@ class VoxelizationPass : public LegolizationPass
 {
 public:
     /** @param slab the number of the slab; @param picture of ProjectionPass, null for an addressed target. */
-    VoxelizationPass(BrickStore& store, unsigned int step, const PassPlan& plan, std::size_t slab,
+    VoxelizationPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
                      osg::Texture2D& voxelImage, osg::Texture2D* picture);
 
     bool isSameKindAs(const osg::Object* object) const override
@@ -29,7 +29,7 @@ public:
     const char* className() const override { return "VoxelizationPass"; }
 
 protected:
-    std::string run(osg::State& state, ContextBricks& bricks) const override;
+    std::string run(osg::State& state, Legolization& work) const override;
     double& getTime(LegoStatistics& statistics) const override { return statistics.voxelization; }
 
 private:

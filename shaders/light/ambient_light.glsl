@@ -1,7 +1,7 @@
 // Light from all around: diffuse by nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or a convolved map, mirrored by
 // maps filtered for each roughness.
 
-uniform vec3 irradianceCoefficients[9]; // of irradiance over pi
+uniform vec3 irradiancePolynomial[9]; // see SphericalHarmonics
 uniform bool usesConvolvedMap;
 uniform sampler2D convolvedMap;
 uniform sampler2D reflectionMap;
@@ -9,7 +9,7 @@ uniform float probeIntensity;
 uniform mat3 worldToProbe;
 uniform mat3 eyeToWorld;
 
-const float REFLECTION_LEVELS = 6.0;
+const float REFLECTION_LEVELS = 6.0; // LightProbe::REFLECTION_LEVELS
 const float PLASTIC = 0.04; // reflected head on, by an index of refraction of 1.5
 
 // The picture's middle looks along +y, its right side along +x, its top along +z.
@@ -41,13 +41,10 @@ vec3 irradianceAt(vec3 eyeNormal)
     if (usesConvolvedMap)
         irradiance = textureLod(convolvedMap, toConvolved(n), 0.0).rgb;
     else
-        irradiance = irradianceCoefficients[0] * 0.282095 +
-                     0.488603 * (irradianceCoefficients[1] * n.y + irradianceCoefficients[2] * n.z +
-                                 irradianceCoefficients[3] * n.x) +
-                     1.092548 * (irradianceCoefficients[4] * n.x * n.y + irradianceCoefficients[5] * n.y * n.z +
-                                 irradianceCoefficients[7] * n.x * n.z) +
-                     irradianceCoefficients[6] * 0.315392 * (3.0 * n.z * n.z - 1.0) +
-                     irradianceCoefficients[8] * 0.546274 * (n.x * n.x - n.y * n.y);
+        irradiance = irradiancePolynomial[0] + irradiancePolynomial[1] * n.y + irradiancePolynomial[2] * n.z +
+                     irradiancePolynomial[3] * n.x + irradiancePolynomial[4] * n.x * n.y +
+                     irradiancePolynomial[5] * n.y * n.z + irradiancePolynomial[6] * (3.0 * n.z * n.z - 1.0) +
+                     irradiancePolynomial[7] * n.x * n.z + irradiancePolynomial[8] * (n.x * n.x - n.y * n.y);
     return probeIntensity * max(irradiance, 0.0);
 }
 

@@ -1,6 +1,6 @@
 // What the passes keep in a vertex: its colour, and the mipmap to look its texture up in.
 
-const float MAXIMUM_LEVEL = 16.0;
+#include "osgLego/data/PassConstants.h"
 
 // Colour and texture level as they are packed in a vertex: red, green | blue, level.
 vec4 unpackColorAndLevel(uvec2 words)

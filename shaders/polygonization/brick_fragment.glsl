@@ -74,8 +74,8 @@ Plane planeOfDisk()
 
 Plane planeOfWall(vec2 facet)
 {
-    // A sixteenth of the way around for the width of a side.
-    float scale = 0.0625 / (0.39018064 * STUD_RADIUS);
+    // One part of the way around for the width of a side.
+    float scale = 1.0 / float(STUD_SIDES) / (2.0 * FACETS[0].y * STUD_RADIUS);
     return Plane(vec4(fromStud(vec3(facet, 0.0)), APOTHEM + 0.5 * (facet.x + facet.y)),
                  vec4(scale * fromStud(vec3(-facet.y, facet.x, 0.0)), 0.0),
                  vec4(unitOf(upAxis) / studHeight, -1.0 / studHeight));

@@ -2,6 +2,7 @@
 // each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
 // Lengths are in widths of a cell.
 
+#include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"
 
 uniform vec3 cellProportions; // of a cell's edges to its width
@@ -14,17 +15,13 @@ uniform float roughness;    // as perceived: the square root of the microfacets'
 uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
 uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
 
-const float EDGE = 0.045;       // the width of a rounded edge; 0.36 mm of 8 mm
-const float EDGE_SLOPE = 0.9;   // where it ends
-const float GAP = 0.014;        // half the gap between two bricks, 0.1 mm
-const float GAP_DARKNESS = 0.5; // of the light, what does not reach into the gap,
+const float EDGE_SLOPE = 0.9;    // where a rounded edge ends
+const float GAP_DARKNESS = 0.5;  // of the light, what does not reach into the gap,
 const float EDGE_DARKNESS = 0.5; // and into the groove that two rounded edges make, at its bottom
-const float TILT = 0.006;       // of faces that are never perfectly flat
+const float TILT = 0.006;        // of faces that are never perfectly flat
 const float SHADE = 0.04;
-const float TOWARDS_EYE = 0.35; // of what is smaller than a pixel; see mergeFaces()
+const float TOWARDS_EYE = 0.35;     // of what is smaller than a pixel; see mergeFaces()
 const float MERGED_OPENNESS = 0.85; // faces and studs that turn away from each other hide light from each other
-const float DISK_RADIUS = 0.3;
-const float STUD_HEIGHT = 0.2125;
 
 struct Surface
 {
@@ -116,8 +113,8 @@ Bend bendWall(float height, float width)
 Bend bendDisk(vec2 place, float width, vec4 slopes)
 {
     float radius = length(place);
-    vec3 rim = edgeAt(DISK_RADIUS - radius, width, false);
-    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / DISK_RADIUS, slopes.xz, slopes.yw);
+    vec3 rim = edgeAt(STUD_RADIUS - radius, width, false);
+    vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / STUD_RADIUS, slopes.xz, slopes.yw);
     vec2 slope = -reliefHeight * relief.xy;
     float square = reliefHeight * reliefHeight * relief.z;
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
@@ -152,7 +149,7 @@ vec3 meanNormal(vec3 toEye)
         sum += sign(cosine) * seen * direction;
         if (axis != upAxis || cosine <= 0.0) continue;
         // The wall of the stud hides as much of what lies behind it, and is round.
-        float wall = min(2.0 * DISK_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
+        float wall = min(2.0 * STUD_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
         sum += wall * (0.785 * normalize(toEye - cosine * direction + vec3(1e-5)) - direction);
     }
     return sum / area;
@@ -189,7 +186,7 @@ Surface surfaceHere(vec3 toEye)
     vec2 place = coordinate * size;
     vec4 slopes = coordinateSlopes;
     vec2 width = vec2(widthOf(size.x * slopes.xy), widthOf(size.y * slopes.zw));
-    vec2 extent = part == FACE ? size : part == STUD_DISK ? vec2(2.0 * DISK_RADIUS) : vec2(6.283 * DISK_RADIUS, STUD_HEIGHT);
+    vec2 extent = part == FACE ? size : part == STUD_DISK ? vec2(2.0 * STUD_RADIUS) : vec2(6.283 * STUD_RADIUS, STUD_HEIGHT);
     float wide = min(length(extent * slopes.xz), length(extent * slopes.yw));
     vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * max(width.x, width.y), 0.0, 1.0);
 
@@ -203,8 +200,8 @@ Surface surfaceHere(vec3 toEye)
     }
     else
     {
-        float width = 2.0 * DISK_RADIUS * max(length(slopes.xy), length(slopes.zw));
-        bend = bendDisk(DISK_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
+        float width = 2.0 * STUD_RADIUS * max(length(slopes.xy), length(slopes.zw));
+        bend = bendDisk(STUD_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
     }
     if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
     if (part != STUD_WALL) bend.slope += TILT * own.xy;

@@ -2,10 +2,11 @@
 // the wall and the disk of its stud (second), unless another brick sits on it. Everything winds counter-clockwise seen
 // from outside.
 
+#include "osgLego/polygonization/StudVisibility.h"
 #include "polygonization/brick_detail.glsl"
 
 layout(points, invocations = 2) in;
-layout(triangle_strip, max_vertices = 50) out;
+layout(triangle_strip, max_vertices = 50) out; // of a stud: 3 * STUD_SIDES + 2
 
 flat in uvec3 brick[];
 
@@ -20,9 +21,7 @@ out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and u
 flat out uint color;
 flat out uint detail; // see brick_detail.glsl
 
-const float STUD_RADIUS = 0.3;
-const int STUD_SIDES = 16;
-// Around the stud; a table, since not every machine has a quick cosine.
+// Around the stud; a table, since not every machine has a fast cosine.
 const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
     vec2(1.0, 0.0), vec2(0.923879533, 0.382683432), vec2(0.707106781, 0.707106781), vec2(0.382683432, 0.923879533),
     vec2(0.0, 1.0), vec2(-0.382683432, 0.923879533), vec2(-0.707106781, 0.707106781), vec2(-0.923879533, 0.382683432),
@@ -108,14 +107,12 @@ bool isWallSeen(vec3 center, vec2 middle)
     return dot(eye.xyz - eye.w * (center + STUD_RADIUS * outward), outward) > 0.0;
 }
 
-// Whether a stud is seen at all: from far enough below, the brick that it stands on hides it. From its rim to the edge of
-// that brick it is 0.2 across or more.
-bool isStudSeen(vec3 center)
+bool isStudAtSeen(vec3 center)
 {
     vec3 toEye = eye.xyz - eye.w * center;
     float below = -toEye[upAxis];
     toEye[upAxis] = 0.0;
-    return studHeight * (length(toEye) + STUD_RADIUS * eye.w) > 0.2 * below;
+    return isStudSeen(length(toEye), below, studHeight, eye.w);
 }
 
 void emitStud(vec3 center, vec3 up)
@@ -186,6 +183,6 @@ void main()
         vec3 up = vec3(0.0);
         up[upAxis] = 1.0;
         vec3 center = cell + across(0.5, 0.5) + up;
-        if (showsInsides || isStudSeen(center)) emitStud(center, up);
+        if (showsInsides || isStudAtSeen(center)) emitStud(center, up);
     }
 }

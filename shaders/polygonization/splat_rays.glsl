@@ -1,9 +1,11 @@
 // Rays of pixels through bricks, which need no triangles then: a splat is a square of pixels that a brick's picture lies
 // within, and every pixel of it looks where its ray meets the brick (Majercik et al. 2018, "A Ray-Box Intersection
-// Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms of 16 sides, as the geometry shader makes them.
+// Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as the geometry shader makes them.
 //
 // A splat in two words: the cell on the axes of a stud, the last of which is up, by 10, 10 and 12 bits | where the ray
 // meets it: the axis of a face, likewise, or STUD (2 bits), the open sides (6), the colour (24).
+
+#include "osgLego/BrickDimensions.h"
 
 #if !defined(SPLATS) // which are told otherwise, see splat_scene.glsl
 uniform int upAxis;
@@ -14,12 +16,12 @@ uniform mat3 rayDirection; // likewise
 #endif
 
 const uint STUD = 3u;
-const float STUD_RADIUS = 0.3;
-const float APOTHEM = 0.294235584; // the radius times the cosine of 1/32 of a turn
-const vec2 FACETS[8] = vec2[](vec2(0.980785280, 0.195090322), vec2(0.831469612, 0.555570233),
-                              vec2(0.555570233, 0.831469612), vec2(0.195090322, 0.980785280),
-                              vec2(-0.195090322, 0.980785280), vec2(-0.555570233, 0.831469612),
-                              vec2(-0.831469612, 0.555570233), vec2(-0.980785280, 0.195090322));
+const float APOTHEM = STUD_RADIUS * 0.980785280; // the cosine of half a side's angle
+// The normals of one side of each opposite pair.
+const vec2 FACETS[STUD_SIDES / 2] =
+    vec2[](vec2(0.980785280, 0.195090322), vec2(0.831469612, 0.555570233), vec2(0.555570233, 0.831469612),
+           vec2(0.195090322, 0.980785280), vec2(-0.195090322, 0.980785280), vec2(-0.555570233, 0.831469612),
+           vec2(-0.831469612, 0.555570233), vec2(-0.980785280, 0.195090322));
 const float NEVER = 1e30;
 
 struct Ray
@@ -37,13 +39,6 @@ vec3 toStud(vec3 vector)
 vec3 fromStud(vec3 vector)
 {
     return upAxis == 1 ? vector.yzx : vector;
-}
-
-// Whether a stud is seen at all, by the way to the eye from the middle of its foot, on its axes: from far enough below, the
-// brick that it stands on hides it. From its rim to the edge of that brick it is 0.2 across or more.
-bool isStudSeen(vec3 toEye)
-{
-    return studHeight * (length(toEye.xy) + STUD_RADIUS * eye.w) > -0.2 * toEye.z;
 }
 
 uvec2 packSplat(uvec3 brick)
@@ -69,7 +64,7 @@ float meetStud(Ray ray, float height, out vec2 facet)
     float first = -NEVER;
     float last = NEVER;
     vec2 normal = vec2(0.0);
-    for (int index = 0; index < 8; ++index)
+    for (int index = 0; index < STUD_SIDES / 2; ++index)
     {
         // Along a facet, a ray is as good as any that meets it far away.
         float speed = dot(FACETS[index], direction.xy);

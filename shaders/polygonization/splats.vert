@@ -1,6 +1,7 @@
 // Splats: each brick becomes a point as large as what may be seen of it.
 
 #include "polygonization/splat_rays.glsl"
+#include "osgLego/polygonization/StudVisibility.h"
 
 layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
 
@@ -82,7 +83,8 @@ void main()
     uvec3 bits = uvec3(1u, 2u, 4u) * uvec3(toStud(vec3(seen)));
     splat = uvec4(packSplat(vertexBrick), bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
 #if defined(STUDS)
-    if ((open & (2u << (2 * upAxis))) != 0u && isStudSeen(toStud(toEye) - eye.w * vec3(0.5, 0.5, 1.0)))
+    vec3 fromFoot = toStud(toEye) - eye.w * vec3(0.5, 0.5, 1.0);
+    if ((open & (2u << (2 * upAxis))) != 0u && isStudSeen(length(fromFoot.xy), -fromFoot.z, studHeight, eye.w))
     {
         splat.z |= 8u;
         box.lower = min(box.lower, fromStud(vec3(0.5 - STUD_RADIUS, 0.5 - STUD_RADIUS, 1.0)));

@@ -14,10 +14,9 @@ flat out float weight;        // the fine triangle's area inside the cell
 flat out uint sourceTriangle; // the triangle that it was cut from
 flat out uvec2 packedCell;    // x | y << 16, z; finding it by the texel would take divisions
 
+#include "osgLego/data/PassConstants.h"
 #include "passes/addressing.glsl"
-
-// In cells squared: lets a triangle that only grazes a cell decide its colour when no other covers it.
-const float LEAST_WEIGHT = 1e-9;
+#include "voxelization/area_in_cell.glsl"
 
 // An axis in a coordinate plane: a cell is apart when its corner's place on the axis leaves the bounds, or is one of
 // them that is open.
@@ -59,60 +58,18 @@ bool planeIsApart(vec3 normal, float offset, vec3 corner)
            (place == upper && any(lessThan(normal, vec3(0.0))));
 }
 
-// Twice the vector area between the origin and the part of the segment pq that lies in the unit cell, faces included.
-vec3 sweptInCell(vec3 p, vec3 q)
+// The axis that a vector is nearest to.
+int longestAxis(vec3 vector)
 {
-    vec3 along = q - p;
-    bvec3 still = equal(along, vec3(0.0));
-    vec3 outside = vec3(lessThan(p, vec3(0.0))) + vec3(greaterThan(p, vec3(1.0)));
-    if (dot(vec3(still), outside) > 0.0) return vec3(0.0);
-
-    const float FAR = 1e30;
-    vec3 inverse = 1.0 / mix(along, vec3(1.0), still);
-    vec3 lower = -p * inverse;
-    vec3 upper = (1.0 - p) * inverse;
-    vec3 begins = mix(min(lower, upper), vec3(-FAR), still);
-    vec3 ends = mix(max(lower, upper), vec3(FAR), still);
-    float begin = max(max(begins.x, begins.y), max(begins.z, 0.0));
-    float end = min(min(ends.x, ends.y), min(ends.z, 1.0));
-    return begin < end ? cross(p + begin * along, p + end * along) : vec3(0.0);
+    vec3 size = abs(vector);
+    if (size.z >= max(size.x, size.y)) return 2;
+    return size.x >= size.y ? 0 : 1;
 }
 
-// The chord along which the plane of a face cuts a triangle, from where its outline leaves the inner side to where it
-// comes back; nothing where the plane misses it. face is 0 for the lower face of an axis and 1 for the upper.
-vec3 sweptOnFace(vec3 a, vec3 b, vec3 c, int axis, float face)
+// The axes in another order, of which `last` is the last.
+vec3 reordered(vec3 vector, int last)
 {
-    vec3 corners[3] = vec3[](a, b, c);
-    vec3 leave = vec3(0.0);
-    vec3 enter = vec3(0.0);
-    bool isCut = false;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-        vec3 from = corners[corner];
-        vec3 to = corners[(corner + 1) % 3];
-        float here = face == 0.0 ? from[axis] : 1.0 - from[axis];
-        float there = face == 0.0 ? to[axis] : 1.0 - to[axis];
-        if ((here >= 0.0) == (there >= 0.0)) continue;
-        vec3 crossing = mix(from, to, here / (here - there));
-        crossing[axis] = face;
-        if (here >= 0.0) leave = crossing;
-        else enter = crossing;
-        isCut = true;
-    }
-    return isCut ? sweptInCell(leave, enter) : vec3(0.0);
-}
-
-// The area of the part of a triangle inside the unit cell, by Stokes' theorem: the outline of that part is made of
-// pieces of the triangle's edges and of its chords with the planes of the cell's faces.
-float areaInCell(vec3 a, vec3 b, vec3 c, vec3 lowest, vec3 highest)
-{
-    vec3 sum = sweptInCell(a, b) + sweptInCell(b, c) + sweptInCell(c, a);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (lowest[axis] < 0.0) sum += sweptOnFace(a, b, c, axis, 0.0);
-        if (highest[axis] > 1.0) sum += sweptOnFace(a, b, c, axis, 1.0);
-    }
-    return 0.5 * length(sum);
+    return last == 2 ? vector : last == 0 ? vector.yzx : vector.zxy;
 }
 
 void main()
@@ -135,6 +92,11 @@ void main()
 
     vec3 normal = cross(b - a, c - a);
     float offset = dot(normal, a);
+    float area = 0.5 * length(normal);
+    int projection = longestAxis(normal);
+    // Of a triangle that has come to nothing, 0.
+    float perProjected = area > 0.0 ? 2.0 * area / abs(normal[projection]) : 0.0;
+    vec3 projected[3] = vec3[](reordered(a, projection), reordered(b, projection), reordered(c, projection));
     PlaneAxis axes[9];
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -161,7 +123,11 @@ void main()
                     for (int edge = 0; edge < 3; ++edge) apart = apart || isApart(axes[3 * axis + edge], corner2);
                 }
                 if (apart) continue;
-                weight = areaInCell(a - corner, b - corner, c - corner, lowest - corner, highest - corner) + LEAST_WEIGHT;
+                bool isInside = all(greaterThanEqual(lowest, corner)) && all(lessThanEqual(highest, corner + 1.0));
+                vec3 shift = reordered(corner, projection);
+                weight = LEAST_WEIGHT + (isInside ? area
+                                                  : areaInCell(projected[0] - shift, projected[1] - shift,
+                                                               projected[2] - shift, perProjected));
                 sourceTriangle = triangle[0];
                 packedCell = uvec2(cell.x | cell.y << 16, cell.z);
                 gl_Position = positionOfTexel(texelOfCell(cell), voxelImageSize);

@@ -63,7 +63,7 @@ std::optional<double> askEveryBrick(const BrickModel& model, const glm::dvec3& o
 
         ConvexHit stud;
         const double foot = corner[up] + extent[up];
-        stud.cut(origin[up], direction[up], foot + BrickGrid::STUD_HEIGHT);
+        stud.cut(origin[up], direction[up], foot + BrickDimensions::STUD_HEIGHT);
         stud.cut(-origin[up], -direction[up], -foot);
         for (int side = 0; side < 16; ++side)
         {
@@ -71,7 +71,7 @@ std::optional<double> askEveryBrick(const BrickModel& model, const glm::dvec3& o
             normal[(up + 1) % 3] = std::cos(2.0 * PI * (side + 0.5) / 16.0);
             normal[(up + 2) % 3] = std::sin(2.0 * PI * (side + 0.5) / 16.0);
             stud.cut(glm::dot(normal, origin - corner - 0.5), glm::dot(normal, direction),
-                     BrickGrid::STUD_RADIUS * std::cos(PI / 16.0));
+                     BrickDimensions::STUD_RADIUS * std::cos(PI / 16.0));
         }
         stud.merge(nearest);
     }
@@ -222,19 +222,19 @@ TEST(BrickRayCaster, AStudIsHitFromAboveAndFromTheSideAndMissedBesideIt)
 {
     const auto model = createModel(glm::ivec3(3), [](const glm::ivec3& cell) { return cell.z < 2; });
     const BrickRayCaster caster(*model);
-    const double apothem = BrickGrid::STUD_RADIUS * std::cos(PI / 16.0);
+    const double apothem = BrickDimensions::STUD_RADIUS * std::cos(PI / 16.0);
     const glm::dvec3 down(0.0, 0.0, -1.0);
     const glm::dvec3 right(1.0, 0.0, 0.0);
 
-    EXPECT_NEAR(caster.findNearest({1.5, 1.5, 5.0}, down, FAR).value(), 3.0 - BrickGrid::STUD_HEIGHT, 1e-12);
+    EXPECT_NEAR(caster.findNearest({1.5, 1.5, 5.0}, down, FAR).value(), 3.0 - BrickDimensions::STUD_HEIGHT, 1e-12);
     EXPECT_NEAR(caster.findNearest({1.05, 1.5, 5.0}, down, FAR).value(), 3.0, 1e-12);
     // A corner of the stud lies on its u axis, +x here, and a flat side before the next one.
-    EXPECT_NEAR(caster.findNearest({1.01, 1.5, 2.1}, right, FAR).value(), 0.49 - BrickGrid::STUD_RADIUS, 1e-12);
+    EXPECT_NEAR(caster.findNearest({1.01, 1.5, 2.1}, right, FAR).value(), 0.49 - BrickDimensions::STUD_RADIUS, 1e-12);
     const glm::dvec3 toFlat(std::cos(PI / 16.0), std::sin(PI / 16.0), 0.0);
     EXPECT_NEAR(caster.findNearest(glm::dvec3(1.5, 1.5, 2.1) - 0.4 * toFlat, toFlat, FAR).value(), 0.4 - apothem,
                 1e-12);
     EXPECT_FALSE(caster.findNearest({-1.0, 1.81, 2.1}, right, FAR));
-    EXPECT_FALSE(caster.findNearest({-1.0, 1.5, 2.0 + BrickGrid::STUD_HEIGHT + 1e-6}, right, FAR));
+    EXPECT_FALSE(caster.findNearest({-1.0, 1.5, 2.0 + BrickDimensions::STUD_HEIGHT + 1e-6}, right, FAR));
     // From inside, a stud is as solid as a brick.
     EXPECT_EQ(caster.findNearest({1.5, 1.5, 2.1}, right, FAR), 0.0);
     EXPECT_EQ(caster.findNearest({1.5, 1.5, 1.1}, right, FAR), 0.0);
@@ -252,7 +252,7 @@ TEST(BrickRayCaster, StudsOnTheTopmostBricksStandOutOfTheGrid)
         glm::dvec3 origin(0.5);
         origin[grid.getUpIndex()] = 4.1;
         origin.x = -1.0;
-        EXPECT_NEAR(caster.findNearest(origin, {1.0, 0.0, 0.0}, FAR).value(), 1.5 - BrickGrid::STUD_RADIUS, 1e-9);
+        EXPECT_NEAR(caster.findNearest(origin, {1.0, 0.0, 0.0}, FAR).value(), 1.5 - BrickDimensions::STUD_RADIUS, 1e-9);
     }
 }
 
@@ -266,9 +266,9 @@ TEST(BrickRayCaster, NoStudStandsUnderABrickNorInOne)
     EXPECT_FALSE(isHitAt(0.1));
     EXPECT_FALSE(isHitAt(0.9));
     EXPECT_NEAR(isHitAt(2.1).value(), 1.0, 1e-12);
-    EXPECT_NEAR(isHitAt(3.1).value(), 1.5 - BrickGrid::STUD_RADIUS, 1e-9);
+    EXPECT_NEAR(isHitAt(3.1).value(), 1.5 - BrickDimensions::STUD_RADIUS, 1e-9);
     EXPECT_FALSE(isHitAt(3.9));
-    EXPECT_NEAR(isHitAt(5.1).value(), 1.5 - BrickGrid::STUD_RADIUS, 1e-9);
+    EXPECT_NEAR(isHitAt(5.1).value(), 1.5 - BrickDimensions::STUD_RADIUS, 1e-9);
     EXPECT_FALSE(isHitAt(5.9));
 }
 

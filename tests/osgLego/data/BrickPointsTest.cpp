@@ -75,6 +75,34 @@ TEST(BrickPoints, ABlockKnowsWhereItsBricksAreAndWhatIsOpen)
     EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
 }
 
+TEST(BrickPoints, BlocksAreFoundAgainWhereverBricksOfAPlaceFollowEachOther)
+{
+    const BrickPoints made = createBrickPoints(*createModel(50));
+    const std::vector<BrickBlock> found = findBlocks(made.points);
+    // Bricks with studs and without follow each other in some places: then they are one block.
+    ASSERT_LE(found.size(), made.blocks.size());
+    ASSERT_GE(2 * found.size(), made.blocks.size());
+    int next = 0;
+    glm::ivec3 last(-1);
+    for (const BrickBlock& block : found)
+    {
+        EXPECT_EQ(block.first, next);
+        EXPECT_NE(block.minimum / BrickPoints::BLOCK_SIDE, last);
+        last = block.minimum / BrickPoints::BLOCK_SIDE;
+        EXPECT_EQ(last, block.maximum / BrickPoints::BLOCK_SIDE);
+        std::uint32_t open = 0;
+        for (int number = next; number < next + block.count; ++number)
+        {
+            const BrickPoint& point = made.points[static_cast<std::size_t>(number)];
+            EXPECT_EQ(cellOf(point), glm::clamp(cellOf(point), block.minimum, block.maximum));
+            open |= point[1] >> 16;
+        }
+        EXPECT_EQ(block.openSides, open);
+        next += block.count;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(next), made.points.size());
+}
+
 TEST(BrickPoints, BricksWithStudsAreInBlocksOfTheirOwn)
 {
     std::size_t numStudded = 0;

@@ -102,9 +102,8 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
 
 TEST(LegoSettings, AMistakeIsNamedWithWhatIsAllowed)
 {
-    EXPECT_EQ(
-        errorOf("64,colour=red"),
-        "unknown key 'colour'; the keys are resolution, proportions, up, method, target, fbo, edge, device, look");
+    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, "
+                                        "target, fbo, edge, device, look, drawing");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; allowed: a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; allowed: a whole number, 1 to 1024");

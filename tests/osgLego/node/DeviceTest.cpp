@@ -23,6 +23,7 @@ protected:
         _context = createContext();
         _contextID = _context->getState()->getContextID();
         _lego->addChild(createRacingCar());
+        _lego->setWaiting(true);
         setUpViewer(_viewer, *_context, *_lego);
     }
 

@@ -65,10 +65,10 @@ TEST(BrickGeometry, EnclosesTheVolumeOfBricksAndStudsWindingOutwards)
             createBrickGeometry(*model)->accept(measure);
 
             const double pitch = grid.getPitch();
-            const double radius = BrickGrid::STUD_RADIUS * pitch;
+            const double radius = BrickDimensions::STUD_RADIUS * pitch;
             // Of a stud with sixteen sides.
             const double disk = 8.0 * radius * radius * std::sin(std::numbers::pi / 8.0);
-            const double stud = disk * BrickGrid::STUD_HEIGHT * pitch;
+            const double stud = disk * BrickDimensions::STUD_HEIGHT * pitch;
             const double cell = grid.cellSize.x * grid.cellSize.y * grid.cellSize.z;
             const auto [feet, numStuds] = sumOfStudFeet(*model);
             const double expected = cell * static_cast<double>(model->getBricks().size()) + stud * numStuds;

@@ -18,8 +18,8 @@ namespace osgLego::test
 namespace
 {
 
-/** Compares what the geometry shader makes of bricks with the same bricks as plain triangles, drawn by OSG. */
-class Polygonization : public GlTest
+/** Compares bricks, drawn either way (LegoSettings::drawing), with the same bricks as plain triangles, drawn by OSG. */
+class Polygonization : public GlTest, public ::testing::WithParamInterface<const char*>
 {
 protected:
     /** Draw bricks, or their triangles, with an ordinary node that sticks through them. */
@@ -44,7 +44,7 @@ protected:
 
     osg::ref_ptr<LegoNode> createLego(const std::string& settings)
     {
-        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings + ",drawing=" + GetParam()));
         lego->addChild(createRacingCar());
         return lego;
     }
@@ -62,7 +62,7 @@ protected:
 // Edges of the same triangles may be rounded to the other of two neighbouring pixels.
 constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
 
-TEST_F(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
+TEST_P(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
 {
     for (const char* settings :
          {"20", "20,proportions=brick", "24,proportions=plate", "20,up=y", "20,up=y,proportions=plate"})
@@ -75,7 +75,7 @@ TEST_F(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
     }
 }
 
-TEST_F(Polygonization, AStudOutOfPlaceWouldBeSeen)
+TEST_P(Polygonization, AStudOutOfPlaceWouldBeSeen)
 {
     // That the comparison above can fail.
     const osg::ref_ptr<LegoNode> lego = createLego("20");
@@ -84,7 +84,7 @@ TEST_F(Polygonization, AStudOutOfPlaceWouldBeSeen)
     EXPECT_GT(countDifferent(*draw(*lego), *draw(*moved), 2), FEW_PIXELS);
 }
 
-TEST_F(Polygonization, EveryFaceWindsOutwards)
+TEST_P(Polygonization, EveryFaceWindsOutwards)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     const auto cullBack = [](osg::StateSet& stateSet) { stateSet.setAttributeAndModes(new osg::CullFace); };
@@ -93,7 +93,7 @@ TEST_F(Polygonization, EveryFaceWindsOutwards)
     EXPECT_EQ(countDifferent(*draw(*upright), *draw(*upright, cullBack), 0), 0u);
 }
 
-TEST_F(Polygonization, IsLitByTheLightsThatAreOn)
+TEST_P(Polygonization, IsLitByTheLightsThatAreOn)
 {
     const auto light = [](unsigned int modes)
     {
@@ -120,7 +120,7 @@ TEST_F(Polygonization, IsLitByTheLightsThatAreOn)
     EXPECT_GT(brightness(*lit), 1.3 * brightness(*dark));
 }
 
-TEST_F(Polygonization, AWireFrameStaysWithinTheBricks)
+TEST_P(Polygonization, AWireFrameStaysWithinTheBricks)
 {
     const auto asLines = [](osg::StateSet& stateSet)
     {
@@ -156,7 +156,7 @@ TEST_F(Polygonization, AWireFrameStaysWithinTheBricks)
         }
 }
 
-TEST_F(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
+TEST_P(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     lego->setReadBack(true);
@@ -183,7 +183,7 @@ TEST_F(Polygonization, StateOfTheSceneAroundDoesNotDisturbThePasses)
     EXPECT_EQ(_cells->getBricks(), expected->getBricks());
 }
 
-TEST_F(Polygonization, ForeignProgramsDoNotDrawTheBricks)
+TEST_P(Polygonization, ForeignProgramsDoNotDrawTheBricks)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     const osg::ref_ptr<osg::Image> plain = draw(*lego);
@@ -200,7 +200,7 @@ TEST_F(Polygonization, ForeignProgramsDoNotDrawTheBricks)
     EXPECT_LE(countDifferent(*plain, *overridden, 2), FEW_PIXELS);
 }
 
-TEST_F(Polygonization, ClipPlanesCutTheBricks)
+TEST_P(Polygonization, ClipPlanesCutTheBricks)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     const auto cut = [](osg::Node& node)
@@ -215,7 +215,7 @@ TEST_F(Polygonization, ClipPlanesCutTheBricks)
     EXPECT_GT(countDifferent(*bricks, *draw(*lego), 2), 10 * FEW_PIXELS) << "the plane cuts nothing";
 }
 
-TEST_F(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
+TEST_P(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
 {
     // An ordinary node, textured, drawn after the bricks in the frame in which the passes run and in one in which not.
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
@@ -235,6 +235,9 @@ TEST_F(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
     viewer.frame();
     EXPECT_EQ(countDifferent(*first, *readPixels(*context), 0), 0u);
 }
+
+INSTANTIATE_TEST_SUITE_P(BothWays, Polygonization, ::testing::Values("triangles", "splats"),
+                         [](const ::testing::TestParamInfo<const char*>& way) { return std::string(way.param); });
 
 } // namespace
 

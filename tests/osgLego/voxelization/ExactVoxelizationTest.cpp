@@ -2,12 +2,15 @@
 #include <osgLego/cpu/CpuVoxelizer.h>
 #include <osgLego/cpu/TriangleOverlap.h>
 
+#include <CellClipping.h>
 #include <GlTest.h>
 #include <Meshes.h>
 
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
@@ -174,6 +177,80 @@ TEST_F(ExactVoxelizationLimits, CornersThatFallTogetherLeaveTheColour)
     expectSame("coinciding", *node, settings, *gpu, statistics);
     for (const Brick& brick : gpu->getBricks())
         EXPECT_EQ(brick.color[1], 255);
+}
+
+/** Triangles of one colour each, whose corners are corners and middles of cells: their chords with the faces of cells
+ * run along edges of cells, and across their corners, more often than not. */
+osg::ref_ptr<osg::Node> createLatticeTriangles(int count)
+{
+    constexpr int SIZE = 16;
+    std::mt19937 engine(3);
+    const auto below = [&engine](unsigned int end) { return static_cast<int>(engine() % end); };
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec4ubArray> colors = new osg::Vec4ubArray;
+    const auto add = [&](const std::array<glm::ivec3, 3>& halves)
+    {
+        const osg::Vec4ub color(static_cast<unsigned char>(below(256)), static_cast<unsigned char>(below(256)),
+                                static_cast<unsigned char>(below(256)), 255);
+        for (const glm::ivec3& corner : halves)
+        {
+            vertices->push_back(osg::Vec3(osg::Vec3d(corner.x, corner.y, corner.z) * 0.5));
+            colors->push_back(color);
+        }
+    };
+    add({glm::ivec3(0), glm::ivec3(2 * SIZE, 0, 0), glm::ivec3(2 * SIZE)}); // gives the grid its size
+    for (int triangle = 0; triangle < count; ++triangle)
+    {
+        const glm::ivec3 first(below(2 * SIZE - 8), below(2 * SIZE - 8), below(2 * SIZE - 8));
+        add({first, first + glm::ivec3(below(9), below(9), below(9)),
+             first + glm::ivec3(below(9), below(9), below(9))});
+    }
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setVertexArray(vertices);
+    geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices->size())));
+    return geometry;
+}
+
+/** The area of all triangles in a cell. */
+double areaIn(const GridTriangles& triangles, const glm::ivec3& cell)
+{
+    double area = 0.0;
+    for (const GridBatch& batch : triangles.getBatches())
+        for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
+            area += areaOf(clipByCell({batch.vertices[first].position, batch.vertices[first + 1].position,
+                                       batch.vertices[first + 2].position},
+                                      cell));
+    return area;
+}
+
+TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsWeighAsOnTheCpu)
+{
+    const osg::ref_ptr<osg::Node> node = createLatticeTriangles(400);
+    for (const char* text : {"16", "16,edge=0.5", "16,edge=4"})
+    {
+        const LegoSettings settings = parseSettings(text);
+        const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings);
+        ASSERT_TRUE(gpu);
+        const osg::ref_ptr<const GridTriangles> triangles =
+            GridTriangles::create(*SceneTriangles::create(*node), settings);
+        const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
+        ASSERT_EQ(gpu->getBricks().size(), cpu->getBricks().size()) << text;
+        std::size_t weighed = 0;
+        std::size_t off = 0;
+        for (const Brick& brick : gpu->getBricks())
+        {
+            const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
+            const Brick* expected = cpu->find(cell);
+            ASSERT_TRUE(expected);
+            // Where triangles only touch a cell, each weighs as much as the fine ones that it was cut into.
+            if (areaIn(*triangles, cell) < 1e-3) continue;
+            ++weighed;
+            off += isColorOff(brick, *expected) ? 1 : 0;
+        }
+        EXPECT_GT(weighed, 1000u);
+        EXPECT_EQ(off, 0u) << text;
+    }
 }
 
 /** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than expected. */

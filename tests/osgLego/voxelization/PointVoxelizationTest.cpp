@@ -19,16 +19,8 @@ namespace
 struct Model
 {
     const char* name;
-    osg::ref_ptr<osg::Node> node;
+    osg::ref_ptr<osg::Node> (*create)();
 };
-
-std::vector<Model> createModels()
-{
-    std::vector<Model> models{{"car", createRacingCar()},   {"sphere", createSphere()},      {"torus", createTorus()},
-                              {"plate", createThinPlate()}, {"slivers", createSliverSoup()}, {"bunny", readBunny()}};
-    if (!models.back().node) models.pop_back();
-    return models;
-}
 
 osg::ref_ptr<const GridTriangles> toGrid(osg::Node& node, const LegoSettings& settings)
 {
@@ -111,28 +103,77 @@ std::size_t countTunnels(const GridTriangles& triangles, const BrickModel& found
     return tunnels;
 }
 
+/** On each of the models; prints how many of the covered cells are found. */
+class PointVoxelizationOfModels : public GlTest, public ::testing::WithParamInterface<Model>
+{
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        _node = GetParam().create();
+        if (!_node) GTEST_SKIP() << "the model could not be fetched";
+    }
+
+    osg::ref_ptr<osg::Node> _node;
+};
+
+TEST_P(PointVoxelizationOfModels, AddressedIsSoundAndWithoutTunnelsUpToAnEdgeOfOneCell)
+{
+    for (const char* text : {"64,edge=1", "64,edge=0.5", "64,edge=0.25", "128,edge=1"})
+    {
+        const LegoSettings settings = parseSettings(std::string(text) + ",method=points,target=addressed");
+        const osg::ref_ptr<const GridTriangles> triangles = toGrid(*_node, settings);
+        const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
+        const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*_node, settings);
+        ASSERT_TRUE(found);
+        const std::size_t unsound = countUnsound(*triangles, *truth, *found);
+        const std::size_t tunnels = countTunnels(*triangles, *found);
+        std::printf("points, addressed  %-8s %-14s recall %.4f, %zu unsound cells, %zu tunnels\n", GetParam().name,
+                    text, recallOf(*truth, *found), unsound, tunnels);
+        EXPECT_EQ(unsound, 0u);
+        EXPECT_EQ(tunnels, 0u);
+    }
+}
+
+TEST_P(PointVoxelizationOfModels, ProjectedIsSoundAndFindsMoreInLargerPictures)
+{
+    for (const char* resolution : {"32", "64", "128"})
+    {
+        std::printf("points, projected  %-8s %3s,edge=1     recall", GetParam().name, resolution);
+        const osg::ref_ptr<const GridTriangles> triangles = toGrid(*_node, parseSettings(resolution));
+        const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
+        double previous = 0.0;
+        double smallest = 0.0;
+        for (const char* size : {"256", "512", "1024", "2048"})
+        {
+            const LegoSettings settings = parseSettings(std::string(resolution) + ",method=points,fbo=" + size);
+            const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*_node, settings);
+            ASSERT_TRUE(found);
+            const double recall = recallOf(*truth, *found);
+            std::printf(" %.4f (fbo=%s)", recall, size);
+            EXPECT_EQ(countUnsound(*triangles, *truth, *found), 0u);
+            EXPECT_GT(recall, previous - 0.01);
+            if (previous == 0.0) smallest = recall;
+            previous = recall;
+        }
+        EXPECT_GT(smallest, 0.02);
+        EXPECT_TRUE(previous > smallest || smallest == 1.0) << previous;
+        EXPECT_GT(previous, 0.5);
+        std::printf("\n");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, PointVoxelizationOfModels,
+                         ::testing::Values(Model{"car", createRacingCar},
+                                           Model{"sphere", [] { return createSphere(); }}, Model{"torus", createTorus},
+                                           Model{"plate", createThinPlate},
+                                           Model{"slivers", [] { return createSliverSoup(); }},
+                                           Model{"bunny", readBunny}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
 class PointVoxelization : public GlTest
 {
 };
-
-TEST_F(PointVoxelization, AddressedIsSoundAndWithoutTunnelsUpToAnEdgeOfOneCell)
-{
-    std::printf("points, addressed: recall of the covered cells, unsound cells, tunnels\n");
-    for (const Model& model : createModels())
-        for (const char* text : {"64,edge=1", "64,edge=0.5", "64,edge=0.25", "128,edge=1"})
-        {
-            const LegoSettings settings = parseSettings(std::string(text) + ",method=points,target=addressed");
-            const osg::ref_ptr<const GridTriangles> triangles = toGrid(*model.node, settings);
-            const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
-            const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*model.node, settings);
-            ASSERT_TRUE(found);
-            const std::size_t unsound = countUnsound(*triangles, *truth, *found);
-            const std::size_t tunnels = countTunnels(*triangles, *found);
-            std::printf("  %-8s %-14s %.4f %4zu %4zu\n", model.name, text, recallOf(*truth, *found), unsound, tunnels);
-            EXPECT_EQ(unsound, 0u);
-            EXPECT_EQ(tunnels, 0u);
-        }
-}
 
 TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
 {
@@ -142,37 +183,6 @@ TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
     const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*node, settings);
     ASSERT_TRUE(found);
     EXPECT_GT(countTunnels(*toGrid(*node, settings), *found), 100u);
-}
-
-TEST_F(PointVoxelization, ProjectedIsSoundAndFindsMoreInLargerPictures)
-{
-    std::printf("points, projected, edge 1: recall of the covered cells by the side of the picture\n");
-    std::printf("  %-8s %4s %8s %8s %8s %8s\n", "", "N", "256", "512", "1024", "2048");
-    for (const Model& model : createModels())
-        for (const char* resolution : {"32", "64", "128"})
-        {
-            std::printf("  %-8s %4s", model.name, resolution);
-            const osg::ref_ptr<const GridTriangles> triangles = toGrid(*model.node, parseSettings(resolution));
-            const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
-            double previous = 0.0;
-            double smallest = 0.0;
-            for (const char* size : {"256", "512", "1024", "2048"})
-            {
-                const LegoSettings settings = parseSettings(std::string(resolution) + ",method=points,fbo=" + size);
-                const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*model.node, settings);
-                ASSERT_TRUE(found);
-                const double recall = recallOf(*truth, *found);
-                std::printf(" %8.4f", recall);
-                EXPECT_EQ(countUnsound(*triangles, *truth, *found), 0u);
-                EXPECT_GT(recall, previous - 0.01);
-                if (previous == 0.0) smallest = recall;
-                previous = recall;
-            }
-            EXPECT_GT(smallest, 0.02);
-            EXPECT_TRUE(previous > smallest || smallest == 1.0) << previous;
-            EXPECT_GT(previous, 0.5);
-            std::printf("\n");
-        }
 }
 
 TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)

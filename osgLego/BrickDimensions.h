@@ -1,0 +1,33 @@
+// The proportions of a brick. C++ and GLSL both read this file (in a shader: #include "osgLego/BrickDimensions.h"), so
+// it holds nothing but constants, in the syntax that the two languages share.
+//
+// Lengths are over the pitch, the width of a cell: 8 mm of a LEGO brick.
+//
+// Usage:
+//
+//     const double radius = osgLego::BrickDimensions::STUD_RADIUS * grid.getPitch();
+#ifndef OSGLEGO_BRICK_DIMENSIONS_H
+#define OSGLEGO_BRICK_DIMENSIONS_H
+
+#ifdef __cplusplus
+namespace osgLego::BrickDimensions
+{
+
+using Real = double;
+#else
+#define constexpr const
+#define Real float
+#endif
+
+constexpr Real STUD_RADIUS = 0.3;    // 4.8 mm across
+constexpr Real STUD_HEIGHT = 0.2125; // 1.7 mm
+constexpr int STUD_SIDES = 16;       // of the prism that stands for the cylinder
+
+constexpr Real EDGE = 0.045; // the width of a rounded edge, 0.36 mm
+constexpr Real GAP = 0.014;  // half the gap between two bricks, 0.1 mm, and the depth that light does not reach
+
+#ifdef __cplusplus
+} // namespace osgLego::BrickDimensions
+#endif
+
+#endif

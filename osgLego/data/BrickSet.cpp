@@ -1,0 +1,30 @@
+#include <osgLego/data/BrickSet.h>
+
+#include <utility>
+
+namespace osgLego
+{
+
+BrickSet::BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics) :
+    _revision(revision), _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(model)),
+    _statistics(statistics), _makeModel([] { return nullptr; }), _model(&model)
+{
+    _statistics.numDrawnBricks = _points.points.size();
+}
+
+BrickSet::BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel) :
+    _revision(revision), _grid(grid), _hasPoints(false), _makeModel(std::move(makeModel))
+{
+}
+
+osg::ref_ptr<const BrickModel> BrickSet::getModel() const
+{
+    std::call_once(_modelFlag,
+                   [this]
+                   {
+                       if (!_model) _model = _makeModel();
+                   });
+    return _model;
+}
+
+} // namespace osgLego

@@ -1,0 +1,102 @@
+#include <osgLego/node/BrickDisplay.h>
+
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/polygonization/BrickStage.h>
+
+namespace osgLego
+{
+
+BrickDisplay::BrickDisplay(BrickStore& store) : _store(&store), _lightProbe(new LightProbe) {}
+
+osg::ref_ptr<const BrickNodes> BrickDisplay::getNodes() const
+{
+    const std::lock_guard lock(_mutex);
+    if (!_nodes)
+    {
+        _nodes = new BrickNodes(*_store, _look, _drawing, _appearance, *_lightProbe);
+        _nodes->getBound();
+    }
+    return _nodes;
+}
+
+void BrickDisplay::setLook(Look look, Drawing drawing)
+{
+    const std::lock_guard lock(_mutex);
+    if (look == _look && drawing == _drawing) return;
+    _look = look;
+    _drawing = drawing;
+    _nodes = nullptr;
+}
+
+void BrickDisplay::setAppearance(const BrickAppearance& appearance)
+{
+    const std::lock_guard lock(_mutex);
+    if (appearance == _appearance) return;
+    _appearance = appearance;
+    _nodes = nullptr;
+}
+
+BrickAppearance BrickDisplay::getAppearance() const
+{
+    const std::lock_guard lock(_mutex);
+    return _appearance;
+}
+
+void BrickDisplay::setLightProbe(const LightProbe& probe)
+{
+    const std::lock_guard lock(_mutex);
+    _lightProbe = &probe;
+    _nodes = nullptr;
+}
+
+osg::ref_ptr<const LightProbe> BrickDisplay::getLightProbe() const
+{
+    const std::lock_guard lock(_mutex);
+    return _lightProbe;
+}
+
+void BrickDisplay::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::ref_ptr<const BrickNodes> nodes = getNodes();
+    if (BrickStage* stage = BrickStage::find(visitor))
+    {
+        stage->noteBricks(_store->getPitch(), *visitor.getModelViewMatrix());
+        nodes->getBufferNode().accept(visitor);
+        return;
+    }
+    visitor.pushStateSet(getViewState(visitor));
+    nodes->getFrameNode().accept(visitor);
+    visitor.popStateSet();
+}
+
+/** What only this visit knows of the view: where the probe's light comes from, in the eye's coordinates. */
+osg::ref_ptr<osg::StateSet> BrickDisplay::getViewState(osgUtil::CullVisitor& visitor)
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<osg::StateSet>& state = _viewStates.find(visitor);
+    if (!state) state = new osg::StateSet;
+    state->getOrCreateUniform("eyeToWorld", osg::Uniform::FLOAT_MAT3)->set(toUniform(computeEyeToWorld(visitor)));
+    return state;
+}
+
+void BrickDisplay::dirtyBound()
+{
+    const std::lock_guard lock(_mutex);
+    if (!_nodes) return;
+    _nodes->dirtyBound();
+    _nodes->getBound(); // here, or several cull threads would compute it at once
+}
+
+void BrickDisplay::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    const std::lock_guard lock(_mutex);
+    if (_nodes) _nodes->resizeGLObjectBuffers(maxSize);
+}
+
+void BrickDisplay::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_mutex);
+    if (_nodes) _nodes->releaseGLObjects(state);
+}
+
+} // namespace osgLego

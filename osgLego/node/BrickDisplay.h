@@ -1,0 +1,62 @@
+#pragma once
+
+#include <osgLego/BrickAppearance.h>
+#include <osgLego/LegoSettings.h>
+#include <osgLego/LightProbe.h>
+#include <osgLego/gl/PerVisit.h>
+#include <osgLego/polygonization/BrickNodes.h>
+#include <osgLego/store/BrickStore.h>
+
+#include <mutex>
+
+#include <osg/Geode>
+#include <osg/State>
+#include <osg/StateSet>
+#include <osg/ref_ptr>
+#include <osgUtil/CullVisitor>
+
+namespace osgLego
+{
+
+/** How the bricks of a store look, and the nodes that draw them so, made when they are first asked for.
+ *
+ * Every function may be called from any thread.
+ */
+class BrickDisplay
+{
+public:
+    explicit BrickDisplay(BrickStore& store);
+
+    void setLook(Look look, Drawing drawing);
+    void setAppearance(const BrickAppearance& appearance);
+    BrickAppearance getAppearance() const;
+    void setLightProbe(const LightProbe& probe);
+    osg::ref_ptr<const LightProbe> getLightProbe() const;
+
+    /** Queue the bricks to be drawn in the stage that the visitor is filling. */
+    void cull(osgUtil::CullVisitor& visitor);
+
+    /** The node that stands for the bricks: drawn, picked, bounded. */
+    osg::ref_ptr<osg::Geode> getBrickNode() const { return &getNodes()->getFrameNode(); }
+
+    /** Say that the bounds of the bricks have changed; in the update traversal. */
+    void dirtyBound();
+
+    void resizeGLObjectBuffers(unsigned int maxSize);
+    void releaseGLObjects(osg::State* state);
+
+private:
+    osg::ref_ptr<const BrickNodes> getNodes() const;
+    osg::ref_ptr<osg::StateSet> getViewState(osgUtil::CullVisitor& visitor);
+
+    osg::ref_ptr<BrickStore> _store;
+    mutable std::mutex _mutex;
+    Look _look = Look::FULL;
+    Drawing _drawing = Drawing::AUTO;
+    BrickAppearance _appearance;
+    osg::ref_ptr<const LightProbe> _lightProbe;
+    mutable osg::ref_ptr<const BrickNodes> _nodes;
+    PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;
+};
+
+} // namespace osgLego

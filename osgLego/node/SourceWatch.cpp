@@ -1,0 +1,44 @@
+#include <osgLego/node/SourceWatch.h>
+
+#include <atomic>
+
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+std::uint64_t makeRevision()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+} // namespace
+
+bool SourceWatch::look(const osg::Node& node, const Wishes& wishes, bool isDirty)
+{
+    const SourceSignature& signature = _signatures.compute(node);
+    if (!isDirty && signature == _signature) return false;
+
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
+    osg::ref_ptr<LegoSource> source;
+    if (scene->getNumTriangles() > 0)
+    {
+        source = new LegoSource;
+        source->revision = makeRevision();
+        source->settings = wishes.settings;
+        source->triangles = GridTriangles::create(*scene, wishes.settings);
+        source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+        source->timing = wishes.timing;
+        source->readBack = wishes.readBack;
+    }
+    _source = source;
+    _signature = signature;
+    return true;
+}
+
+} // namespace osgLego

@@ -1,0 +1,69 @@
+#include <osgLego/passes/PassWorkspace.h>
+
+#include <osgLego/passes/SurfaceBinding.h>
+
+namespace osgLego
+{
+
+void PassWorkspace::setSource(const LegoSource& source, const BrickSet& bricks)
+{
+    const std::lock_guard lock(_mutex);
+    if (_source == &source) return;
+    _source = &source;
+    _bricks = &bricks;
+    _textures.clear();
+}
+
+osg::ref_ptr<const LegoSource> PassWorkspace::getSource() const
+{
+    const std::lock_guard lock(_mutex);
+    return _source;
+}
+
+osg::ref_ptr<const BrickSet> PassWorkspace::getBricks() const
+{
+    const std::lock_guard lock(_mutex);
+    return _bricks;
+}
+
+osg::ref_ptr<PassContext> PassWorkspace::getContext(unsigned int contextID) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<PassContext>& context = _contexts[contextID];
+    if (!context) context = new PassContext;
+    return context;
+}
+
+osg::ref_ptr<osg::Texture2D> PassWorkspace::getTexture(const SurfaceTexture& surface) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[&surface];
+    if (!texture) texture = createSurfaceTexture(surface);
+    return texture;
+}
+
+void PassWorkspace::releaseTextures() const
+{
+    const std::lock_guard lock(_mutex);
+    _textures.clear();
+}
+
+void PassWorkspace::releaseGLObjects(osg::State* state) const
+{
+    // Copies, since a pass locks its context first, and then the workspace.
+    std::map<unsigned int, osg::ref_ptr<PassContext>> contexts;
+    {
+        const std::lock_guard lock(_mutex);
+        for (const auto& [surface, texture] : _textures)
+            texture->releaseGLObjects(state);
+        contexts = _contexts;
+    }
+    for (const auto& [contextID, context] : contexts)
+    {
+        if (state && state->getContextID() != contextID) continue;
+        const std::lock_guard contextLock(context->mutex);
+        context->work.reset();
+    }
+}
+
+} // namespace osgLego

@@ -1,0 +1,152 @@
+#include <osgLego/producer/CpuProducer.h>
+
+#include <osgLego/cpu/CpuVoxelizer.h>
+
+#include <atomic>
+#include <new>
+#include <utility>
+
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** @return null when the task that this is called in is given up. */
+osg::ref_ptr<const BrickSet> makeSet(const LegoSource& source)
+{
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*source.triangles);
+    if (oneapi::tbb::is_current_task_group_canceling()) return nullptr;
+    LegoStatistics statistics;
+    statistics.isFromCpu = true;
+    statistics.numTriangles = source.triangles->getNumTriangles();
+    statistics.flattening = source.flattening;
+    statistics.voxelization = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    return new BrickSet(source.revision, *model, statistics);
+}
+
+} // namespace
+
+/** The making of one set: a task that runs by itself, may be given up, and may be waited for. */
+class CpuProducer::Job
+{
+public:
+    Job(const LegoSource& source, const std::function<void()>& announce) : _source(&source), _announce(announce)
+    {
+        // Enqueued, so that a worker takes it even on a machine of one core, and even when nobody ever waits.
+        _arena.enqueue(_group.defer([this] { run(); }));
+    }
+    ~Job()
+    {
+        cancel();
+        wait();
+    }
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+    bool isOf(const LegoSource& source) const { return _source->revision == source.revision; }
+    /** Whether the task has ended, with a set or without one. */
+    bool hasEnded() const { return _hasEnded; }
+    /** The set; null until the task has ended, and if it was given up or ran out of memory. */
+    osg::ref_ptr<const BrickSet> getBricks() const { return _hasEnded ? _bricks : nullptr; }
+
+    void cancel() { _group.cancel(); }
+
+    /** Wait until the task has ended, lending it this thread meanwhile. */
+    void wait()
+    {
+        const std::lock_guard lock(_waitMutex);
+        _arena.execute([this] { _group.wait(); });
+    }
+
+private:
+    void run()
+    {
+        try
+        {
+            _bricks = makeSet(*_source);
+        }
+        catch (const std::bad_alloc&)
+        {
+            // Without a set the job has failed; see produce().
+        }
+        const bool isMade = _bricks.valid();
+        _hasEnded = true;
+        if (isMade && _announce) _announce();
+    }
+
+    osg::ref_ptr<const LegoSource> _source;
+    std::function<void()> _announce;
+    osg::ref_ptr<const BrickSet> _bricks;
+    std::atomic<bool> _hasEnded{false};
+    oneapi::tbb::task_arena _arena;
+    oneapi::tbb::task_group _group;
+    std::mutex _waitMutex;
+};
+
+CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
+    _store(&store), _announce(std::move(announce))
+{
+}
+
+CpuProducer::~CpuProducer() = default;
+
+void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits)
+{
+    const std::shared_ptr<Job> job = start(source);
+    if (waits) job->wait();
+    if (!job->hasEnded()) return;
+    const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
+    if (!bricks)
+        _store->getContext(visitor.getState()->getContextID())
+            ->fail(source.revision, "there is no memory for so many bricks; expected a lower resolution");
+    else if (waits)
+        _store->deliver(*bricks);
+}
+
+/** The job of a source: the one there is, or a new one in place of that of another source. */
+std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source)
+{
+    const std::lock_guard lock(_mutex);
+    if (_job && _job->isOf(source)) return _job;
+    retire();
+    _job = std::make_shared<Job>(source, _announce);
+    return _job;
+}
+
+void CpuProducer::update(unsigned int)
+{
+    const std::lock_guard lock(_mutex);
+    std::erase_if(_retired, [](const std::shared_ptr<Job>& job) { return job->hasEnded(); });
+    if (!_job) return;
+    if (const osg::ref_ptr<const BrickSet> bricks = _job->getBricks()) _store->deliver(*bricks);
+}
+
+void CpuProducer::cancel()
+{
+    const std::lock_guard lock(_mutex);
+    retire();
+}
+
+/** Give up the job, without waiting for its end. */
+void CpuProducer::retire()
+{
+    if (!_job) return;
+    _job->cancel();
+    _retired.push_back(std::move(_job));
+}
+
+osg::ref_ptr<const BrickModel> CpuProducer::getModel(const LegoSource& source)
+{
+    const std::shared_ptr<Job> job = start(source);
+    job->wait();
+    const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
+    return bricks ? bricks->getModel() : nullptr;
+}
+
+} // namespace osgLego

@@ -1,0 +1,76 @@
+#include <osgLego/producer/GpuProducer.h>
+
+#include <osgLego/cpu/CpuVoxelizer.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// After so many frames without work the passes are let go, and with them their textures; a frame that is still being
+// drawn is never that far behind.
+constexpr unsigned int IDLE_FRAMES = 8;
+
+} // namespace
+
+osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source)
+{
+    return new BrickSet(source.revision, source.triangles->getGrid(),
+                        [triangles = source.triangles] { return voxelizeOnCpu(*triangles); });
+}
+
+void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool)
+{
+    const std::lock_guard lock(_mutex);
+    if (!isFirstCullOfFrame(visitor, source)) return;
+    if (_workspace->getSource() != &source) _workspace->setSource(source, *createGpuBrickSet(source));
+    const PassPlan plan = PassPlan::create(source);
+    if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_workspace, plan);
+    _passes->cull(visitor);
+    _idleFrames = 0;
+}
+
+/** Whether a visitor has not been here before in its frame, as it is with a node of several parents. */
+bool GpuProducer::isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source)
+{
+    std::erase_if(_lastCulls, [](const LastCull& cull) { return !cull.visitor.valid(); });
+    auto last = std::find_if(_lastCulls.begin(), _lastCulls.end(),
+                             [&](const LastCull& cull) { return cull.visitor == &visitor; });
+    if (last == _lastCulls.end()) last = _lastCulls.insert(last, LastCull{&visitor});
+    const unsigned int frame = visitor.getTraversalNumber();
+    if (last->revision == source.revision && last->frame == frame) return false;
+    last->revision = source.revision;
+    last->frame = frame;
+    return true;
+}
+
+void GpuProducer::update(unsigned int frame)
+{
+    const std::lock_guard lock(_mutex);
+    // With several parents there are several updates in a frame.
+    if (frame == std::exchange(_lastUpdate, frame)) return;
+    if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
+    _passes = nullptr;
+    _lastCulls.clear();
+    _workspace->releaseTextures();
+}
+
+void GpuProducer::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    const std::lock_guard lock(_mutex);
+    if (_passes) _passes->resizeGLObjectBuffers(maxSize);
+}
+
+void GpuProducer::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_mutex);
+    _workspace->releaseGLObjects(state);
+    if (_passes) _passes->releaseGLObjects(state);
+    _lastCulls.clear();
+}
+
+} // namespace osgLego

@@ -1,0 +1,55 @@
+#include <osgLego/store/BlockReader.h>
+
+#include <osgLego/data/BrickPoints.h>
+
+namespace osgLego
+{
+
+void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBricks)
+{
+    stop();
+    // OpenGL 3.1, but not among OSG's extensions.
+    using CopyBuffer = void(GL_APIENTRY*)(GLenum, GLenum, GLintptr, GLintptr, GLsizeiptr);
+    CopyBuffer copyBuffer = nullptr;
+    if (numBricks == 0 || !osg::setGLExtensionFuncPtr(copyBuffer, "glCopyBufferSubData")) return;
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(numBricks) * sizeof(BrickPoint));
+    _copy = GlBuffer(state);
+    _numBricks = numBricks;
+    extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, _copy.get());
+    extensions.glBufferData(GL_COPY_WRITE_BUFFER, size, nullptr, GL_STREAM_READ);
+    extensions.glBindBuffer(GL_COPY_READ_BUFFER, buffer);
+    copyBuffer(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, size);
+    extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    _fence = extensions.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
+{
+    if (!_fence) return;
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    const GLenum result = extensions.glClientWaitSync(_fence, 0, 0);
+    if (result != GL_ALREADY_SIGNALED && result != GL_CONDITION_SATISFIED) return;
+    extensions.glDeleteSync(_fence);
+    extensions.glBindBuffer(GL_COPY_READ_BUFFER, _copy.get());
+    const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(_numBricks) * sizeof(BrickPoint));
+    // A copy that there was no memory for leaves the bricks in one piece, which is drawn as a whole.
+    if (const void* points = extensions.glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, GL_MAP_READ_BIT))
+    {
+        blocks = findBlocks({static_cast<const BrickPoint*>(points), static_cast<std::size_t>(_numBricks)});
+        extensions.glUnmapBuffer(GL_COPY_READ_BUFFER);
+    }
+    extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    stop();
+}
+
+void BlockReader::stop()
+{
+    _copy = GlBuffer();
+    _numBricks = 0;
+    // A fence of a copy that was never complete goes with its context: it can only be deleted where that is current.
+    _fence = nullptr;
+}
+
+} // namespace osgLego

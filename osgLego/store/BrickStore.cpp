@@ -1,0 +1,68 @@
+#include <osgLego/store/BrickStore.h>
+
+namespace osgLego
+{
+
+void BrickStore::expect(std::uint64_t revision, const BrickGrid& grid)
+{
+    const std::lock_guard lock(_mutex);
+    _expectedRevision = revision;
+    _expectedGrid = grid;
+}
+
+void BrickStore::deliver(const BrickSet& bricks)
+{
+    const std::lock_guard lock(_mutex);
+    if (_bricks && _bricks->getRevision() > bricks.getRevision()) return;
+    // Of one source there may be a set for every context that can upload it, and one that lies on a GPU.
+    if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
+    _bricks = &bricks;
+}
+
+void BrickStore::clear()
+{
+    const std::lock_guard lock(_mutex);
+    _expectedRevision = 0;
+    _bricks = nullptr;
+    for (const auto& [contextID, bricks] : _contexts)
+        bricks->hide();
+}
+
+osg::BoundingBoxd BrickStore::getBounds() const
+{
+    const std::lock_guard lock(_mutex);
+    osg::BoundingBoxd bounds;
+    if (_bricks) bounds = _bricks->getGrid().getBrickBounds();
+    const bool isOnItsWay = _expectedRevision != 0 && !(_bricks && _bricks->getRevision() == _expectedRevision);
+    if (isOnItsWay) bounds.expandBy(_expectedGrid.getBrickBounds());
+    return bounds;
+}
+
+double BrickStore::getPitch() const
+{
+    const std::lock_guard lock(_mutex);
+    return _bricks ? _bricks->getGrid().getPitch() : _expectedGrid.getPitch();
+}
+
+osg::ref_ptr<const BrickSet> BrickStore::getBricks() const
+{
+    const std::lock_guard lock(_mutex);
+    return _bricks;
+}
+
+osg::ref_ptr<ContextBricks> BrickStore::getContext(unsigned int contextID) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<ContextBricks>& bricks = _contexts[contextID];
+    if (!bricks) bricks = new ContextBricks;
+    return bricks;
+}
+
+void BrickStore::releaseGLObjects(osg::State* state) const
+{
+    const std::lock_guard lock(_mutex);
+    for (const auto& [contextID, bricks] : _contexts)
+        if (!state || state->getContextID() == contextID) bricks->release();
+}
+
+} // namespace osgLego

@@ -1,0 +1,140 @@
+#include <osgLego/store/ContextBricks.h>
+
+#include <osgLego/gl/GlMemory.h>
+
+#include <map>
+#include <utility>
+
+#include <osg/Notify>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+std::string ContextBricks::getFailure() const
+{
+    const std::lock_guard lock(_mutex);
+    return _failure;
+}
+
+LegoStatistics ContextBricks::getStatistics() const
+{
+    const std::lock_guard lock(_mutex);
+    return _statistics;
+}
+
+osg::ref_ptr<const BrickModel> ContextBricks::getModel() const
+{
+    const std::lock_guard lock(_mutex);
+    return _model;
+}
+
+void ContextBricks::show(const osg::State& state, GpuBricks&& made)
+{
+    const std::lock_guard lock(_mutex);
+    bricks = std::move(made.bricks);
+    buffer = std::move(made.buffer);
+    numBricks = made.numBricks;
+    blocks.clear();
+    _blockReader.start(state, buffer.get(), numBricks);
+    _model = std::move(made.model);
+    const unsigned int numBefore = _statistics.numLegolizations;
+    _statistics = made.statistics;
+    _statistics.numLegolizations = numBefore + 1;
+    _statistics.numDrawnBricks = static_cast<std::size_t>(numBricks);
+    _failure.clear();
+    _revision = bricks->getRevision();
+}
+
+void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
+{
+    if (_revision >= wanted.getRevision() || _failedRevision == wanted.getRevision()) return;
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    const std::vector<BrickPoint>& points = wanted.getPoints().points;
+    GlBuffer uploaded(state);
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, uploaded.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data(),
+                            GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    if (takeOutOfMemoryError())
+    {
+        setFailure(wanted.getRevision(), "there is no room on the GPU for " + std::to_string(points.size()) +
+                                             " bricks; expected a lower resolution");
+        return;
+    }
+    bricks = &wanted;
+    buffer = std::move(uploaded);
+    numBricks = static_cast<GLsizei>(points.size());
+    blocks = wanted.getPoints().blocks;
+    _blockReader.stop();
+    _model = wanted.getModel();
+    const unsigned int numBefore = _statistics.numLegolizations;
+    _statistics = wanted.getStatistics();
+    _statistics.numLegolizations = numBefore + 1;
+    _statistics.extraction = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    _failure.clear();
+    _revision = wanted.getRevision();
+}
+
+void ContextBricks::pollBlocks(const osg::State& state)
+{
+    _blockReader.poll(state, blocks);
+}
+
+void ContextBricks::fail(std::uint64_t revision, const std::string& why)
+{
+    const std::lock_guard lock(_mutex);
+    setFailure(revision, why);
+}
+
+void ContextBricks::setFailure(std::uint64_t revision, const std::string& why)
+{
+    _failure = why;
+    if (_failedRevision.exchange(revision) != revision)
+        OSG_WARN << "osgLego: " << why << "; the source is drawn as it is, not in bricks" << std::endl;
+}
+
+void ContextBricks::despair(unsigned int contextID, const std::string& why)
+{
+    {
+        const std::lock_guard lock(_mutex);
+        _failure = why;
+        _isHopeless = true;
+    }
+    // Of all the nodes in a context one speaks.
+    static std::mutex mutex;
+    static std::map<unsigned int, std::string> said;
+    const std::lock_guard lock(mutex);
+    if (std::exchange(said[contextID], why) != why)
+        OSG_WARN << "osgLego: " << why << "; sources are drawn as they are, not in bricks" << std::endl;
+}
+
+void ContextBricks::hide()
+{
+    const std::lock_guard lock(_mutex);
+    clear();
+}
+
+/** Let go of the bricks. */
+void ContextBricks::clear()
+{
+    bricks = nullptr;
+    buffer = GlBuffer();
+    numBricks = 0;
+    blocks.clear();
+    _blockReader.stop();
+    _model = nullptr;
+    _revision = 0;
+}
+
+void ContextBricks::release()
+{
+    const std::lock_guard lock(_mutex);
+    clear();
+    _failure.clear();
+    _failedRevision = 0;
+    _isHopeless = false;
+}
+
+} // namespace osgLego

@@ -1,0 +1,64 @@
+// The area of the part of a triangle that lies in the unit cell; TriangleSlicer is the same on the CPU.
+//
+// The part is projected along z. What the planes z = 0 and z = 1 leave of the triangle is a polygon: pieces of its edges,
+// and its chords with the two planes. The area of that in the unit square is the sum of the areas below its sides, with
+// x and y clamped to the square. All of these change smoothly with the corners: where a corner, an edge or a chord lies on a
+// face or an edge of the cell, rounding moves the area by as little as it moves them. (Summing up the outline of the part in
+// space needs to know which of two faces a chord along their common edge belongs to, and rounding decides that.)
+
+// The area in the unit square below a segment; negative where it runs to the left.
+float areaBelow(vec2 from, vec2 to)
+{
+    float begin = clamp(from.x, 0.0, 1.0);
+    float end = clamp(to.x, 0.0, 1.0);
+    if (begin == end) return 0.0;
+    float slope = (to.y - from.y) / (to.x - from.x);
+    float first = from.y + slope * (begin - from.x);
+    float last = to.y + slope * (end - to.x);
+    float lowest = min(first, last);
+    float highest = max(first, last);
+    float lower = clamp(lowest, 0.0, 1.0);
+    float upper = clamp(highest, 0.0, 1.0);
+    // The integral of the clamped height, over the height that the segment climbs.
+    float sum = 0.5 * (upper - lower) * (upper + lower) + max(highest - max(lowest, 1.0), 0.0);
+    return (end - begin) * (highest > lowest ? sum / (highest - lowest) : lower);
+}
+
+// Cut an edge pq by a plane, above which its ends lie as high as said: from `begin` to `end` is left of it. The chord runs
+// from where the outline of the triangle leaves the upper side (xy) to where it comes back (zw).
+void cut(vec3 p, vec3 q, float heightOfP, float heightOfQ, inout vec2 begin, inout vec2 end, inout vec4 chord)
+{
+    if ((heightOfP < 0.0) == (heightOfQ < 0.0)) return;
+    vec2 crossing = mix(p.xy, q.xy, heightOfP / (heightOfP - heightOfQ));
+    if (heightOfP < 0.0)
+    {
+        begin = crossing;
+        chord.zw = crossing;
+    }
+    else
+    {
+        end = crossing;
+        chord.xy = crossing;
+    }
+}
+
+float areaBelowEdge(vec3 p, vec3 q, inout vec4 lowerChord, inout vec4 upperChord)
+{
+    vec2 begin = p.xy;
+    vec2 end = q.xy;
+    cut(p, q, p.z, q.z, begin, end, lowerChord);
+    cut(p, q, 1.0 - p.z, 1.0 - q.z, begin, end, upperChord);
+    bool isOutside = max(p.z, q.z) < 0.0 || min(p.z, q.z) > 1.0;
+    return isOutside ? 0.0 : areaBelow(begin, end);
+}
+
+// perProjected: the triangle's area over that of its projection along z.
+float areaInCell(vec3 a, vec3 b, vec3 c, float perProjected)
+{
+    vec4 lowerChord = vec4(0.0);
+    vec4 upperChord = vec4(0.0);
+    float area = areaBelowEdge(a, b, lowerChord, upperChord) + areaBelowEdge(b, c, lowerChord, upperChord) +
+                 areaBelowEdge(c, a, lowerChord, upperChord);
+    area += areaBelow(lowerChord.xy, lowerChord.zw) + areaBelow(upperChord.xy, upperChord.zw);
+    return perProjected * abs(area);
+}

@@ -1,0 +1,75 @@
+#include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/light/LightProbeState.h>
+
+#include <GlslFunctionTest.h>
+#include <Probes.h>
+
+#include <osg/Uniform>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+class AmbientLight : public GlslFunctionTest
+{
+protected:
+    /** Compare the irradiance upon many surfaces in the shader with that of the probe. */
+    void expectIrradiance(const LightProbe& probe, double tolerance)
+    {
+        std::vector<Arguments> arguments;
+        for (const osg::Vec3d& normal : createNormals())
+            arguments.push_back({glm::vec4(normal.x(), normal.y(), normal.z(), 0.0)});
+        const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+        applyLightProbe(probe, *stateSet);
+        stateSet->addUniform(new osg::Uniform("eyeToWorld", toUniform(osg::Matrixd())));
+        const std::vector<glm::vec4> results = evaluate("tests/ambient_light.vert",
+                                                        "#include \"light/ambient_light.glsl\"\n"
+                                                        "void main() { result = vec4(irradianceAt(a.xyz), 1.0); }\n",
+                                                        arguments, *stateSet);
+        for (std::size_t index = 0; index < results.size(); ++index)
+        {
+            const osg::Vec3d expected = probe.getIrradiance(createNormals()[index]);
+            for (int channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(results[index][channel], expected[channel], tolerance) << index;
+        }
+    }
+
+    static osg::ref_ptr<LightProbe> createProbe(const RadianceOf& radianceOf)
+    {
+        osg::ref_ptr<LightProbe> probe = new LightProbe;
+        std::string error;
+        EXPECT_TRUE(probe->setImage(createLatitudeLongitude(128, radianceOf), LightProbe::LATITUDE_LONGITUDE, error))
+            << error;
+        probe->setRotation(osg::Quat(0.7, osg::Vec3d(0.3, -0.5, 0.8)));
+        probe->setIntensity(1.5);
+        return probe;
+    }
+};
+
+TEST_F(AmbientLight, TheShadersHarmonicsAreThoseOfTheProbe)
+{
+    // Something of every harmonic, and of each another share in every channel.
+    const osg::ref_ptr<LightProbe> probe = createProbe(
+        [](const osg::Vec3d& d)
+        {
+            return osg::Vec3d(2.0 + 0.4 * d.x() + 0.3 * d.x() * d.y() + 0.2 * d.x() * d.x(),
+                              2.0 + 0.5 * d.y() + 0.4 * d.y() * d.z() + 0.3 * d.y() * d.y(),
+                              2.0 + 0.6 * d.z() + 0.5 * d.x() * d.z() + 0.4 * d.z() * d.z());
+        });
+    ASSERT_FALSE(probe->usesConvolvedMap());
+    expectIrradiance(*probe, 1e-5);
+}
+
+TEST_F(AmbientLight, TheShadersConvolvedMapIsThatOfTheProbe)
+{
+    const osg::ref_ptr<LightProbe> probe =
+        createProbe([](const osg::Vec3d& d) { return d.x() > 0.97 ? osg::Vec3d(60, 50, 40) : osg::Vec3d(1, 1, 1); });
+    ASSERT_TRUE(probe->usesConvolvedMap());
+    expectIrradiance(*probe, 0.02);
+}
+
+} // namespace
+
+} // namespace osgLego::test

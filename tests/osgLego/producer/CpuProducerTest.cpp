@@ -1,0 +1,157 @@
+#include <osgLego/LegoNode.h>
+
+#include <GlTest.h>
+#include <Meshes.h>
+
+#include <condition_variable>
+#include <mutex>
+
+#include <osg/MatrixTransform>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Counts what is announced, and lets a test wait for it. */
+class Announcements : public LegoNode::BricksCallback
+{
+public:
+    void ready() override
+    {
+        const std::lock_guard lock(_mutex);
+        ++_count;
+        _changed.notify_all();
+    }
+
+    void waitFor(int count)
+    {
+        std::unique_lock lock(_mutex);
+        _changed.wait(lock, [&] { return _count >= count; });
+    }
+
+private:
+    ~Announcements() override = default;
+
+    std::mutex _mutex;
+    std::condition_variable _changed;
+    int _count = 0;
+};
+
+/** A node in a viewer whose bricks are made on the CPU while frames go on. */
+class CpuProducerTest : public GlTest
+{
+protected:
+    void SetUp() override
+    {
+        GlTest::SetUp();
+        _context = createContext();
+        _contextID = _context->getState()->getContextID();
+        _transform->addChild(createSphere(12));
+        _lego->addChild(_transform);
+        _lego->setSettings(parseSettings("16,device=cpu"));
+        _lego->setBricksCallback(_announcements);
+        setUpViewer(_viewer, *_context, *_lego);
+    }
+
+    osg::ref_ptr<osg::Image> drawFrame()
+    {
+        _viewer.frame();
+        return readPixels(*_context);
+    }
+
+    unsigned int countShown() const { return _lego->getStatistics(_contextID).numLegolizations; }
+
+    osg::ref_ptr<osg::GraphicsContext> _context;
+    unsigned int _contextID = 0;
+    osg::ref_ptr<osg::MatrixTransform> _transform = new osg::MatrixTransform;
+    osg::ref_ptr<LegoNode> _lego = new LegoNode;
+    osg::ref_ptr<Announcements> _announcements = new Announcements;
+    osgViewer::Viewer _viewer;
+};
+
+TEST_F(CpuProducerTest, TheFirstFrameWaitsForItsBricks)
+{
+    const osg::ref_ptr<osg::Image> first = drawFrame();
+    EXPECT_GT(countDrawn(*first), 3000u);
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
+}
+
+TEST_F(CpuProducerTest, ANodeShowsItsBricksUntilTheNewOnesAreReady)
+{
+    const osg::ref_ptr<osg::Image> before = drawFrame();
+    _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, 0.5));
+    EXPECT_EQ(countDifferent(*before, *drawFrame(), 0), 0u);
+    EXPECT_FALSE(_lego->isLegolized(_contextID));
+    _announcements->waitFor(2);
+    const osg::ref_ptr<osg::Image> after = drawFrame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
+    EXPECT_GT(countDifferent(*before, *after, 10), 500u);
+    EXPECT_EQ(countShown(), 2u);
+}
+
+TEST_F(CpuProducerTest, ANewerChangeTakesThePlaceOfAnOlderOne)
+{
+    drawFrame();
+    _lego->setSettings(parseSettings("512,device=cpu"));
+    _viewer.frame();
+    _lego->setSettings(parseSettings("20,device=cpu"));
+    _viewer.frame();
+    EXPECT_EQ(countShown(), 1u);
+    while (!_lego->isLegolized(_contextID))
+        _viewer.frame();
+    EXPECT_EQ(countShown(), 2u);
+    EXPECT_EQ(_lego->getStatistics(_contextID).numDrawnBricks, _lego->getBricks()->getNumVisible());
+}
+
+TEST_F(CpuProducerTest, WhenItWaitsEachFrameShowsTheSourceAsItIs)
+{
+    _lego->setWaiting(true);
+    drawFrame();
+    for (const double height : {0.5, 0.8, 1.5})
+    {
+        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
+        _viewer.frame();
+        EXPECT_TRUE(_lego->isLegolized(_contextID)) << height;
+    }
+    EXPECT_EQ(countShown(), 4u);
+}
+
+TEST_F(CpuProducerTest, BoundsHoldTheBricksThatAreShownAndThoseOnTheirWay)
+{
+    drawFrame();
+    const osg::BoundingSphere before = _lego->getBound();
+    _transform->setMatrix(osg::Matrix::translate(5.0, 0.0, 0.0));
+    _viewer.frame();
+    const osg::BoundingSphere between = _lego->getBound();
+    EXPECT_GT(between.radius(), before.radius() + 2.0f);
+    _announcements->waitFor(2);
+    _viewer.frame();
+    EXPECT_NEAR(_lego->getBound().radius(), before.radius(), 1e-3f);
+    EXPECT_NEAR(_lego->getBound().center().x(), before.center().x() + 5.0f, 1e-3f);
+}
+
+TEST_F(CpuProducerTest, WithoutTrianglesNothingIsShownAndNothingOldComesBack)
+{
+    drawFrame();
+    _lego->removeChild(_transform);
+    EXPECT_EQ(countDrawn(*drawFrame()), 0u);
+    _lego->addChild(createTorus());
+    _viewer.frame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID)) << "there was nothing else to show";
+}
+
+TEST_F(CpuProducerTest, ANodeMayGoWhileItsBricksAreBeingMade)
+{
+    drawFrame();
+    _lego->setSettings(parseSettings("512,device=cpu"));
+    _viewer.frame();
+    _viewer.setSceneData(new osg::Group);
+    _lego = nullptr;
+    EXPECT_EQ(countDrawn(*drawFrame()), 0u);
+}
+
+} // namespace
+
+} // namespace osgLego::test

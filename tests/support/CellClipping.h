@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace osgLego::test
+{
+
+using Polygon = std::vector<glm::dvec3>;
+
+/** What a cell of the unit grid, faces included, leaves of a convex polygon: it is cut by the cell's six planes, one
+ * after the other. */
+Polygon clipByCell(const Polygon& polygon, const glm::ivec3& cell);
+
+/** The area of a convex polygon. */
+double areaOf(const Polygon& polygon);
+
+} // namespace osgLego::test
