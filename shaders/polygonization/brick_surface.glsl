@@ -160,7 +160,7 @@ vec3 meanNormal(vec3 toEye)
 // what is seen of them is turned towards the eye.
 void mergeFaces(inout Surface surface, vec3 toEye, float wide)
 {
-    float share = clamp(2.0 * wide - 0.5, 0.0, 1.0);
+    float share = clamp(2.0 * wide - 0.75, 0.0, 1.0);
     if (share == 0.0 || !isOutside) return;
     vec3 mean = (meanNormal(toEye) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
     float agreement = min(length(mean), 1.0);
