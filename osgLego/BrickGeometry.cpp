@@ -1,12 +1,13 @@
 #include <osgLego/BrickGeometry.h>
 
 #include <osgLego/BrickDimensions.h>
+#include <osgLego/polygonization/BrickTriangles.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include <glm/gtc/constants.hpp>
+#include <glm/vec2.hpp>
 
 namespace osgLego
 {
@@ -17,6 +18,9 @@ namespace
 using BrickDimensions::STUD_HEIGHT;
 using BrickDimensions::STUD_RADIUS;
 using BrickDimensions::STUD_SIDES;
+
+// Triangles that a functor gets at a time, so that few of a large model are held at once.
+constexpr std::size_t TRIANGLES_AT_ONCE = 4096;
 
 osg::Vec3 toOsg(const glm::dvec3& vector)
 {
@@ -48,7 +52,20 @@ void forEachOpenSide(const Brick& brick, const Visit& visit)
         if (brick.openSides & (1 << side)) visit(side / 2, side % 2 == 1);
 }
 
-/** Collects the triangles of bricks. */
+/** Cosine and sine of the corners of a stud. */
+std::array<glm::dvec2, STUD_SIDES> createStudCorners()
+{
+    std::array<glm::dvec2, STUD_SIDES> corners;
+    double number = 0.0;
+    for (glm::dvec2& corner : corners)
+    {
+        const double angle = 2.0 * std::numbers::pi * number++ / STUD_SIDES;
+        corner = {std::cos(angle), std::sin(angle)};
+    }
+    return corners;
+}
+
+/** Collects the triangles of bricks, in the order that BrickTriangles.h counts them. */
 class BrickMesh
 {
 public:
@@ -58,7 +75,24 @@ public:
     {
         _color.set(brick.color[0], brick.color[1], brick.color[2], 255);
         forEachOpenSide(brick, [&](int axis, bool upper) { addFace(brick, axis, upper); });
-        if (brick.openSides & (SIDE_RIGHT << (2 * _grid.getUpIndex()))) addStud(brick);
+        if (hasStud(brick, _grid)) addStud(brick);
+    }
+
+    std::size_t getNumTriangles() const { return _triangles->size() / 3; }
+
+    void clear()
+    {
+        _vertices->clear();
+        _normals->clear();
+        _colors->clear();
+        _triangles->clear();
+    }
+
+    void accept(osg::PrimitiveFunctor& functor) const
+    {
+        if (_triangles->empty()) return;
+        functor.setVertexArray(_vertices->getNumElements(), &_vertices->front());
+        functor.drawElements(GL_TRIANGLES, static_cast<GLsizei>(_triangles->size()), &_triangles->front());
     }
 
     osg::ref_ptr<osg::Geometry> createGeometry() const
@@ -109,14 +143,14 @@ private:
         const glm::dvec3 rise = STUD_HEIGHT * _grid.getPitch() / _grid.cellSize[up] * unitOf(up);
         const unsigned int firstWall = _vertices->getNumElements();
         const unsigned int firstDisk = firstWall + 2 * STUD_SIDES;
-        for (int side = 0; side < STUD_SIDES; ++side)
+        for (const glm::dvec2& corner : _studCorners)
         {
-            const glm::dvec3 direction = directionOf(side, u, v);
+            const glm::dvec3 direction = corner.x * u + corner.y * v;
             addVertex(foot + STUD_RADIUS * direction, direction);
             addVertex(foot + STUD_RADIUS * direction + rise, direction);
         }
-        for (int side = 0; side < STUD_SIDES; ++side)
-            addVertex(foot + STUD_RADIUS * directionOf(side, u, v) + rise, unitOf(up));
+        for (const glm::dvec2& corner : _studCorners)
+            addVertex(foot + STUD_RADIUS * (corner.x * u + corner.y * v) + rise, unitOf(up));
 
         for (unsigned int side = 0; side < STUD_SIDES; ++side)
         {
@@ -128,13 +162,8 @@ private:
         }
     }
 
-    static glm::dvec3 directionOf(int side, const glm::dvec3& u, const glm::dvec3& v)
-    {
-        const double angle = 2.0 * std::numbers::pi * side / STUD_SIDES;
-        return std::cos(angle) * u + std::sin(angle) * v;
-    }
-
     const BrickGrid& _grid;
+    const std::array<glm::dvec2, STUD_SIDES> _studCorners = createStudCorners();
     osg::ref_ptr<osg::Vec3Array> _vertices = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> _normals = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec4ubArray> _colors = new osg::Vec4ubArray(osg::Array::BIND_PER_VERTEX);
@@ -149,23 +178,22 @@ osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model)
     BrickMesh mesh(model.getGrid());
     for (const Brick& brick : model.getBricks())
         mesh.add(brick);
-    return mesh.createGeometry();
+    osg::ref_ptr<osg::Geometry> geometry = mesh.createGeometry();
+    geometry->setUserData(new BrickModelHolder(model));
+    return geometry;
 }
 
-void acceptBrickFaces(const BrickModel& model, osg::PrimitiveFunctor& functor)
+void acceptBrickTriangles(const BrickModel& model, osg::PrimitiveFunctor& functor)
 {
-    const BrickGrid& grid = model.getGrid();
-    std::vector<osg::Vec3> corners;
+    BrickMesh mesh(model.getGrid());
     for (const Brick& brick : model.getBricks())
-        forEachOpenSide(brick,
-                        [&](int axis, bool upper)
-                        {
-                            for (const glm::dvec3& corner : faceCorners(brick, axis, upper))
-                                corners.push_back(toOsg(grid.origin + grid.cellSize * corner));
-                        });
-    if (corners.empty()) return;
-    functor.setVertexArray(static_cast<unsigned int>(corners.size()), corners.data());
-    functor.drawArrays(GL_QUADS, 0, static_cast<GLsizei>(corners.size()));
+    {
+        mesh.add(brick);
+        if (mesh.getNumTriangles() < TRIANGLES_AT_ONCE) continue;
+        mesh.accept(functor);
+        mesh.clear();
+    }
+    mesh.accept(functor);
 }
 
 } // namespace osgLego

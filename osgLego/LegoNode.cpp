@@ -2,10 +2,8 @@
 
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/gl/GlRequirements.h>
+#include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
-
-#include <string_view>
-#include <typeinfo>
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
@@ -14,25 +12,11 @@
 namespace osgLego
 {
 
-namespace
-{
-
-/** Whether a visitor writes the scene in a file format of triangles. Such writers take nothing but osg::Geometry, and
- * nothing tells them from other visitors but the names of their classes. */
-bool isGeometryWriter(const osg::NodeVisitor& visitor)
-{
-    const std::string_view name = typeid(visitor).name();
-    return name.find("Writer") != std::string_view::npos || name.find("writer") != std::string_view::npos ||
-           name.find("WriteVisitor") != std::string_view::npos || name.find("CreateStl") != std::string_view::npos ||
-           name.find("geodeVisitor") != std::string_view::npos;
-}
-
-} // namespace
-
 LegoNode::LegoNode() : LegoNode(LegoSettings()) {}
 
 LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(LegoSettings()))
 {
+    BrickFileWriter::install();
     setSettings(settings);
     // Once a frame the source is looked at, whether or not a child has an update callback.
     setNumChildrenRequiringUpdateTraversal(1);
@@ -219,11 +203,16 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     if (dynamic_cast<SourceVisitor*>(&visitor))
     {
         // Our own visitors, which look at the source of this node, or at a node that is part of another one's source.
-        if (visitor.getNodePath().size() == 1)
+        osg::ref_ptr<osg::Node> geometry;
+        if (visitor.getNodePath().size() > 1)
         {
-            osg::Group::traverse(visitor);
-            return;
+            _pipeline->refreshIfDirty(*this);
+            geometry = _pipeline->getGeometryNode();
         }
+        if (geometry)
+            geometry->accept(visitor);
+        else
+            osg::Group::traverse(visitor);
     }
     else if (auto* compiler = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor))
     {
@@ -233,22 +222,14 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
             _pipeline->getDisplay().getBrickNode()->accept(visitor);
         else
             osg::Group::traverse(visitor);
-        return;
     }
-    else if (!isGeometryWriter(visitor))
+    else
     {
         if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
         _pipeline->refreshIfDirty(*this);
         _pipeline->prepareForPicking();
         _pipeline->getDisplay().getBrickNode()->accept(visitor);
-        return;
     }
-
-    _pipeline->refreshIfDirty(*this);
-    if (const osg::ref_ptr<osg::Node> geometry = _pipeline->getGeometryNode())
-        geometry->accept(visitor);
-    else
-        osg::Group::traverse(visitor);
 }
 
 osg::BoundingSphere LegoNode::computeBound() const

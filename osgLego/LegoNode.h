@@ -41,8 +41,11 @@ class LegoPipeline;
  *     viewer.setSceneData(lego);
  *
  * Other node visitors than the update, event and cull visitors: those that traverse all children get the source and the
- * bricks, those that traverse active children the bricks alone. Writers of file formats get the bricks as an
- * osg::Geometry; OSG's own formats (.osgt, .osgb) save the settings and the source.
+ * bricks, those that traverse active children the bricks alone. BrickIntersection tells which brick was picked.
+ *
+ * Written by osgDB, .osgt, .osgb and .osgx keep the node: its settings and the source. Other formats get the bricks as
+ * osg::Geometry (see createBrickScene), by a WriteFileCallback that the first LegoNode puts into osgDB's registry, in
+ * front of the one that is there. A program that sets one of its own later calls that in turn, or createBrickScene().
  *
  * What else of the source draws, or acts while it is culled, does so only where the source is drawn as it is: lights
  * and clip planes below the node, cameras that render to textures, levels of paged detail that are not loaded yet.

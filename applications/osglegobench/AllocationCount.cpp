@@ -8,14 +8,12 @@
 namespace
 {
 
-std::atomic<std::size_t> ofAllThreads{0};
+std::atomic<std::size_t> numAllocations{0};
 std::atomic<std::size_t> largestBlock{0};
-thread_local std::size_t ofThisThread = 0;
 
 void note(std::size_t size)
 {
-    ofAllThreads.fetch_add(1, std::memory_order_relaxed);
-    ++ofThisThread;
+    numAllocations.fetch_add(1, std::memory_order_relaxed);
     std::size_t largest = largestBlock.load(std::memory_order_relaxed);
     while (size > largest && !largestBlock.compare_exchange_weak(largest, size, std::memory_order_relaxed))
         ;
@@ -23,7 +21,7 @@ void note(std::size_t size)
 
 } // namespace
 
-// These stand in for those of the standard library in all of the program; the others call them.
+// These replace those of the standard library in the whole program; the other forms call them.
 void* operator new(std::size_t size)
 {
     note(size);
@@ -63,12 +61,12 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
 namespace osgLego
 {
 
-AllocationCount AllocationCount::now()
+std::size_t AllocationCount::getNumAllocations()
 {
-    return {::ofAllThreads.load(std::memory_order_relaxed), ::ofThisThread};
+    return numAllocations.load(std::memory_order_relaxed);
 }
 
-std::size_t AllocationCount::findLargestBlock()
+std::size_t AllocationCount::getLargestBlock()
 {
     return largestBlock.load(std::memory_order_relaxed);
 }

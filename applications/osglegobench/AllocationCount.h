@@ -5,17 +5,13 @@
 namespace osgLego
 {
 
-/** What was allocated by operator new since the program started, in all of it, its libraries included.
- *
- * What C libraries and drivers allocate by themselves has no part in it. */
+/** Allocations by operator new in the whole program, its libraries included, since it started. Memory that C libraries
+ * and drivers allocate by other means is not counted. */
 struct AllocationCount
 {
-    std::size_t ofAllThreads = 0;
-    std::size_t ofThisThread = 0;
-
-    static AllocationCount now();
-    /** The bytes of the largest block that was ever allocated. */
-    static std::size_t findLargestBlock();
+    static std::size_t getNumAllocations();
+    /** The bytes of the largest block ever allocated. */
+    static std::size_t getLargestBlock();
 };
 
 } // namespace osgLego

@@ -1,13 +1,14 @@
 #include "BenchEnvironment.h"
 
 #include <BenchCommit.h>
+#include <offscreen/OffscreenContext.h>
 
-#include <array>
 #include <chrono>
-#include <ctime>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 
+#include <fmt/chrono.h>
 #include <osg/GL>
 
 namespace osgLego
@@ -16,13 +17,13 @@ namespace osgLego
 namespace
 {
 
-std::string glText(GLenum name)
+std::string getGlText(GLenum name)
 {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
     return text ? text : "unknown";
 }
 
-/** As Linux tells it. */
+/** The processor's name as Linux gives it. */
 std::string findProcessor()
 {
     std::ifstream file("/proc/cpuinfo");
@@ -32,37 +33,37 @@ std::string findProcessor()
     return "unknown";
 }
 
-std::string findDate()
-{
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text.data();
-}
-
 } // namespace
 
-BenchEnvironment BenchEnvironment::find(osg::GraphicsContext& context)
+osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width, int height)
 {
-    context.makeCurrent();
-    return {glText(GL_RENDERER), glText(GL_VERSION), findProcessor(), std::thread::hardware_concurrency(),
-            OSGLEGO_COMMIT,      findDate()};
+    std::string error;
+    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(width, height, error);
+    if (!context) throw std::runtime_error(error);
+    context->makeCurrent();
+    return context;
 }
 
-bool BenchEnvironment::isSoftware() const
+nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context)
 {
+    context.makeCurrent();
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return {{"benchmark", benchmark},
+            {"environment",
+             {{"renderer", getGlText(GL_RENDERER)},
+              {"version", getGlText(GL_VERSION)},
+              {"processor", findProcessor()},
+              {"threads", std::to_string(std::thread::hardware_concurrency())},
+              {"commit", OSGLEGO_COMMIT},
+              {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}}}};
+}
+
+bool isSoftwareRenderer()
+{
+    const std::string renderer = getGlText(GL_RENDERER);
     for (const char* name : {"llvmpipe", "softpipe", "SWR", "Software"})
         if (renderer.find(name) != std::string::npos) return true;
     return false;
-}
-
-std::vector<std::pair<std::string, std::string>> BenchEnvironment::toFields() const
-{
-    return {{"renderer", renderer},   {"version", version},
-            {"processor", processor}, {"threads", std::to_string(numThreads)},
-            {"commit", commit},       {"date", date}};
 }
 
 } // namespace osgLego

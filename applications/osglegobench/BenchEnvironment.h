@@ -1,32 +1,24 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
+#include <nlohmann/json.hpp>
 #include <osg/GraphicsContext>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
 
-/** Where and when something was measured: what stands in every file that the bench writes. */
-struct BenchEnvironment
-{
-    std::string renderer; //!< of GL
-    std::string version;  //!< of GL
-    std::string processor;
-    unsigned int numThreads = 0;
-    std::string commit; //!< of this program, as git describes it
-    std::string date;   //!< in UTC, as ISO 8601 has it
+/** A context to measure in, current when this returns. Throws std::runtime_error when there is none.
+ * @param width, height of its own frame buffer, in pixels. */
+osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width = 16, int height = 16);
 
-    /** @param context is made current. */
-    static BenchEnvironment find(osg::GraphicsContext& context);
+/** A document of figures, as yet with the name of the benchmark, and with where and when it was measured: renderer,
+ * version of GL, processor, threads, commit, date.
+ * @param context is made current. */
+nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context);
 
-    /** Whether the renderer runs on the processor, so that GL's own clock says nothing of a GPU. */
-    bool isSoftware() const;
-
-    /** All of it as names and values. */
-    std::vector<std::pair<std::string, std::string>> toFields() const;
-};
+/** Whether the renderer of the current context runs on the processor. */
+bool isSoftwareRenderer();
 
 } // namespace osgLego

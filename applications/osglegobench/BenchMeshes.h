@@ -11,25 +11,24 @@ namespace osgLego
 /** A mesh to measure with, by name. */
 struct MeshSource
 {
-    std::string name;
-    std::string path; //!< empty: the built-in car
+    std::string name = "car";
+    std::string path = "car"; //!< "car" and "stair", ten steps of a brick at a resolution of 10, are built in
     UpAxis upAxis = UpAxis::Z;
 
-    /** Read `path`, `name=path` or `car`, each with `,up=y` or `,up=z` behind it if wanted. Throws std::runtime_error.
+    /** Read `path`, `name=path` or `car`, each optionally followed by `,up=y` or `,up=z`. Throws std::runtime_error.
      */
     static MeshSource parse(const std::string& text);
-    /** What parse() makes this of. */
-    std::string toString() const;
+    bool isFile() const { return path != "car" && path != "stair"; }
 };
 
 /** The built-in car, and the meshes (.ply, .dae) of a folder in the order of their names. */
 std::vector<MeshSource> findMeshSources(const std::string& folder);
 
-/** The Stanford bunny of a folder, or the built-in car where it is not there. */
+/** The Stanford bunny of a folder, or the built-in car where it is missing. */
 MeshSource findBunny(const std::string& folder);
 
-/** Read a mesh; one without colours is given some by vertex, from where the vertex lies, so that nobody is spared the
- * work of colours. Throws std::runtime_error when it can't be read or has no triangles. */
+/** Read a mesh. One without colours gets colours per vertex, from the vertex's position, so that no method is spared
+ * the work of colours. Throws std::runtime_error when it can't be read or has no triangles. */
 osg::ref_ptr<osg::Node> readMesh(const MeshSource& source);
 
 /** Lay a grid around a mesh that was read. */

@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** Some of the cells of a grid, in a bit for each of all. */
+/** A set of cells of a grid, one bit per cell of the grid. */
 class CellSet
 {
 public:
@@ -24,10 +24,10 @@ public:
                cell.z < _dimensions.z;
     }
 
-    /** Cells outside the grid are never in it. */
+    /** False for cells outside the grid. */
     bool contains(const glm::ivec3& cell) const { return isInside(cell) && _bits[numberOf(cell)]; }
 
-    /** @param cell one of the grid. @return whether it is new. */
+    /** @param cell inside the grid. @return whether it is new. */
     bool insert(const glm::ivec3& cell)
     {
         auto bit = _bits[numberOf(cell)];

@@ -5,14 +5,16 @@
 namespace osgLego
 {
 
-// Each of these adds a subcommand, which runs as its callback and throws std::runtime_error where it can't go on.
+// Each of these adds a subcommand, which runs as its callback, writes one JSON document, and throws
+// std::runtime_error where it can't go on.
 
-void addOcclusionCommand(CLI::App& app);
+/** Time, exactness and colours of contenders, on meshes at several resolutions. */
 void addVoxelizeCommand(CLI::App& app);
+/** Time and picture of a frame, beside the reference that draws every face and every stud. */
 void addFrameCommand(CLI::App& app);
-void addMemoryCommand(CLI::App& app);
-void addPlotsCommand(CLI::App& app);
-/** What measures memory calls in a process of its own; not for users. */
-void addFootprintCommand(CLI::App& app);
+/** Memory, times and counts of frames of one scene. */
+void addDrawCommand(CLI::App& app);
+/** Error of ambient occlusion against rays, and the time of its passes. */
+void addOcclusionCommand(CLI::App& app);
 
 } // namespace osgLego

@@ -3,9 +3,10 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/flattening/GridTriangles.h>
-#include <osgLego/flattening/SceneTriangles.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <osg/GraphicsContext>
 #include <osg/Node>
@@ -14,43 +15,51 @@
 namespace osgLego
 {
 
-/** What contenders are given: one mesh in one grid. */
+/** The input of contenders: one mesh in one grid. */
 struct BenchMesh
 {
     std::string name;
     osg::ref_ptr<osg::Node> node;
-    LegoSettings settings; //!< the grid; what it says of methods is for the contender to replace
-    osg::ref_ptr<const SceneTriangles> scene;
+    LegoSettings settings; //!< the grid; contenders replace the settings of the method
     osg::ref_ptr<const GridTriangles> triangles;
 };
 
-/** A way of finding the bricks of a mesh, to be measured beside others.
+/** A way of finding the bricks of a mesh, measured beside others.
  *
- * Every call comes from one thread, with one and the same context current, its GL state OSG's or the default: what a
- * contender sets it sets back.
+ * Preconditions:
+ * 1. Every call comes from one thread, with one and the same context current.
+ * 2. Its GL state is OSG's or the default. A contender restores the state that it changes.
  */
 class Contender
 {
 public:
+    /** Names of the stages of a run, and their milliseconds. */
+    using Stages = std::vector<std::pair<std::string, double>>;
+
     virtual ~Contender() = default;
 
-    /** As tables and plots call it, in a few lower-case words: "passalis", "exact, cpu". */
+    /** Its name in tables and plots, a few lower-case words: "passalis", "exact, cpu". */
     virtual std::string getName() const = 0;
     virtual bool hasColors() const = 0;
 
-    /** Make what a program would make once for a mesh and a grid: programs, textures of the grid's size. Not timed.
+    /** Make the objects that a program would make once for a mesh and a grid: programs, textures of the grid's size.
+     * Not timed.
      * @return why it can't, in one sentence; empty when it can. */
     virtual std::string prepare(const BenchMesh& mesh, osg::GraphicsContext& context) = 0;
 
     /** From triangles in main memory to points of the visible bricks (cell, colour, open sides, 12 bytes each) in a
      * buffer of the renderer.
-     * @return milliseconds that this took, the last command finished. */
+     * @return milliseconds, the last command finished. */
     virtual double run() = 0;
 
-    /** The cells that the last run found, whether or not they can be seen. Not timed. */
+    /** The stages of the last run, the same ones after every run; empty when there is only one. The stage "gpu" is the
+     * time between two of GL's time stamps; software renderers have none. */
+    virtual Stages getStages() const { return {}; }
+
+    /** The cells that the last run found, visible or not. Not timed. */
     virtual osg::ref_ptr<const BrickModel> getBricks() = 0;
 
-    /** Let go of what prepare() and run() made. */
+    /** Release the objects of prepare() and run(). */
     virtual void release() = 0;
 };
 

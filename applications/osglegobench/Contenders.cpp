@@ -1,14 +1,14 @@
 #include "Contenders.h"
 
-#include "CpuContender.h"
 #include "LegoNodeContender.h"
+#include "NativeContender.h"
 #include "PlainLoopContender.h"
+#include "baselines/DepthPictureContender.h"
 #include "baselines/DominantAxisContender.h"
-#include "baselines/KarabassiContender.h"
-#include "baselines/PassalisContender.h"
 #include "baselines/SliceMapContender.h"
 
-#include <algorithm>
+#include <osgLego/cpu/CpuVoxelizer.h>
+
 #include <filesystem>
 #include <stdexcept>
 
@@ -20,10 +20,20 @@ namespace osgLego
 namespace
 {
 
-constexpr const char* ON_GPU = ",device=gpu";
+/** The exact method without GL, legolizeOnCpu, its bricks uploaded to the renderer. */
+class CpuContender : public NativeContender
+{
+public:
+    std::string getName() const override { return "exact, cpu"; }
+    bool hasColors() const override { return true; }
+
+protected:
+    osg::ref_ptr<const BrickModel> findCells() override { return voxelizeOnCpu(getTriangles()); }
+};
+
 constexpr const char* OPENVDB_LIBRARY = "osglegobench_openvdb.so";
 
-/** The library beside this program, in the build's folders or an installation's; elsewhere OSG_LIBRARY_PATH tells. */
+/** The library beside this program, in a build or an installation; elsewhere it is looked for in OSG_LIBRARY_PATH. */
 std::string findOpenVdbLibrary()
 {
     namespace fs = std::filesystem;
@@ -32,10 +42,11 @@ std::string findOpenVdbLibrary()
     return fs::exists(beside, ignored) ? beside.string() : OPENVDB_LIBRARY;
 }
 
-/** Add those of a library that is there only where OpenVDB was when it was built. */
+/** Add those of a library that is built only where OpenVDB is installed. */
 void addOpenVdb(ContenderList& contenders)
 {
-    static const osg::ref_ptr<osgDB::DynamicLibrary> library = osgDB::DynamicLibrary::loadLibrary(findOpenVdbLibrary());
+    // Never unloaded, since contexts keep managers of its GL objects.
+    static osgDB::DynamicLibrary* const library = osgDB::DynamicLibrary::loadLibrary(findOpenVdbLibrary());
     if (!library) return;
     using Create = Contender*(bool isNarrow);
     auto* create = reinterpret_cast<Create*>(library->getProcAddress("createOpenVdbContender"));
@@ -43,21 +54,35 @@ void addOpenVdb(ContenderList& contenders)
         contenders.emplace_back(create(isNarrow));
 }
 
+/** The contender of a name, moved out of all of them. */
+std::unique_ptr<Contender> take(const std::string& name, ContenderList& all)
+{
+    if (name.find('=') != std::string::npos) return std::make_unique<LegoNodeContender>(name, name);
+    std::string names;
+    for (std::unique_ptr<Contender>& contender : all)
+    {
+        if (!contender) continue;
+        if (contender->getName() == name) return std::move(contender);
+        names += (names.empty() ? "'" : ", '") + contender->getName() + "'";
+    }
+    throw std::runtime_error("there is no contender '" + name + "'; expected one of " + names +
+                             ", or settings of a LegoNode");
+}
+
 } // namespace
 
 ContenderList createContenders()
 {
-    const std::string onGpu(ON_GPU);
     ContenderList contenders;
-    contenders.push_back(std::make_unique<LegoNodeContender>(POINTS_PROJECTED,
-                                                             "method=points,target=projected,edge=1,fbo=1024" + onGpu));
-    contenders.push_back(
-        std::make_unique<LegoNodeContender>(POINTS_ADDRESSED, "method=points,target=addressed,edge=1" + onGpu));
-    contenders.push_back(std::make_unique<LegoNodeContender>(EXACT_PASSES, "method=exact" + onGpu));
-    contenders.push_back(std::make_unique<LegoNodeContender>(EXACT_NODE, "method=exact,device=auto"));
+    const auto addLegoNode = [&contenders](const char* name, const char* settings)
+    { contenders.push_back(std::make_unique<LegoNodeContender>(name, settings)); };
+    addLegoNode("points, projected", "method=points,target=projected,edge=1,fbo=1024,device=gpu");
+    addLegoNode("points, addressed", "method=points,target=addressed,edge=1,device=gpu");
+    addLegoNode("exact, passes", "method=exact,device=gpu");
+    addLegoNode("exact, node", "method=exact,device=auto");
     contenders.push_back(std::make_unique<CpuContender>());
-    contenders.push_back(std::make_unique<KarabassiContender>());
-    contenders.push_back(std::make_unique<PassalisContender>());
+    contenders.push_back(std::make_unique<DepthPictureContender>(DepthPictureContender::Method::KARABASSI));
+    contenders.push_back(std::make_unique<DepthPictureContender>(DepthPictureContender::Method::PASSALIS));
     contenders.push_back(std::make_unique<SliceMapContender>());
     contenders.push_back(std::make_unique<DominantAxisContender>());
     contenders.push_back(std::make_unique<DominantAxisContender>(DominantAxisContender::Coverage::CONSERVATIVE));
@@ -68,17 +93,11 @@ ContenderList createContenders()
 
 ContenderList createContenders(const std::vector<std::string>& names)
 {
-    ContenderList contenders = createContenders();
-    std::string all;
-    for (const auto& contender : contenders)
-        all += (all.empty() ? "'" : ", '") + contender->getName() + "'";
+    ContenderList all = createContenders();
+    if (names.empty()) return all;
+    ContenderList contenders;
     for (const std::string& name : names)
-        if (std::none_of(contenders.begin(), contenders.end(),
-                         [&name](const auto& contender) { return contender->getName() == name; }))
-            throw std::runtime_error("there is no contender '" + name + "'; allowed: " + all);
-    if (!names.empty())
-        std::erase_if(contenders, [&names](const auto& contender)
-                      { return std::find(names.begin(), names.end(), contender->getName()) == names.end(); });
+        contenders.push_back(take(name, all));
     return contenders;
 }
 

@@ -1,14 +1,19 @@
-#include "BenchMeshes.h"
+#include "BenchEnvironment.h"
+#include "BenchOptions.h"
+#include "BenchScene.h"
 #include "Commands.h"
-#include "FrameBench.h"
-#include "FrameReport.h"
-#include "ReportFiles.h"
-#include "SharedOptions.h"
+#include "ReferenceShaders.h"
+#include "Spread.h"
 
-#include <filesystem>
+#include <osgLego/AmbientOcclusionScene.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
-#include <stdexcept>
-#include <string>
+
+#include <fmt/format.h>
 
 namespace osgLego
 {
@@ -16,31 +21,158 @@ namespace osgLego
 namespace
 {
 
-struct FrameCommandOptions
+using nlohmann::ordered_json;
+
+struct FrameOptions : BenchOptions
 {
-    std::string models = "build/models";
-    std::string pictures;
-    std::vector<unsigned int> resolutions;
-    unsigned int numFrames = 5;
-    bool isQuick = false;
-    ReportFiles files;
+    BenchRuns runs{5, 0};
+
+    glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
 };
 
-void runFrame(const FrameCommandOptions& options)
+/** "plain" and "full" are those of LegoSettings; "occlusion" is the full look under an AmbientOcclusionScene, and
+ * "buffer" its bricks alone, without the passes behind them. */
+constexpr std::array LOOKS{"plain", "full", "buffer", "occlusion"};
+
+/** The same bricks twice in front of one camera: drawn by the reference's shaders, and as they are now. */
+class FramePair
 {
-    options.files.check();
-    if (!options.pictures.empty() && !std::filesystem::is_directory(options.pictures))
-        throw std::runtime_error("there is no folder '" + options.pictures + "'");
-    FrameOptions measured;
-    measured.mesh = options.isQuick ? MeshSource::parse("car") : findBunny(options.models);
-    measured.resolutions = options.resolutions;
-    if (measured.resolutions.empty())
-        measured.resolutions =
-            options.isQuick ? std::vector<unsigned int>{16} : std::vector<unsigned int>{64, 128, 256};
-    if (options.isQuick) measured.size = {160, 90};
-    measured.numFrames = options.isQuick ? 1 : options.numFrames;
-    measured.pictureFolder = options.pictures;
-    options.files.report(measureFrames(measured));
+public:
+    FramePair(const BenchScene& scene, const std::string& look, const glm::ivec2& size) :
+        _isBuffer(look == "buffer"), _viewer(size)
+    {
+        BenchScene reference = scene;
+        reference.settings.device = Device::GPU;
+        reference.settings.drawing = Drawing::TRIANGLES;
+        _ways = {createWay(reference, look), createWay(scene, look)};
+        for (const osg::ref_ptr<osg::Group>& way : _ways)
+            _root->addChild(way);
+        // With a stencil test, here one that everything passes, no block of bricks is left out for being turned away.
+        _ways[0]->getOrCreateStateSet()->setMode(GL_STENCIL_TEST, osg::StateAttribute::ON);
+        _viewer.show(*_root, scene);
+        {
+            const ReferenceShaders shaders; // programs are made in the first frame
+            draw(0);
+        }
+        draw(1);
+    }
+
+    /** @return milliseconds of a frame. */
+    double draw(std::size_t way)
+    {
+        for (std::size_t other = 0; other < _ways.size(); ++other)
+            _ways[other]->setNodeMask(other == way ? ~0u : 0u);
+        const double time = _viewer.timeFrame();
+        if (!_isBuffer) return time;
+        return dynamic_cast<AmbientOcclusionScene&>(*_ways[way]).getTimes(_viewer.getContextID()).geometry;
+    }
+
+    osg::ref_ptr<osg::Image> read() const { return _viewer.read(); }
+
+private:
+    static osg::ref_ptr<osg::Group> createWay(BenchScene scene, const std::string& look)
+    {
+        scene.settings.look = look == "plain" ? Look::PLAIN : Look::FULL;
+        osg::ref_ptr<LegoNode> lego = scene.createLego();
+        if (look == "plain" || look == "full") return lego;
+        osg::ref_ptr<AmbientOcclusionScene> occlusion = new AmbientOcclusionScene;
+        occlusion->setTiming(look == "buffer");
+        occlusion->addChild(lego);
+        return occlusion;
+    }
+
+    bool _isBuffer;
+    FrameViewer _viewer;
+    osg::ref_ptr<osg::Group> _root = new osg::Group;
+    std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and the present way
+};
+
+/** The difference of two pictures in levels of 255. They are the same if nobody would see it: less than one level, and
+ * in at most one of a hundred pixels that bricks cover more than two. */
+ordered_json compare(const osg::Image& a, const osg::Image& b)
+{
+    int largest = 0;
+    double squares = 0.0;
+    std::size_t numPixels = 0;
+    std::size_t numDrawn = 0;
+    for (int row = 0; row < a.t(); ++row)
+        for (int column = 0; column < a.s(); ++column)
+        {
+            const unsigned char* first = a.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
+            const unsigned char* second = b.data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
+            int most = 0;
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                const int difference = std::abs(first[channel] - second[channel]);
+                most = std::max(most, difference);
+                squares += difference * difference;
+            }
+            largest = std::max(largest, most);
+            if (most > 2) ++numPixels;
+            if (first[0] != 0 || first[1] != 0 || first[2] != 51) ++numDrawn; // the viewer's background
+        }
+    const double rootMeanSquare = std::sqrt(squares / (3.0 * a.s() * a.t()));
+    return {{"largest", largest},
+            {"rootMeanSquare", rootMeanSquare},
+            {"pixels", numPixels},
+            {"drawnPixels", numDrawn},
+            {"same", rootMeanSquare < 1.0 && numPixels * 100 <= numDrawn}};
+}
+
+/** Draw frames in both ways in turn. */
+ordered_json compareWays(const BenchScene& scene, const std::string& view, const std::string& look,
+                         const FrameOptions& options)
+{
+    fmt::print(stderr, "drawing {} at {} from {}, {}\n", scene.mesh.name, scene.settings.resolution, view, look);
+    FramePair pair(scene, look, options.getSize());
+    std::array<osg::ref_ptr<osg::Image>, 2> pictures;
+    std::array<std::vector<double>, 2> times;
+    for (unsigned int run = 0; run < options.runs.numWarmUps + options.runs.numRuns; ++run)
+        for (std::size_t way = 0; way < 2; ++way)
+        {
+            const double time = pair.draw(way);
+            if (run >= options.runs.numWarmUps) times[way].push_back(time);
+            if (run == 0) pictures[way] = pair.read();
+        }
+    return {{"mesh", scene.mesh.name},
+            {"resolution", scene.settings.resolution},
+            {"view", view},
+            {"look", look},
+            {"referenceMilliseconds", createSpread(times[0])},
+            {"presentMilliseconds", createSpread(times[1])},
+            {"difference", compare(*pictures[0], *pictures[1])}};
+}
+
+/** The views of a mesh at one resolution, by name. */
+std::vector<std::pair<std::string, BenchScene>> createViews(const MeshSource& source, unsigned int resolution)
+{
+    std::vector<std::pair<std::string, BenchScene>> views;
+    const auto add = [&](const char* name, double elevation, double distance)
+    {
+        views.emplace_back(name, BenchScene(source, resolution));
+        views.back().second.elevation = elevation;
+        views.back().second.distance = distance;
+    };
+    add("above", 25.0, 3.5);
+    if (resolution != 128) return views;
+    add("below", -35.0, 3.5);
+    add("near", 25.0, 1.3);
+    add("far", 25.0, 14.0);
+    return views;
+}
+
+void runFrame(const FrameOptions& options)
+{
+    const MeshSource source = options.getMesh();
+    ordered_json document = createDocument("frame", *createBenchContext());
+    document["width"] = options.getSize().x;
+    document["height"] = options.getSize().y;
+    document["frames"] = options.runs.numRuns;
+    for (const unsigned int resolution : options.getResolutions({16}, {64, 128, 256}))
+        for (const auto& [view, scene] : createViews(source, resolution))
+            for (const char* look : LOOKS)
+                document["rows"].push_back(compareWays(scene, view, look, options));
+    options.write(document);
 }
 
 } // namespace
@@ -48,15 +180,10 @@ void runFrame(const FrameCommandOptions& options)
 void addFrameCommand(CLI::App& app)
 {
     CLI::App* command = app.add_subcommand(
-        "frame", "Drawing: the time of a frame, and its picture, beside every face and every stud drawn; and what "
-                 "happens in frames in which nothing has changed");
-    const auto options = std::make_shared<FrameCommandOptions>();
-    addModelsOption(*command, options->models, "bunny.ply");
-    addResolutionOption(*command, options->resolutions, "64,128,256");
-    command->add_option("--frames", options->numFrames, "Frames of each kind (5)")->check(CLI::Range(1u, 1000u));
-    command->add_option("--pictures", options->pictures, "A folder to write the pictures to")->type_name("FOLDER");
-    command->add_flag("--quick", options->isQuick, "Little, to see that it works: the car at 16, small, one frame");
-    options->files.addTo(*command);
+        "frame", "Drawing: the time of a frame, and its picture, beside a reference that draws every face and stud");
+    const auto options = std::make_shared<FrameOptions>();
+    options->addTo(*command, "64,128,256");
+    options->runs.addTo(*command);
     command->callback([options] { runFrame(*options); });
 }
 

@@ -1,5 +1,7 @@
 #include "LegoNodeContender.h"
 
+#include "BenchEnvironment.h"
+
 #include <stdexcept>
 #include <utility>
 
@@ -27,17 +29,20 @@ std::string LegoNodeContender::prepare(const BenchMesh& mesh, osg::GraphicsConte
     if (!LegoSettings::parse(_settings, settings, error)) return error;
     if (error = settings.check(); !error.empty()) return error;
     _context = &context;
-    _stopwatch.prepare(context);
+    const osg::State& state = *context.getState();
+    if (state.get<osg::GLExtensions>()->isARBTimerQuerySupported && !isSoftwareRenderer())
+        _timeStamps = {GlQuery(state), GlQuery(state)};
     _lego = new LegoNode(settings);
     _lego->setTiming(true);
+    _lego->setWaiting(true);
     _lego->setCullingActive(false);
     _lego->addChild(mesh.node);
     createView();
     return drawFrame();
 }
 
-/** A view of the context that is drawn only when this contender says so, which cameras of a viewer are not: those all
- * draw whenever one does. */
+/** A view of the context that is drawn only when this contender runs; the cameras of a viewer are all drawn whenever
+ * one is. */
 void LegoNodeContender::createView()
 {
     _frameStamp = new osg::FrameStamp;
@@ -56,6 +61,13 @@ void LegoNodeContender::createView()
     _view->setSceneData(_lego);
 }
 
+/** Mark an end of a frame by the GPU's own clock. */
+void LegoNodeContender::stampTime(std::size_t end) const
+{
+    if (const GLuint query = _timeStamps[end].get(); query != 0)
+        _context->getState()->get<osg::GLExtensions>()->glQueryCounter(query, GL_TIMESTAMP);
+}
+
 /** @return why there are no bricks now; empty when there are. */
 std::string LegoNodeContender::drawFrame()
 {
@@ -63,9 +75,9 @@ std::string LegoNodeContender::drawFrame()
     _frameStamp->setFrameNumber(_frameStamp->getFrameNumber() + 1);
     _view->update();
     _view->cull();
-    _stopwatch.start();
+    stampTime(0);
     _view->draw();
-    _stopwatch.stop();
+    stampTime(1);
     _view->flushAllDeletedGLObjects();
     const unsigned int contextID = _context->getState()->getContextID();
     if (_lego->isLegolized(contextID)) return {};
@@ -83,7 +95,7 @@ double LegoNodeContender::run()
 
 osg::ref_ptr<const BrickModel> LegoNodeContender::getBricks()
 {
-    // Off in runs, since it takes time that a program does not spend.
+    // Off in runs, since reading back takes time that a program does not spend.
     _lego->setReadBack(true);
     const std::string failure = drawFrame();
     osg::ref_ptr<const BrickModel> bricks = _lego->getBricks(_context->getState()->getContextID());
@@ -100,21 +112,26 @@ void LegoNodeContender::release()
         _lego->releaseGLObjects(_context->getState());
         _view->releaseAllGLObjects();
         _view->flushAllDeletedGLObjects();
-        _stopwatch.release();
+        _timeStamps = {};
     }
     _view = nullptr;
     _lego = nullptr;
     _context = nullptr;
 }
 
-std::vector<std::pair<std::string, double>> LegoNodeContender::getStageTimes() const
+Contender::Stages LegoNodeContender::getStages() const
 {
     const LegoStatistics statistics = _lego->getStatistics(_context->getState()->getContextID());
-    std::vector<std::pair<std::string, double>> times{{"subdivision", statistics.subdivision},
-                                                      {"voxelization", statistics.voxelization},
-                                                      {"extraction", statistics.extraction}};
-    if (const auto time = _stopwatch.getTime()) times.emplace_back("gpu", *time);
-    return times;
+    Stages stages{{"subdivision", statistics.subdivision},
+                  {"voxelization", statistics.voxelization},
+                  {"extraction", statistics.extraction}};
+    if (_timeStamps[0].get() == 0) return stages;
+    std::array<GLuint64, 2> nanoseconds{};
+    for (std::size_t end = 0; end < 2; ++end)
+        _context->getState()->get<osg::GLExtensions>()->glGetQueryObjectui64v(_timeStamps[end].get(), GL_QUERY_RESULT,
+                                                                              &nanoseconds[end]);
+    stages.emplace_back("gpu", 1e-6 * static_cast<double>(nanoseconds[1] - nanoseconds[0]));
+    return stages;
 }
 
 } // namespace osgLego

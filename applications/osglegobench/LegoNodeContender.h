@@ -1,11 +1,11 @@
 #pragma once
 
 #include "Contender.h"
-#include "GpuStopwatch.h"
-#include "StageTimes.h"
+#include "baselines/GlRestoration.h"
 
 #include <osgLego/LegoNode.h>
 
+#include <array>
 #include <string>
 
 #include <osg/FrameStamp>
@@ -14,28 +14,29 @@
 namespace osgLego
 {
 
-/** This project's own methods, as a program has them: a LegoNode in a scene, legolized anew in each run.
+/** A method of this library as a program uses it: a LegoNode in a scene, legolized anew in each run.
  *
- * Its time is that of the stages from triangles in the grid to points of bricks, each waited for; neither flattening,
- * which nobody else does, nor the frame around it. The bricks are not drawn.
+ * Its time is the sum of the stages from triangles in the grid to points of bricks, each waited for, without
+ * flattening, which no other contender does, and without the frame around it. The bricks are not drawn.
  */
-class LegoNodeContender : public Contender, public StageTimes
+class LegoNodeContender : public Contender
 {
 public:
-    /** @param settings what the text form of LegoSettings says of the method; the rest comes with the mesh. */
+    /** @param settings the method as a text of LegoSettings; all else comes with the mesh. */
     LegoNodeContender(std::string name, std::string settings);
 
     std::string getName() const override { return _name; }
     bool hasColors() const override { return true; }
     std::string prepare(const BenchMesh& mesh, osg::GraphicsContext& context) override;
     double run() override;
+    Stages getStages() const override;
     osg::ref_ptr<const BrickModel> getBricks() override;
     void release() override;
-    std::vector<std::pair<std::string, double>> getStageTimes() const override;
 
 private:
     void createView();
     std::string drawFrame();
+    void stampTime(std::size_t end) const;
 
     std::string _name;
     std::string _settings;
@@ -43,7 +44,7 @@ private:
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<osg::FrameStamp> _frameStamp;
     osg::ref_ptr<osgUtil::SceneView> _view;
-    GpuStopwatch _stopwatch;
+    std::array<GlQuery, 2> _timeStamps; // of the GPU, at both ends of a frame; none where it has no clock of its own
 };
 
 } // namespace osgLego

@@ -1,11 +1,13 @@
+#include "BenchEnvironment.h"
+#include "BenchOptions.h"
 #include "Commands.h"
+#include "OcclusionView.h"
+#include "Spread.h"
 
-#include "OcclusionBench.h"
-#include "SharedOptions.h"
-
-#include <cstdio>
+#include <array>
+#include <filesystem>
+#include <map>
 #include <memory>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,59 +17,90 @@ namespace osgLego
 namespace
 {
 
-struct OcclusionOptions
+using nlohmann::ordered_json;
+
+struct OcclusionOptions : BenchOptions
 {
-    std::string models = "build/models";
     int numRays = 512;
     int stride = 3;
     int numFrames = 5;
 };
 
-constexpr std::pair<AmbientOcclusionQuality, const char*> QUALITIES[]{{AmbientOcclusionQuality::LOW, "low"},
-                                                                      {AmbientOcclusionQuality::MEDIUM, "medium"},
-                                                                      {AmbientOcclusionQuality::HIGH, "high"}};
+constexpr glm::ivec2 SIZE(1280, 720);
+constexpr std::array QUALITIES{"low", "medium", "high"};
 
-void printErrors(const std::vector<BenchScene>& scenes, int numRays, int stride)
+AmbientOcclusionSettings createSettings(const char* quality)
 {
-    fmt::print(
-        "Visibility in screen space against {} rays a pixel, radius {} bricks; the constants were tuned on the first "
-        "view\n\n",
-        numRays, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
-    fmt::print(
-        "| scene    | view    | quality | pixels | RMSE   | mean error | PSNR dB | one grey | bent mean | bent 95 % "
-        "| irradiance |\n"
-        "|----------|---------|---------|--------|--------|------------|---------|----------|-----------|----------"
-        "-|------------|\n");
-    for (const BenchScene& scene : scenes)
-        for (const auto& [quality, name] : QUALITIES)
-        {
-            const OcclusionError error = measureOcclusion(scene, quality, numRays, stride);
-            fmt::print("| {:8} | {:3.0f},{:<3.0f} | {:7} | {:6} | {:.4f} | {:+10.4f} | {:7.1f} | {:8.4f} | {:8.1f}° | "
-                       "{:8.1f}° | {:9.1f}% |\n",
-                       scene.name, scene.azimuth, scene.elevation, name, error.numPixels, error.rootMeanSquare,
-                       error.mean, -20.0 * std::log10(error.rootMeanSquare), error.constant, error.bentMean,
-                       error.bentMost, 100.0 * error.irradiance);
-            std::fflush(stdout);
-        }
+    AmbientOcclusionSettings settings;
+    std::string error;
+    AmbientOcclusionSettings::parse(quality, settings, error);
+    return settings;
 }
 
-void printTimes(BenchScene scene, int numFrames)
+ordered_json compareWithRays(const BenchScene& scene, const char* quality, const OcclusionOptions& options)
 {
-    constexpr int WIDTH = 1280;
-    constexpr int HEIGHT = 720;
+    fmt::print(stderr, "casting rays at {}, {}\n", scene.mesh.name, quality);
+    ordered_json row{{"mesh", scene.mesh.name},
+                     {"resolution", scene.settings.resolution},
+                     {"azimuth", scene.azimuth},
+                     {"elevation", scene.elevation},
+                     {"quality", quality}};
+    row.update(OcclusionView(scene, SIZE).compare(createSettings(quality), options.numRays, options.stride));
+    return row;
+}
+
+/** The milliseconds of drawing bricks and of each pass after it: medians. */
+ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
+{
     scene.settings.resolution = 128;
-    fmt::print("\nMilliseconds a frame at {} x {}, {} at 128, medians of {}\n\n", WIDTH, HEIGHT, scene.name, numFrames);
-    fmt::print("| quality | bricks  | resolve | occlusion | denoise | composite | passes together, over bricks |\n"
-               "|---------|---------|---------|-----------|---------|-----------|------------------------------|\n");
-    for (const auto& [quality, name] : QUALITIES)
+    OcclusionView view(scene, SIZE);
+    const AmbientOcclusionSettings settings = createSettings(quality);
+    view.draw(settings); // legolizes, and makes programs
+    std::map<std::string, std::vector<double>> all;
+    for (int frame = 0; frame < numFrames; ++frame)
     {
-        const AmbientOcclusionTimes times = measureOcclusionTimes(scene, quality, WIDTH, HEIGHT, numFrames);
-        const double passes = times.resolve + times.occlusion + times.denoise + times.composite;
-        fmt::print("| {:7} | {:7.1f} | {:7.1f} | {:9.1f} | {:7.1f} | {:9.1f} | {:13.1f} ms, {:8.3f} |\n", name,
-                   times.geometry, times.resolve, times.occlusion, times.denoise, times.composite, passes,
-                   passes / times.geometry);
-        std::fflush(stdout);
+        view.draw(settings);
+        const AmbientOcclusionTimes times = view.getTimes();
+        all["bricks"].push_back(times.geometry);
+        all["resolve"].push_back(times.resolve);
+        all["occlusion"].push_back(times.occlusion);
+        all["denoise"].push_back(times.denoise);
+        all["composite"].push_back(times.composite);
     }
+    ordered_json row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.resolution}, {"quality", quality}};
+    for (const auto& [pass, times] : all)
+        row["milliseconds"][pass] = createSpread(times)["median"];
+    return row;
+}
+
+/** Ambient occlusion was tuned on the first view. */
+std::vector<BenchScene> createScenes(const OcclusionOptions& options)
+{
+    std::vector<std::pair<MeshSource, unsigned int>> meshes{{MeshSource(), 32}, {MeshSource{"stair", "stair"}, 10}};
+    if (const MeshSource mesh = options.getMesh(); mesh.isFile()) meshes.insert(meshes.begin(), {mesh, 64});
+    std::vector<BenchScene> scenes;
+    for (const auto& [azimuth, elevation] : {std::pair{30.0, 25.0}, {150.0, 40.0}, {260.0, 10.0}})
+        for (const auto& [mesh, resolution] : meshes)
+        {
+            scenes.emplace_back(mesh, resolution);
+            scenes.back().azimuth = azimuth;
+            scenes.back().elevation = elevation;
+        }
+    return scenes;
+}
+
+void runOcclusion(const OcclusionOptions& options)
+{
+    const std::vector<BenchScene> scenes = createScenes(options);
+    ordered_json document = createDocument("occlusion", *createBenchContext());
+    document["rays"] = options.numRays;
+    document["frames"] = options.numFrames;
+    for (const BenchScene& scene : scenes)
+        for (const char* quality : QUALITIES)
+            document["errors"].push_back(compareWithRays(scene, quality, options));
+    for (const char* quality : QUALITIES)
+        if (options.numFrames > 0) document["times"].push_back(timePasses(scenes.front(), quality, options.numFrames));
+    options.write(document);
 }
 
 } // namespace
@@ -77,19 +110,12 @@ void addOcclusionCommand(CLI::App& app)
     CLI::App* command = app.add_subcommand(
         "occlusion", "Ambient occlusion: its error against rays cast at the bricks, and the time of each pass");
     const auto options = std::make_shared<OcclusionOptions>();
-    addModelsOption(*command, options->models, "bunny.ply");
+    options->addTo(*command, "fixed");
     command->add_option("--rays", options->numRays, "Rays a pixel (512)")->check(CLI::Range(1, 65536));
-    command->add_option("--stride", options->stride, "Compare every so many pixels along both axes (3)")
+    command->add_option("--stride", options->stride, "Compare every nth pixel along both axes (3)")
         ->check(CLI::Range(1, 100));
-    command->add_option("--frames", options->numFrames, "Frames that are timed; 0: none (5)")
-        ->check(CLI::Range(0, 1000));
-    command->callback(
-        [options]
-        {
-            const std::vector<BenchScene> scenes = createOcclusionScenes(options->models);
-            printErrors(scenes, options->numRays, options->stride);
-            if (options->numFrames > 0) printTimes(scenes.front(), options->numFrames);
-        });
+    command->add_option("--frames", options->numFrames, "Timed frames; 0: none (5)")->check(CLI::Range(0, 1000));
+    command->callback([options] { runOcclusion(*options); });
 }
 
 } // namespace osgLego

@@ -1,11 +1,9 @@
-#include "OpenVdbContender.h"
+#include "NativeContender.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <openvdb/tools/MeshToVolume.h>
-#include <osg/Timer>
-#include <tbb/global_control.h>
 
 namespace osgLego
 {
@@ -13,7 +11,6 @@ namespace osgLego
 namespace
 {
 
-constexpr std::size_t NUM_THREADS = 2;
 constexpr std::array<std::uint8_t, 3> GREY{160, 160, 160};
 
 /** Triangles as OpenVDB asks for them, so that nothing has to be copied. */
@@ -48,7 +45,7 @@ private:
     std::vector<std::size_t> _ends; // the number of triangles up to the end of each batch
 };
 
-/** Cells beside the grid may be as near to a mesh on its bounds as those within. */
+/** The bricks of the cells near a mesh. Cells outside the grid may be as near to a mesh on its bounds. */
 std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm::ivec3& dimensions)
 {
     constexpr float HALF_A_CELL = 0.5f;
@@ -68,48 +65,44 @@ std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm:
     return bricks;
 }
 
+/** OpenVDB's meshToVolume, a distance field without colours: a cell is covered when its centre is no further than half
+ * a cell from the mesh. That has no tunnels, but misses cells that the mesh only grazes. */
+class OpenVdbContender : public NativeContender
+{
+public:
+    /** @param isNarrow ask for the least that meshToVolume can compute, unsigned distances within one cell, instead of
+     * its default, signed distances within three cells. */
+    explicit OpenVdbContender(bool isNarrow) : _isNarrow(isNarrow) {}
+
+    std::string getName() const override { return _isNarrow ? "openvdb, narrow" : "openvdb"; }
+    bool hasColors() const override { return false; }
+
+protected:
+    osg::ref_ptr<const BrickModel> findCells() override
+    {
+        const TriangleAdapter adapter(getTriangles());
+        const openvdb::math::Transform transform;
+        constexpr float BAND = 1.0f; // cells
+        const openvdb::FloatGrid::Ptr distances =
+            _isNarrow ? openvdb::tools::meshToVolume<openvdb::FloatGrid>(adapter, transform, BAND, BAND,
+                                                                         openvdb::tools::UNSIGNED_DISTANCE_FIELD)
+                      : openvdb::tools::meshToVolume<openvdb::FloatGrid>(adapter, transform);
+        const BrickGrid& grid = getTriangles().getGrid();
+        return BrickModel::create(grid, collectBricks(*distances, grid.dimensions));
+    }
+
+private:
+    bool _isNarrow;
+};
+
 } // namespace
-
-std::string OpenVdbContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& context)
-{
-    _triangles = mesh.triangles;
-    _buffer.prepare(context);
-    return {};
-}
-
-double OpenVdbContender::run()
-{
-    _bricks = nullptr;
-    const osg::Timer& timer = *osg::Timer::instance();
-    const osg::Timer_t start = timer.tick();
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, NUM_THREADS);
-    const TriangleAdapter adapter(*_triangles);
-    const openvdb::math::Transform transform;
-    constexpr float BAND = 1.0f; // cells
-    const openvdb::FloatGrid::Ptr distances =
-        _field == Field::USUAL ? openvdb::tools::meshToVolume<openvdb::FloatGrid>(adapter, transform)
-                               : openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-                                     adapter, transform, BAND, BAND, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
-    const BrickGrid& grid = _triangles->getGrid();
-    _bricks = BrickModel::create(grid, collectBricks(*distances, grid.dimensions));
-    _buffer.upload(createBrickPoints(*_bricks).points);
-    return timer.delta_m(start, timer.tick());
-}
-
-void OpenVdbContender::release()
-{
-    _buffer.release();
-    _bricks = nullptr;
-    _triangles = nullptr;
-}
 
 } // namespace osgLego
 
-// What osglegobench asks this library for, by name.
+// The function that osglegobench looks up in this library.
 extern "C" __attribute__((visibility("default"))) osgLego::Contender* createOpenVdbContender(bool isNarrow);
 
 osgLego::Contender* createOpenVdbContender(bool isNarrow)
 {
-    using Field = osgLego::OpenVdbContender::Field;
-    return new osgLego::OpenVdbContender(isNarrow ? Field::NARROW : Field::USUAL);
+    return new osgLego::OpenVdbContender(isNarrow);
 }

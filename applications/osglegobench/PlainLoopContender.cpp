@@ -1,11 +1,10 @@
 #include "PlainLoopContender.h"
 
-#include "PublishedOverlap.h"
-
 #include <algorithm>
+#include <array>
 
 #include <glm/common.hpp>
-#include <osg/Timer>
+#include <glm/geometric.hpp>
 
 namespace osgLego
 {
@@ -13,39 +12,54 @@ namespace osgLego
 namespace
 {
 
-Brick makeGreyBrick(const glm::ivec3& cell)
+/** Whether an axis crossed with an edge keeps the triangle, which is given from the box's centre, apart from the box.
+ */
+bool isApart(const std::array<glm::vec3, 3>& triangle, const glm::vec3& halfSize, const glm::vec3& axis)
 {
-    return {
-        {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y), static_cast<std::uint16_t>(cell.z)},
-        {160, 160, 160},
-        0};
+    const float a = glm::dot(axis, triangle[0]);
+    const float b = glm::dot(axis, triangle[1]);
+    const float c = glm::dot(axis, triangle[2]);
+    const float radius = glm::dot(halfSize, glm::abs(axis));
+    return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
+}
+
+/** Whether a triangle and a box have a point in common, as in Akenine-Moller, Fast 3D Triangle-Box Overlap Testing,
+ * 2001: thirteen axes, one after another, in single precision, the box closed on all sides. Independent of
+ * TriangleOverlap. */
+bool overlapsBox(const std::array<glm::vec3, 3>& triangle, const glm::vec3& center, const glm::vec3& halfSize)
+{
+    const std::array<glm::vec3, 3> moved{triangle[0] - center, triangle[1] - center, triangle[2] - center};
+    const std::array<glm::vec3, 3> edges{moved[1] - moved[0], moved[2] - moved[1], moved[0] - moved[2]};
+    for (const glm::vec3& edge : edges)
+    {
+        if (isApart(moved, halfSize, {0.0f, -edge.z, edge.y})) return false;
+        if (isApart(moved, halfSize, {edge.z, 0.0f, -edge.x})) return false;
+        if (isApart(moved, halfSize, {-edge.y, edge.x, 0.0f})) return false;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto [minimum, maximum] = std::minmax({moved[0][axis], moved[1][axis], moved[2][axis]});
+        if (minimum > halfSize[axis] || maximum < -halfSize[axis]) return false;
+    }
+    return !isApart({moved[0], moved[0], moved[0]}, halfSize, glm::cross(edges[0], edges[1]));
 }
 
 } // namespace
 
 std::string PlainLoopContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& context)
 {
-    _triangles = mesh.triangles;
     _dimensions = mesh.triangles->getGrid().dimensions;
     _cells.resize(mesh.triangles->getGrid().getNumCells());
-    _buffer.prepare(context);
-    return {};
+    return NativeContender::prepare(mesh, context);
 }
 
-double PlainLoopContender::run()
+osg::ref_ptr<const BrickModel> PlainLoopContender::findCells()
 {
-    const osg::Timer& timer = *osg::Timer::instance();
-    const osg::Timer_t start = timer.tick();
     std::fill(_cells.begin(), _cells.end(), std::uint8_t(0));
-    for (const GridBatch& batch : _triangles->getBatches())
+    for (const GridBatch& batch : getTriangles().getBatches())
         for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
             cover(&batch.vertices[first]);
-    const osg::Timer_t middle = timer.tick();
-    _buffer.upload(createPoints());
-    const osg::Timer_t end = timer.tick();
-    _coverage = timer.delta_m(start, middle);
-    _points = timer.delta_m(middle, end);
-    return _coverage + _points;
+    return nullptr;
 }
 
 std::size_t PlainLoopContender::numberOf(const glm::ivec3& cell) const
@@ -80,43 +94,44 @@ std::uint8_t PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
     return static_cast<std::uint8_t>(sides);
 }
 
-std::vector<BrickPoint> PlainLoopContender::createPoints() const
+template <typename Function>
+void PlainLoopContender::visitBricks(const Function& function) const
+{
+    std::size_t number = 0;
+    glm::ivec3 cell;
+    for (cell.z = 0; cell.z < _dimensions.z; ++cell.z)
+        for (cell.y = 0; cell.y < _dimensions.y; ++cell.y)
+            for (cell.x = 0; cell.x < _dimensions.x; ++cell.x)
+                if (_cells[number++] != 0)
+                    function(Brick{{static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y),
+                                    static_cast<std::uint16_t>(cell.z)},
+                                   {160, 160, 160},
+                                   0});
+}
+
+std::vector<BrickPoint> PlainLoopContender::createPoints()
 {
     std::vector<BrickPoint> points;
-    std::size_t number = 0;
-    for (int z = 0; z < _dimensions.z; ++z)
-        for (int y = 0; y < _dimensions.y; ++y)
-            for (int x = 0; x < _dimensions.x; ++x)
-            {
-                if (_cells[number++] == 0) continue;
-                Brick brick = makeGreyBrick({x, y, z});
-                brick.openSides = findOpenSides(brick.getCell());
-                if (brick.openSides != 0) points.push_back(packBrick(brick));
-            }
+    visitBricks(
+        [&](Brick brick)
+        {
+            brick.openSides = findOpenSides(brick.getCell());
+            if (brick.openSides != 0) points.push_back(packBrick(brick));
+        });
     return points;
 }
 
 osg::ref_ptr<const BrickModel> PlainLoopContender::getBricks()
 {
     std::vector<Brick> bricks;
-    std::size_t number = 0;
-    for (int z = 0; z < _dimensions.z; ++z)
-        for (int y = 0; y < _dimensions.y; ++y)
-            for (int x = 0; x < _dimensions.x; ++x)
-                if (_cells[number++] != 0) bricks.push_back(makeGreyBrick({x, y, z}));
-    return BrickModel::create(_triangles->getGrid(), std::move(bricks));
+    visitBricks([&bricks](const Brick& brick) { bricks.push_back(brick); });
+    return BrickModel::create(getTriangles().getGrid(), std::move(bricks));
 }
 
 void PlainLoopContender::release()
 {
-    _buffer.release();
     _cells = {};
-    _triangles = nullptr;
-}
-
-std::vector<std::pair<std::string, double>> PlainLoopContender::getStageTimes() const
-{
-    return {{"coverage", _coverage}, {"points", _points}};
+    NativeContender::release();
 }
 
 } // namespace osgLego

@@ -1,9 +1,8 @@
 #include "ReferenceShaders.h"
 
-#include "BenchFiles.h"
-
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -23,20 +22,15 @@ constexpr const char* VARIABLE = "OSGLEGO_SHADER_PATH";
 
 ReferenceShaders::ReferenceShaders() : _folder(std::filesystem::temp_directory_path() / "osglegobench-XXXXXX")
 {
-    if (!mkdtemp(_folder.data())) throw std::runtime_error("can't make a temporary folder '" + _folder + "'");
-    try
+    if (!mkdtemp(_folder.data())) throw std::runtime_error("can't create a temporary folder '" + _folder + "'");
+    for (const auto& [name, text] : getReferenceShaders())
     {
-        for (const auto& [name, text] : getReferenceShaders())
-        {
-            const std::filesystem::path path = std::filesystem::path(_folder) / name;
-            std::filesystem::create_directories(path.parent_path());
-            writeTextFile(path, std::string(text));
-        }
-    }
-    catch (...)
-    {
-        removeFolder();
-        throw;
+        const std::filesystem::path path = std::filesystem::path(_folder) / name;
+        std::error_code ignored;
+        std::filesystem::create_directories(path.parent_path(), ignored);
+        if ((std::ofstream(path, std::ios::binary) << text).flush()) continue;
+        std::filesystem::remove_all(_folder, ignored);
+        throw std::runtime_error("can't write '" + path.string() + "'");
     }
     if (const char* path = std::getenv(VARIABLE)) _formerPath = path;
     setenv(VARIABLE, _folder.c_str(), 1);
@@ -48,11 +42,6 @@ ReferenceShaders::~ReferenceShaders()
         setenv(VARIABLE, _formerPath->c_str(), 1);
     else
         unsetenv(VARIABLE);
-    removeFolder();
-}
-
-void ReferenceShaders::removeFolder() const
-{
     std::error_code ignored;
     std::filesystem::remove_all(_folder, ignored);
 }

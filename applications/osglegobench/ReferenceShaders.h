@@ -6,13 +6,13 @@
 namespace osgLego
 {
 
-/** While it lives, programs are made of the shaders of shaders/reference, which draw every face and every stud.
+/** Makes programs, as long as it exists, use the shaders of shaders/reference, which draw every face and every stud.
  *
- * They are the baseline of the figures, frozen as they were: no file of theirs is to follow a change of shaders/, and
- * what they repeat of BrickDimensions.h stays.
+ * They are the frozen baseline of the figures: they do not follow changes of shaders/, and keep their own copy of the
+ * dimensions in BrickDimensions.h.
  *
- * They are built in, and stand in a temporary folder that OSGLEGO_SHADER_PATH names. One at a time, one thread. Throws
- * std::runtime_error when that folder can't be made. */
+ * They are built in and written to a temporary folder that OSGLEGO_SHADER_PATH names. One at a time, one thread. Throws
+ * std::runtime_error when that folder can't be created. */
 class ReferenceShaders
 {
 public:
@@ -22,8 +22,6 @@ public:
     ReferenceShaders& operator=(const ReferenceShaders&) = delete;
 
 private:
-    void removeFolder() const;
-
     std::string _folder;
     std::optional<std::string> _formerPath;
 };

@@ -3,10 +3,10 @@
 namespace osgLego
 {
 
-/** The most memory of this process that was ever resident, in MiB. Throws std::runtime_error. */
+/** The peak of this process's resident memory (VmHWM), in MiB. Throws std::runtime_error. */
 double readPeakMemory();
 
-/** From here on, the peak is what there is now. */
+/** Let the peak begin anew at the memory resident now. */
 void resetPeakMemory();
 
 } // namespace osgLego

@@ -4,31 +4,31 @@
 #include <cmath>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace osgLego
 {
 
-/** What measuring the same several times gave. */
-struct Spread
+/** The value below which a share of sorted values lies, interpolated.
+ * @param values at least one. */
+inline double getQuantile(const std::vector<double>& values, double share)
 {
-    double minimum = 0.0;
-    double lowerQuartile = 0.0;
-    double median = 0.0;
-    double upperQuartile = 0.0;
-    double maximum = 0.0;
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return std::lerp(values[below], values[above], place - std::floor(place));
+}
 
-    /** @param values at least one. */
-    static Spread create(std::vector<double> values)
-    {
-        std::sort(values.begin(), values.end());
-        const auto at = [&values](double share)
-        {
-            const double place = share * static_cast<double>(values.size() - 1);
-            const auto below = static_cast<std::size_t>(place);
-            const std::size_t above = std::min(below + 1, values.size() - 1);
-            return std::lerp(values[below], values[above], place - std::floor(place));
-        };
-        return {values.front(), at(0.25), at(0.5), at(0.75), values.back()};
-    }
-};
+/** Median, extremes and quartiles of repeated measurements.
+ * @param values at least one. */
+inline nlohmann::ordered_json createSpread(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return {{"median", getQuantile(values, 0.5)},
+            {"minimum", values.front()},
+            {"lowerQuartile", getQuantile(values, 0.25)},
+            {"upperQuartile", getQuantile(values, 0.75)},
+            {"maximum", values.back()}};
+}
 
 } // namespace osgLego

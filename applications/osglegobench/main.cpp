@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace osgLego
@@ -12,14 +13,13 @@ namespace
 
 int run(int argc, char** argv)
 {
-    CLI::App app{"Measures osgLego.", "osglegobench"};
+    CLI::App app{"Measures osgLego and writes figures as JSON; scripts/bench runs it and makes tables of them.",
+                 "osglegobench"};
     app.require_subcommand(1);
-    addOcclusionCommand(app);
     addVoxelizeCommand(app);
     addFrameCommand(app);
-    addMemoryCommand(app);
-    addPlotsCommand(app);
-    addFootprintCommand(app);
+    addDrawCommand(app);
+    addOcclusionCommand(app);
     CLI11_PARSE(app, argc, argv);
     return 0;
 }

@@ -16,7 +16,7 @@ namespace osgLego
  * are computed, since a branch on which of them it is can't be predicted and costs more. What depends on the triangle
  * alone is kept, so that a point costs two scalar products and no division.
  *
- * shaders/voxelization/nearest_point.glsl is the same on the GPU, and says why it is written otherwise.
+ * shaders/voxelization/nearest_point.glsl does the same on the GPU, and says why by another algorithm.
  *
  * Immutable, free of GL; may be called from any thread.
  */

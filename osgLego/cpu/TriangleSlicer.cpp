@@ -227,7 +227,7 @@ private:
             goOn(polygon, _first[AXIS]);
             return;
         }
-        // Of what is still whole, the corners say exactly which cells are met; of the rest, the cuts do.
+        // The corners say exactly which cells an uncut triangle meets; those of a polygon follow from the cuts.
         Extent extent{_minimum[AXIS], _maximum[AXIS]};
         if (wasCutBefore<AXIS>())
         {

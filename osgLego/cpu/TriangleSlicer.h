@@ -24,7 +24,7 @@ struct CellPart
  * are still good.
  *
  * Where that is: cuts go across z first, then y, then x. Corners are floats, so which cells are met along z is exact.
- * What a cut leaves is looked at along the next axis: the cells from its lowest to its highest end are met.
+ * Each cut leaves a polygon, which meets the cells from its lowest to its highest end along the next axis.
  *
  *     y = 2              3              4
  *         |              |              |
@@ -37,14 +37,14 @@ struct CellPart
  *         |       r      |              |
  *       >| |<          >| |<          >| |<  NEARNESS
  *
- * This is a triangle seen along z; a cut across z left the side pq. If p, the lowest end, came of that cut, it is in
- * the cells from y = 2 on, as it is farther than NEARNESS from any plane: rounding, of 1e-12 cells, can't move it
- * across one. If q were within NEARNESS of y = 4, whether it reaches the cells beyond would be known only where q is
- * exact: a corner of the triangle, or on an edge along which y does not change.
+ * The drawing shows such a polygon along z: the cut made its side pq. The lowest end, p, is farther than NEARNESS from
+ * every plane, so rounding, of 1e-12 cells, can't move it into another cell: it is known that the cells from y = 2 on
+ * are met. The same holds for the highest end, q, and the cells up to y = 5. If q were within NEARNESS of y = 4, it
+ * would be known only if q is exact: a corner of the triangle, or on an edge along which y does not change.
  *
  * Why rounding is of 1e-12 cells: a cut of the triangle's own edges lies within that of its true place, as differences
- * of coordinates of at most 4096 cells lose nothing in double precision, and each further cut of what is left of an
- * edge adds as much. The line pq has that error in y, too, and a cut of it across y has it in x, times how far x goes
+ * of coordinates of at most 4096 cells lose nothing in double precision, and each further cut of the rest of an edge
+ * adds as much. The line pq has that error in y, too, and a cut of it across y has it in x, times how far x goes
  * for each cell along y. Where that is more than 1e4 cells, the cells are not known either. Cuts across x find areas
  * alone.
  *

@@ -17,7 +17,7 @@ using Real = double;
 // when no other covers it.
 constexpr Real LEAST_WEIGHT = 1e-9;
 
-// The mipmap that a packed vertex says by a fraction of 1.
+// The texture level that a fraction of 1 stands for in a packed vertex.
 constexpr Real MAXIMUM_LEVEL = 16.0;
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 #include <osgLego/extraction/ExtractionStates.h>
 
-#include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/StateOverride.h>
 
@@ -16,7 +16,7 @@ osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<
     osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, shaders);
     program->addTransformFeedBackVarying(captured);
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
-    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
     stateSet->setTextureAttribute(0, &voxelImage, OVERRIDE_PROTECTED);
     return stateSet;
 }

@@ -34,15 +34,6 @@ public:
     /** A texture for a pass to draw into: RGBA, 32-bit floats, texels fetched one by one. */
     static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size);
 
-    /** Whether a frame buffer object that is complete is bound to be drawn into: OSG draws into the window when it
-     * can't make one, for lack of memory above all. Needs the current context of `state`. */
-    static bool isTargetThere(const osg::State& state);
-
-    /** The state of a pass: its program, and everything else as GL starts with, whatever the scene around sets. */
-    static osg::ref_ptr<osg::StateSet> createStateSet(osg::Program& program);
-    /** All of that but the program. */
-    static void applyInitialState(osg::StateSet& stateSet);
-
 private:
     ~PassCamera() override = default;
 

@@ -77,12 +77,12 @@ osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint in
 
 /** Have OSG allocate a texture by glTexImage2DMultisample.
  *
- * By itself OSG 3.6.5 calls what it takes for glTexStorage2DMultisample and has looked up as
+ * For a texture without a border, OSG 3.6.5 calls glTexStorage2DMultisample, but has looked the function up by the name
  * glTextureStorage2DMultisample, which expects the name of a texture in place of a target: GL reports an error, and the
- * texture stays without memory. OSG does so only for textures without a border. Those of several samples never have
- * one, and OSG hands the border's width on to nothing, so a width of 1 has no other effect. What else could be done
- * reaches further: GLExtensions would have to be changed, which all that is drawn in a context shares, or a class that
- * overrides Texture2DMultisample::apply() would repeat all of it. */
+ * texture stays without memory. A texture of several samples never has a border, and OSG uses the width for nothing
+ * else, so a width of 1 has no other effect. The alternatives reach further: GLExtensions, which could be corrected, is
+ * shared by everything that is drawn in a context, and a class that overrides Texture2DMultisample::apply() would
+ * repeat all of it. */
 void avoidTextureStorage(osg::Texture2DMultisample& texture)
 {
     texture.setBorderWidth(1);

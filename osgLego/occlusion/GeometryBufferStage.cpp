@@ -1,7 +1,7 @@
 #include <osgLego/occlusion/GeometryBufferStage.h>
 
 #include <osgLego/gl/GlMemory.h>
-#include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/PassState.h>
 
 #include <algorithm>
 #include <atomic>
@@ -47,7 +47,7 @@ public:
     void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& renderInfo,
                             osgUtil::RenderLeaf*& previous) override
     {
-        if (!PassCamera::isTargetThere(*renderInfo.getState()))
+        if (!isTargetThere(*renderInfo.getState()))
         {
             takeOutOfMemoryError();
             hasFailed = true;

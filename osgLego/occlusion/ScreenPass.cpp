@@ -1,5 +1,6 @@
 #include <osgLego/occlusion/ScreenPass.h>
 
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/StateOverride.h>
 
@@ -38,7 +39,7 @@ void ScreenPass::setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& tar
 {
     _camera = new PassCamera(*this, targets, clearColor);
     _camera->setRenderOrder(osg::Camera::PRE_RENDER, RENDER_ORDER);
-    PassCamera::applyInitialState(*getStateSet());
+    applyInitialState(*getStateSet());
 }
 
 osg::Node& ScreenPass::getNode()
@@ -60,7 +61,7 @@ void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     if (!state.getLastAppliedProgramObject() || !_projection) return;
-    if ((_source && _source->hasFailed()) || (_camera && !PassCamera::isTargetThere(state))) return;
+    if ((_source && _source->hasFailed()) || (_camera && !isTargetThere(state))) return;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const ProgramUniforms uniforms(state);
     uniforms.set("sceneProjection", toGlsl(*_projection));

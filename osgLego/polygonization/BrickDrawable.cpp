@@ -123,11 +123,15 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
 }
 
-void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
+osg::ref_ptr<const BrickModel> BrickDrawable::getModel() const
 {
     const osg::ref_ptr<const BrickSet> bricks = _store->getBricks();
-    const osg::ref_ptr<const BrickModel> model = bricks ? bricks->getModel() : nullptr;
-    if (model) acceptBrickFaces(*model, functor);
+    return bricks ? bricks->getModel() : nullptr;
+}
+
+void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
+{
+    if (const osg::ref_ptr<const BrickModel> model = getModel()) acceptBrickTriangles(*model, functor);
 }
 
 void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)

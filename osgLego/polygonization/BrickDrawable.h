@@ -34,7 +34,10 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
-    // For picking: the open faces of the bricks, from the CPU.
+    /** The bricks that accept() goes through; null when there are none. */
+    osg::ref_ptr<const BrickModel> getModel() const;
+
+    // For picking: what acceptBrickTriangles says.
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
     void accept(osg::PrimitiveFunctor& functor) const override;
     using osg::Drawable::accept;

@@ -1,7 +1,7 @@
 #include <osgLego/polygonization/BrickSplats.h>
 
 #include <osgLego/gl/GlRequirements.h>
-#include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/StateOverride.h>
@@ -96,7 +96,7 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
 {
     const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(
         "splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
-    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*program);
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
     stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     setPointModes(*stateSet);
     return stateSet;
@@ -150,7 +150,7 @@ public:
         state.applyTextureAttribute(SPLATS_UNIT, _splats);
         state.applyTextureAttribute(DEPTHS_UNIT, _depths);
         _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
-        return PassCamera::isTargetThere(state);
+        return isTargetThere(state);
     }
 
     /** Clear the depths of a picture of so many pixels. */

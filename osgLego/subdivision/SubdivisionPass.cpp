@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/GlRequirements.h>
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/TransformFeedback.h>
@@ -179,7 +180,7 @@ osg::ref_ptr<osg::Program> createProgram()
 SubdivisionPass::SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan) :
     LegolizationPass(workspace, 0), _plan(plan)
 {
-    setStateSet(PassCamera::createStateSet(*createProgram()));
+    setStateSet(createPassState(*createProgram()));
     setCamera(new PassCamera(*this));
 }
 

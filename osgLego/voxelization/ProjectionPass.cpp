@@ -1,5 +1,6 @@
 #include <osgLego/voxelization/ProjectionPass.h>
 
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/passes/GridVertexArrays.h>
@@ -42,7 +43,7 @@ glm::mat4 projectionOf(const BrickGrid& grid)
 ProjectionPass::ProjectionPass(PassWorkspace& workspace, unsigned int step, osg::Texture2D& picture) :
     LegolizationPass(workspace, step)
 {
-    setStateSet(PassCamera::createStateSet(
+    setStateSet(createPassState(
         *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"})));
     // Alpha below 0 stands for nothing, as 0 is the number of a cell.
     setCamera(new PassCamera(*this, picture, osg::Vec4(0.0f, 0.0f, 0.0f, -1.0f)));
@@ -55,7 +56,7 @@ float ProjectionPass::getNumberScale(const BrickGrid& grid)
 
 std::string ProjectionPass::run(osg::State& state, Legolization& work) const
 {
-    if (!PassCamera::isTargetThere(state))
+    if (!isTargetThere(state))
         return "there is no memory on the GPU for the picture of the projected target; allowed: a smaller fbo";
     const BrickGrid& grid = work.source->triangles->getGrid();
     const ProgramUniforms uniforms(state);

@@ -2,6 +2,7 @@
 
 #include <osgLego/data/WeightedColor.h>
 #include <osgLego/gl/GlMemory.h>
+#include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/StateOverride.h>
@@ -41,7 +42,7 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
     LegolizationPass(workspace, step),
     _plan(plan), _slab(slab)
 {
-    osg::ref_ptr<osg::StateSet> stateSet = PassCamera::createStateSet(*createProgram(plan));
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*createProgram(plan));
     stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
                                    osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     if (picture) stateSet->setTextureAttribute(0, picture, OVERRIDE_PROTECTED);
@@ -51,7 +52,7 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
 
 std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
 {
-    if (!PassCamera::isTargetThere(state))
+    if (!isTargetThere(state))
         return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
                std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
 

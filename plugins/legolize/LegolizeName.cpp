@@ -1,6 +1,6 @@
 #include "LegolizeName.h"
 
-#include <osgLego/LegoSettings.h>
+#include "LegolizeSettings.h"
 
 #include <sstream>
 #include <string_view>
@@ -45,7 +45,7 @@ bool isSettingsOption(std::string_view option)
     const std::string_view first = option.substr(0, option.find(','));
     if (isNumber(first)) return true;
     const auto equals = first.find('=');
-    return equals != std::string_view::npos && osgLego::LegoSettings::isKey(std::string(first.substr(0, equals)));
+    return equals != std::string_view::npos && LegolizeSettings::isKey(std::string(first.substr(0, equals)));
 }
 
 void append(std::string& list, const std::string& item, char separator)

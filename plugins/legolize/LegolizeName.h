@@ -8,8 +8,10 @@
  *     bunny.ply.64.legolize                bunny.ply, "64"
  *     bunny.ply.(64,edge=0.5).legolize     bunny.ply, "64,edge=0.5"
  *     sample.64.legolize                   sample, "64"
+ *     sample.(probe=my.park(2).exr).legolize   sample, "probe=my.park(2).exr"
  *
- * The part before `.legolize` is settings when it stands in brackets, is a number, or holds an equals sign.
+ * The part before `.legolize` is settings when it stands in brackets, is a number, or holds an equals sign. Within
+ * brackets there may be dots, slashes, spaces, and brackets that are closed again.
  */
 struct LegolizeName
 {
@@ -23,7 +25,8 @@ struct LegolizeName
 /** The settings among the options of a reader (`-O "64,proportions=plate noRotation"`), and the rest, which is meant
  * for the reader of the file below.
  *
- * Options are separated by spaces; one is settings when it begins with a number or with a key of LegoSettings. */
+ * Options are separated by spaces; one is settings when it begins with a number or with a key of LegolizeSettings.
+ * A file name in it can have neither spaces nor commas. */
 struct LegolizeOptions
 {
     std::string settings; //!< separated by commas

@@ -1,22 +1,24 @@
 #include "LegolizeName.h"
+#include "LegolizeSettings.h"
 
 #include <common/RacingCar.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
 #include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
 
 /** The pseudo-loader `.legolize`: reads the file whose name comes before, and puts it under an osgLego::LegoNode; and
- * that, unless `look=plain` is asked for, under an osgLego::AmbientOcclusionScene.
+ * that, unless `look=plain` or `occlusion=off` is asked for, under an osgLego::AmbientOcclusionScene.
  *
  *     osgviewer bunny.ply.legolize
  *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"
  *     osgviewer bunny.ply.legolize -O "64,proportions=plate"
  *     osgviewer sample.legolize
  *
- * Settings are those of osgLego::LegoSettings; those in the name count for more than those of the options. What of the
+ * Settings are those of LegolizeSettings; those in the name count for more than those of the options. What of the
  * options is no setting is handed on to the reader of the file. */
 class ReaderWriterLegolize : public osgDB::ReaderWriter
 {
@@ -32,7 +34,10 @@ public:
         supportsOption("target=projected|addressed", "what a texel stands for");
         supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
         supportsOption("edge=<number>", "the longest edge that subdivision leaves, in cells, 0.0625 to 4");
-        supportsOption("look=plain|full", "smooth bricks, or plastic with joints, relief and ambient occlusion");
+        supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
+        supportsOption("occlusion=off|low|medium|high",
+                       "the quality of ambient occlusion: medium, with look=plain off");
+        supportsOption("probe=<file>", "the light from all around: a picture of high dynamic range");
     }
 
     const char* className() const override { return "legolize pseudo-loader"; }
@@ -48,35 +53,52 @@ public:
         if (!LegolizeName::parse(name, parsed)) return ReadResult::FILE_NOT_HANDLED;
 
         const LegolizeOptions own = LegolizeOptions::parse(options ? options->getOptionString() : std::string());
-        osgLego::LegoSettings settings;
+        LegolizeSettings settings;
         std::string error;
         for (const std::string& text : {own.settings, parsed.settings})
-            if (!text.empty() && !osgLego::LegoSettings::parse(text, settings, error)) return ReadResult(error);
+            if (!text.empty() && !LegolizeSettings::parse(text, settings, error)) return ReadResult(error);
+        const osg::ref_ptr<osgLego::LightProbe> probe = readProbe(settings, options, error);
+        if (!probe) return ReadResult(error);
 
-        if (parsed.fileName == "sample") return legolize(osgLego::createRacingCar(), settings, name);
+        if (parsed.fileName == "sample") return legolize(osgLego::createRacingCar(), settings, *probe, name);
         osg::ref_ptr<Options> rest = options ? options->cloneOptions() : new Options;
         rest->setOptionString(own.rest);
         ReadResult result = osgDB::Registry::instance()->readNode(parsed.fileName, rest);
         // Not "not handled": the reader of .legolize has done its part, and there is no use in looking for others.
         if (result.notHandled()) return ReadResult("there is no reader for '" + parsed.fileName + "'");
         if (!result.validNode()) return result;
-        return legolize(result.getNode(), settings, name);
+        return legolize(result.getNode(), settings, *probe, name);
     }
 
 private:
-    static ReadResult legolize(const osg::ref_ptr<osg::Node>& source, const osgLego::LegoSettings& settings,
-                               const std::string& name)
+    /** The light from all around, upright; null, with the reason in `error`, when its picture can't be had. */
+    static osg::ref_ptr<osgLego::LightProbe> readProbe(const LegolizeSettings& settings, const Options* options,
+                                                       std::string& error)
     {
-        osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode(settings);
+        osg::ref_ptr<osgLego::LightProbe> probe = new osgLego::LightProbe;
+        if (!settings.probe.empty())
+        {
+            const std::string found = osgDB::findDataFile(settings.probe, options);
+            probe = osgLego::LightProbe::read(found.empty() ? settings.probe : found, error);
+        }
+        if (probe && settings.lego.upAxis == osgLego::UpAxis::Y)
+            probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
+        return probe;
+    }
+
+    static ReadResult legolize(const osg::ref_ptr<osg::Node>& source, const LegolizeSettings& settings,
+                               const osgLego::LightProbe& probe, const std::string& name)
+    {
+        osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode(settings.lego);
         lego->setName(name);
         lego->addChild(source);
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
-        if (settings.look == osgLego::Look::PLAIN) return lego.get();
-        osg::ref_ptr<osgLego::LightProbe> probe = new osgLego::LightProbe;
-        if (settings.upAxis == osgLego::UpAxis::Y) probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
-        lego->setLightProbe(probe);
+        lego->setLightProbe(&probe);
+        const std::optional<osgLego::AmbientOcclusionSettings> occlusion = settings.getOcclusion();
+        if (!occlusion) return lego.get();
         osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
-        scene->setLightProbe(probe);
+        scene->setSettings(*occlusion);
+        scene->setLightProbe(&probe);
         scene->setName(name);
         scene->addChild(lego);
         return scene.get();

@@ -1,10 +1,12 @@
-// The area of the part of a triangle that lies in the unit cell; TriangleSlicer is the same on the CPU.
+// The area of the part of a triangle that lies in the unit cell. TriangleSlicer finds it on the CPU, by cutting a triangle
+// once for all of its cells; here every cell is computed alone, without arrays. Tests compare both with clipping.
 //
-// The part is projected along z. What the planes z = 0 and z = 1 leave of the triangle is a polygon: pieces of its edges,
-// and its chords with the two planes. The area of that in the unit square is the sum of the areas below its sides, with
-// x and y clamped to the square. All of these change smoothly with the corners: where a corner, an edge or a chord lies on a
-// face or an edge of the cell, rounding moves the area by as little as it moves them. (Summing up the outline of the part in
-// space needs to know which of two faces a chord along their common edge belongs to, and rounding decides that.)
+// The planes z = 0 and z = 1 cut the triangle to a polygon, whose sides are pieces of its edges and its chords with the two
+// planes. The polygon is projected along z. Its area in the unit square is the sum of the areas below its sides, with x and
+// y clamped to the square. Each of these depends continuously on the corners, so that rounding changes the area no more than
+// it moves the corners, also where a corner, an edge or a chord lies on a face or an edge of the cell. (Stokes' theorem over
+// the outline of the part does not: a chord along an edge of the cell lies on two faces, and rounding decides whether it
+// counts for none, one or both.)
 
 // The area in the unit square below a segment; negative where it runs to the left.
 float areaBelow(vec2 from, vec2 to)
@@ -24,8 +26,8 @@ float areaBelow(vec2 from, vec2 to)
     return (end - begin) * (highest > lowest ? sum / (highest - lowest) : lower);
 }
 
-// Cut an edge pq by a plane, above which its ends lie as high as said: from `begin` to `end` is left of it. The chord runs
-// from where the outline of the triangle leaves the upper side (xy) to where it comes back (zw).
+// Cut an edge pq by a plane, given the heights of its ends above the plane, and keep the piece above it from `begin` to
+// `end`. The chord runs from where the outline of the triangle leaves the upper side (xy) to where it comes back (zw).
 void cut(vec3 p, vec3 q, float heightOfP, float heightOfQ, inout vec2 begin, inout vec2 end, inout vec4 chord)
 {
     if ((heightOfP < 0.0) == (heightOfQ < 0.0)) return;

@@ -28,6 +28,8 @@ TEST(LegolizeName, TellsTheFileFromTheSettings)
     expectParsed("cow.osg.(0,0,90).rot.64.legolize", "cow.osg.(0,0,90).rot", "64");
     expectParsed("bunny.ply.8.legolize.16.legolize", "bunny.ply.8.legolize", "16");
     expectParsed("sample.legolize", "sample", "");
+    expectParsed("model.ply.(64,probe=../sky/my.park(2).exr).legolize", "model.ply", "64,probe=../sky/my.park(2).exr");
+    expectParsed("model.ply.occlusion=off.legolize", "model.ply", "occlusion=off");
 }
 
 TEST(LegolizeName, OtherNamesAreNone)
@@ -39,9 +41,9 @@ TEST(LegolizeName, OtherNamesAreNone)
 
 TEST(LegolizeOptions, SettingsAreTakenAndTheRestIsLeft)
 {
-    const LegolizeOptions options =
-        LegolizeOptions::parse("noRotation 64,proportions=plate  compressed edge=0.5 quality=3");
-    EXPECT_EQ(options.settings, "64,proportions=plate,edge=0.5");
+    const LegolizeOptions options = LegolizeOptions::parse(
+        "noRotation 64,proportions=plate  compressed edge=0.5 quality=3 occlusion=low probe=/a/b.c.exr");
+    EXPECT_EQ(options.settings, "64,proportions=plate,edge=0.5,occlusion=low,probe=/a/b.c.exr");
     EXPECT_EQ(options.rest, "noRotation compressed quality=3");
     EXPECT_EQ(LegolizeOptions::parse("").settings, "");
 }

@@ -10,8 +10,8 @@ namespace osgLego::test
 
 using Polygon = std::vector<glm::dvec3>;
 
-/** What a cell of the unit grid, faces included, leaves of a convex polygon: it is cut by the cell's six planes, one
- * after the other. */
+/** The part of a convex polygon in a cell of the unit grid, faces included: the polygon is clipped by the cell's six
+ * planes, one after the other. */
 Polygon clipByCell(const Polygon& polygon, const glm::ivec3& cell);
 
 /** The area of a convex polygon. */

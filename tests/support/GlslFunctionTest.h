@@ -12,7 +12,7 @@
 namespace osgLego::test
 {
 
-/** A test of functions in files of shaders/: a vertex shader calls them, and what it writes is captured. */
+/** A test of functions in files of shaders/: a vertex shader calls them, and its output is captured. */
 class GlslFunctionTest : public GlTest
 {
 protected:
@@ -20,7 +20,7 @@ protected:
 
     void SetUp() override;
 
-    /** What `result` is for each of the arguments.
+    /** Run a shader for each of the arguments.
      * @param name of the vertex shader, with the ending .vert; unlike that of any other test.
      * @param text the shader, without a version, which may include files of shaders/ and outlives the program: it reads
      * vec4 a, b, c and d, the arguments, and writes to vec4 result.

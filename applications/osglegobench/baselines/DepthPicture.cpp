@@ -6,35 +6,15 @@
 namespace osgLego
 {
 
-namespace
-{
-
-GlTexture createTexture(const osg::State& state, GLenum internalFormat, GLenum format, GLenum type,
-                        const glm::ivec2& size)
-{
-    GlTexture texture(state);
-    glBindTexture(GL_TEXTURE_2D, texture.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    return texture;
-}
-
-} // namespace
-
 std::string DepthPicture::create(const osg::State& state, const glm::ivec3& dimensions, int axis, std::size_t numDepths)
 {
     _dimensions = dimensions;
     _axis = axis;
     _size = glm::ivec2(dimensions[(axis + 1) % 3], dimensions[(axis + 2) % 3]);
     _depthRange = osgLego::getDepthRange(dimensions[axis]);
-    const int limit = getGlInteger(GL_MAX_TEXTURE_SIZE);
-    if (std::max(_size.x, _size.y) > limit)
-        return "a side of " + std::to_string(std::max(_size.x, _size.y)) + " cells is beyond the " +
-               std::to_string(limit) + " texels of a texture";
-
-    _color = createTexture(state, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, _size);
+    if (std::string error = checkTextureSide(std::max(_size.x, _size.y), GL_MAX_TEXTURE_SIZE); !error.empty())
+        return error;
+    _color = createGlTexture2D(state, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, _size);
     _targets.clear();
     for (std::size_t number = 0; number < numDepths; ++number)
         if (!createTarget(state)) return "GL can't draw to a texture of colours and one of 32-bit depths together";
@@ -45,7 +25,7 @@ bool DepthPicture::createTarget(const osg::State& state)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     _targets.push_back(
-        {createTexture(state, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, _size), GlFramebuffer(state)});
+        {createGlTexture2D(state, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, _size), GlFramebuffer(state)});
     const Target& target = _targets.back();
     extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, target.framebuffer.get());
     extensions.glFramebufferTexture2D(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, _color.get(), 0);
@@ -89,17 +69,6 @@ void DepthPicture::readCells(GatheredCells& cells)
             cell[_axis] = std::min(static_cast<int>(_readDepths[pixel] * _depthRange), _dimensions[_axis] - 1);
             cells.add(cell, _readColors[pixel]);
         }
-}
-
-std::string createDepthPictures(const osg::State& state, const glm::ivec3& dimensions, std::size_t numDepths,
-                                DepthPictures& pictures)
-{
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        DepthPicture& picture = pictures[static_cast<std::size_t>(axis)];
-        if (std::string error = picture.create(state, dimensions, axis, numDepths); !error.empty()) return error;
-    }
-    return {};
 }
 
 float getDepthRange(int numCells)

@@ -5,7 +5,6 @@
 
 #include <osgLego/gl/ProgramUniforms.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,11 +15,11 @@
 namespace osgLego
 {
 
-/** An orthographic picture of a grid along one of its axes, one pixel a column of cells: depths, and colours with an
+/** An orthographic picture of a grid along one of its axes, one pixel per column of cells: depths, and colours with an
  * alpha of 1 where there is a surface.
  *
- * Depth is the place along the axis over a power of two, of either direction of view: thus the numbers of cells come
- * back from it without rounding.
+ * Depth is the position along the axis over a power of two, for either direction of view, so that the numbers of cells
+ * are read back without rounding.
  */
 class DepthPicture
 {
@@ -29,13 +28,13 @@ public:
      * @return why there can be none, in one sentence; empty when there is one. */
     std::string create(const osg::State& state, const glm::ivec3& dimensions, int axis, std::size_t numDepths);
 
-    /** Draw to this picture from here on, empty as yet. @param depth how far off an empty pixel is, 0 or 1. */
+    /** Clear the picture and draw to it from here on. @param depth of an empty pixel, 0 or 1. */
     void begin(const osg::State& state, std::size_t depthTexture, double depth) const;
-    /** Set what depth_picture.vert needs. */
+    /** Set the uniforms of depth_picture.vert. */
     void setUniforms(const ProgramUniforms& uniforms) const;
     GLuint getDepthTexture(std::size_t number) const { return _targets[number].depth.get(); }
 
-    /** Read back what was drawn last, and add the cells of all pixels that are not empty. */
+    /** Read the picture back, and add the cells of all pixels that are not empty. */
     void readCells(GatheredCells& cells);
 
 private:
@@ -58,14 +57,7 @@ private:
     std::vector<float> _readDepths;
 };
 
-/** Those along x, y and z. */
-using DepthPictures = std::array<DepthPicture, 3>;
-
-/** Create all three. @return why they can't be, in one sentence; empty when they are. */
-std::string createDepthPictures(const osg::State& state, const glm::ivec3& dimensions, std::size_t numDepths,
-                                DepthPictures& pictures);
-
-/** How many cells the depths from 0 to 1 stand for, along a side of so many: the next power of two. */
+/** The number of cells that the depths from 0 to 1 stand for, along a side of so many: the next power of two. */
 float getDepthRange(int numCells);
 
 } // namespace osgLego

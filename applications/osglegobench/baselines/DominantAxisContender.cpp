@@ -23,26 +23,18 @@ constexpr GLuint COUNTERS = 0;
 constexpr GLuint CELLS = 1;
 constexpr GLuint POINTS = 2;
 
-osg::ref_ptr<osg::Program> createExtraction()
-{
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgLego::dominant axis extraction");
-    program->addShader(new osg::Shader(osg::Shader::COMPUTE,
-                                       "#version 430\n" + ShaderLibrary::getSource("dominant_axis_extraction.comp")));
-    return program;
-}
-
 int longestSideOf(const BrickGrid& grid)
 {
     return std::max({grid.dimensions.x, grid.dimensions.y, grid.dimensions.z});
 }
 
-void allocate(const osg::State& state, GlBuffer& buffer, std::size_t numBytes)
+template <typename Value>
+void readBuffer(const osg::State& state, const GlBuffer& buffer, std::vector<Value>& values)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    buffer = GlBuffer(state);
     extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.get());
-    extensions.glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(numBytes), nullptr, GL_DYNAMIC_COPY);
+    extensions.glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(values.size() * sizeof(Value)),
+                                  values.data());
     extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
@@ -55,8 +47,8 @@ std::string DominantAxisContender::createObjects(osg::State& state)
     if (!osg::setGLExtensionFuncPtr(_clearTexture, "glClearTexImage")) return "GL lacks glClearTexImage";
     if (std::string error = createPrograms(state); !error.empty()) return error;
     if (std::string error = createVolume(state); !error.empty()) return error;
-    createFramebuffer(state);
-    allocate(state, _counters, sizeof(Counters));
+    _framebuffer = GlFramebuffer(state);
+    _counters = GlBuffer(state);
     reserve(state, getTriangles().estimateCoveredCells());
     _numCells = 0;
     return {};
@@ -67,7 +59,10 @@ std::string DominantAxisContender::createPrograms(osg::State& state)
     _drawing = ShaderLibrary::createProgram("dominant axis",
                                             {"dominant_axis.vert", "dominant_axis.geom", "dominant_axis.frag"},
                                             _coverage == Coverage::CONSERVATIVE ? "#define IS_CONSERVATIVE\n" : "");
-    _extraction = createExtraction();
+    _extraction = new osg::Program;
+    _extraction->setName("osgLego::dominant axis extraction");
+    _extraction->addShader(new osg::Shader(
+        osg::Shader::COMPUTE, "#version 430\n" + ShaderLibrary::getSource("dominant_axis_extraction.comp")));
     std::string error = linkProgram(*_drawing, state);
     return error.empty() ? linkProgram(*_extraction, state) : error;
 }
@@ -75,49 +70,38 @@ std::string DominantAxisContender::createPrograms(osg::State& state)
 std::string DominantAxisContender::createVolume(osg::State& state)
 {
     const glm::ivec3& dimensions = getGrid().dimensions;
-    const int limit = getGlInteger(GL_MAX_3D_TEXTURE_SIZE);
-    const int longest = longestSideOf(getGrid());
-    if (longest > limit)
-        return "a side of " + std::to_string(longest) + " cells is beyond the " + std::to_string(limit) +
-               " texels of a 3D texture";
+    if (std::string error = checkTextureSide(longestSideOf(getGrid()), GL_MAX_3D_TEXTURE_SIZE); !error.empty())
+        return error;
     takeOutOfMemoryError();
     _volume = GlTexture(state);
     glBindTexture(GL_TEXTURE_3D, _volume.get());
     state.get<osg::GLExtensions>()->glTexStorage3D(GL_TEXTURE_3D, 1, GL_R32UI, dimensions.x, dimensions.y,
                                                    dimensions.z);
     glBindTexture(GL_TEXTURE_3D, 0);
-    return takeOutOfMemoryError() ? "there is no room for a 3D texture of the grid's size" : "";
-}
-
-void DominantAxisContender::createFramebuffer(osg::State& state)
-{
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    const int size = longestSideOf(getGrid());
-    _framebuffer = GlFramebuffer(state);
-    extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, _framebuffer.get());
-    extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
-    extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    return takeOutOfMemoryError() ? "there is no memory for a 3D texture of the grid's size" : "";
 }
 
 void DominantAxisContender::reserve(const osg::State& state, std::size_t numCells)
 {
     _capacity = std::max(numCells, std::size_t(1)); // GL binds no buffer without bytes
-    allocate(state, _cells, _capacity * sizeof(std::uint32_t));
-    allocate(state, _points, _capacity * sizeof(BrickPoint));
+    _cells = GlBuffer(state);
+    uploadBuffer(state, GL_SHADER_STORAGE_BUFFER, _cells, std::vector<std::uint32_t>(_capacity), GL_DYNAMIC_COPY);
+    _points = GlBuffer(state);
+    uploadBuffer(state, GL_SHADER_STORAGE_BUFFER, _points, std::vector<BrickPoint>(_capacity), GL_DYNAMIC_COPY);
 }
 
 void DominantAxisContender::findBricks(osg::State& state)
 {
-    draw(state);
+    drawCells(state);
     _numCells = readCounters(state)[0];
-    // The estimate was too small; it will not be again.
+    // The estimate was too small; the next run has room.
     if (_numCells > _capacity)
     {
         reserve(state, _numCells);
-        draw(state);
+        drawCells(state);
     }
     extract(state, _numCells, false);
-    // A renderer would have to know how many points there are.
+    // A renderer needs the number of points.
     readCounters(state);
 }
 
@@ -141,36 +125,33 @@ void DominantAxisContender::unbind(const osg::State& state) const
 
 void DominantAxisContender::setCounters(const osg::State& state, const Counters& counters) const
 {
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, _counters.get());
-    extensions.glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(Counters), counters.data());
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    uploadBuffer(state, GL_SHADER_STORAGE_BUFFER, _counters, counters, GL_DYNAMIC_COPY);
 }
 
 DominantAxisContender::Counters DominantAxisContender::readCounters(const osg::State& state) const
 {
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    Counters counters{};
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, _counters.get());
-    extensions.glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(Counters), counters.data());
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    Counters counters(2);
+    readBuffer(state, _counters, counters);
     return counters;
 }
 
-void DominantAxisContender::draw(osg::State& state) const
+void DominantAxisContender::drawCells(osg::State& state) const
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     const int size = longestSideOf(getGrid());
     _clearTexture(_volume.get(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    setCounters(state, {});
+    setCounters(state, {0, 0});
+    // Without attachments, as large as pictures along any axis.
     extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, _framebuffer.get());
+    extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
+    extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
     glViewport(0, 0, size, size);
     _drawing->apply(state);
     const ProgramUniforms uniforms(state);
     uniforms.set("pictureSize", static_cast<float>(size));
     uniforms.set("gridSize", getGrid().dimensions);
     bind(state);
-    getDrawing().draw(state);
+    draw(state);
     unbind(state);
 }
 
@@ -191,11 +172,7 @@ osg::ref_ptr<const BrickModel> DominantAxisContender::readBricks(osg::State& sta
 {
     extract(state, _numCells, true);
     std::vector<BrickPoint> points(readCounters(state)[1]);
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, _points.get());
-    extensions.glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
-                                  static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data());
-    extensions.glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    readBuffer(state, _points, points);
     return createModel(getGrid(), points);
 }
 

@@ -3,9 +3,9 @@
 #include "GlContender.h"
 #include "GlRestoration.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <osg/Program>
 
@@ -50,17 +50,16 @@ protected:
 
 private:
     using ClearTexture = void(GL_APIENTRY*)(GLuint texture, GLint level, GLenum format, GLenum type, const void* data);
-    using Counters = std::array<std::uint32_t, 2>; // cells, points
+    using Counters = std::vector<std::uint32_t>; // cells, points
 
     std::string createPrograms(osg::State& state);
     std::string createVolume(osg::State& state);
-    void createFramebuffer(osg::State& state);
     void reserve(const osg::State& state, std::size_t numCells);
     void bind(const osg::State& state) const;
     void unbind(const osg::State& state) const;
     void setCounters(const osg::State& state, const Counters& counters) const;
     Counters readCounters(const osg::State& state) const;
-    void draw(osg::State& state) const;
+    void drawCells(osg::State& state) const;
     void extract(osg::State& state, std::uint32_t numCells, bool takesHidden) const;
 
     Coverage _coverage;

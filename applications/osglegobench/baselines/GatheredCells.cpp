@@ -47,11 +47,6 @@ const std::vector<BrickPoint>& GatheredCells::findVisible()
     return _visible;
 }
 
-osg::ref_ptr<const BrickModel> GatheredCells::createModel(const BrickGrid& grid) const
-{
-    return osgLego::createModel(grid, _bricks);
-}
-
 osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points)
 {
     std::vector<Brick> bricks;

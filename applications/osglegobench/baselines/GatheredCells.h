@@ -14,10 +14,10 @@
 namespace osgLego
 {
 
-/** The cells that a contender finds, gathered on the CPU in any order, each as often as it likes.
+/** The cells that a contender finds, gathered on the CPU in any order, with duplicates.
  *
- * One bit a cell tells what has been found, so that neither gathering nor the search for open sides walks the whole
- * grid; emptying the bits is all that does. */
+ * One bit per cell records those found, so that neither gathering nor the search for open sides visits the whole grid;
+ * only clearing the bits does. */
 class GatheredCells
 {
 public:
@@ -39,11 +39,11 @@ public:
     /** The cells with an empty neighbour, in the order they were added. */
     const std::vector<BrickPoint>& findVisible();
 
-    /** All of the cells. */
-    osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid) const;
+    /** All cells, without open sides. */
+    const std::vector<BrickPoint>& getBricks() const { return _bricks; }
 
 private:
-    // A border of empty cells around the grid spares the question whether a cell has a neighbour.
+    // A border of empty cells around the grid, so that every cell has neighbours.
     std::size_t numberOf(const glm::ivec3& cell) const
     {
         return static_cast<std::size_t>(cell.x + 1) + static_cast<std::size_t>(cell.y + 1) * _rowLength +

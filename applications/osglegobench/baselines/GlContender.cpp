@@ -4,6 +4,8 @@
 
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/passes/GridVertexArrays.h>
+#include <osgLego/passes/SurfaceBinding.h>
 
 #include <osg/GLObjects>
 #include <osg/Timer>
@@ -20,10 +22,25 @@ std::string GlContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& co
     _state = context.getState();
     _triangles = mesh.triangles;
     const GlRestoration restoration(*_state);
-    _drawing.create(*_state, *_triangles);
+    createBatches(*_state);
     std::string error = createObjects(*_state);
-    if (takeOutOfMemoryError() && error.empty()) error = "there is no room for textures of this grid's size";
+    if (takeOutOfMemoryError() && error.empty()) error = "there is no memory for textures of this grid's size";
     return error;
+}
+
+void GlContender::createBatches(osg::State& state)
+{
+    _batches.clear();
+    for (const GridBatch& source : _triangles->getBatches())
+    {
+        osg::ref_ptr<osg::Texture2D> texture;
+        if (source.texture)
+        {
+            texture = createSurfaceTexture(*source.texture);
+            state.applyTextureAttribute(0, texture.get());
+        }
+        _batches.push_back({&source, GlBuffer(state), texture});
+    }
 }
 
 double GlContender::run()
@@ -32,10 +49,27 @@ double GlContender::run()
     glFinish();
     const osg::Timer& timer = *osg::Timer::instance();
     const osg::Timer_t start = timer.tick();
-    _drawing.upload(*_state);
+    upload(*_state);
     findBricks(*_state);
     glFinish();
     return timer.delta_m(start, timer.tick());
+}
+
+void GlContender::upload(const osg::State& state) const
+{
+    for (const Batch& batch : _batches)
+        uploadBuffer(state, GL_ARRAY_BUFFER, batch.buffer, batch.source->vertices, GL_STREAM_DRAW);
+}
+
+void GlContender::draw(osg::State& state) const
+{
+    const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
+    for (const Batch& batch : _batches)
+    {
+        bindSurface(state, *batch.source, batch.texture.get());
+        arrays.bind(batch.buffer.get());
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(batch.source->vertices.size()));
+    }
 }
 
 osg::ref_ptr<const BrickModel> GlContender::getBricks()
@@ -47,9 +81,9 @@ osg::ref_ptr<const BrickModel> GlContender::getBricks()
 void GlContender::release()
 {
     releaseObjects();
-    _drawing.release();
+    _batches.clear();
     _triangles = nullptr;
-    // At once: the next contender may need the room.
+    // At once: the next contender may need the memory.
     if (_state.valid()) osg::flushAllDeletedGLObjects(_state->getContextID());
     _state = nullptr;
 }

@@ -32,7 +32,7 @@ GlRestoration::~GlRestoration()
     _state.setActiveTextureUnit(0);
     glPopClientAttrib();
     glPopAttrib();
-    // OSG remembers what it applied, and must not take it for what is there.
+    // OSG remembers the state that it applied last, which is no longer GL's.
     _state.haveAppliedAttribute(osg::StateAttribute::PROGRAM);
     _state.haveAppliedTextureAttribute(0, osg::StateAttribute::TEXTURE);
 }
@@ -49,6 +49,25 @@ int getGlInteger(GLenum name)
     GLint value = 0;
     glGetIntegerv(name, &value);
     return value;
+}
+
+std::string checkTextureSide(int numCells, GLenum limit)
+{
+    if (numCells <= getGlInteger(limit)) return {};
+    return "a side of " + std::to_string(numCells) + " cells is beyond the " + std::to_string(getGlInteger(limit)) +
+           " texels of a texture";
+}
+
+GlTexture createGlTexture2D(const osg::State& state, GLenum internalFormat, GLenum format, GLenum type,
+                            const glm::ivec2& size)
+{
+    GlTexture texture(state);
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
 }
 
 } // namespace osgLego

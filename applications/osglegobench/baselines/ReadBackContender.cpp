@@ -1,5 +1,7 @@
 #include "ReadBackContender.h"
 
+#include "GlRestoration.h"
+
 namespace osgLego
 {
 
@@ -13,17 +15,12 @@ void ReadBackContender::findBricks(osg::State& state)
 {
     _cells.reset(getGrid().dimensions);
     gatherCells(state, _cells);
-    const std::vector<BrickPoint>& points = _cells.findVisible();
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, _points.get());
-    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data(),
-                            GL_STATIC_DRAW);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    uploadBuffer(state, GL_ARRAY_BUFFER, _points, _cells.findVisible(), GL_STATIC_DRAW);
 }
 
 osg::ref_ptr<const BrickModel> ReadBackContender::readBricks(osg::State&)
 {
-    return _cells.createModel(getGrid());
+    return createModel(getGrid(), _cells.getBricks());
 }
 
 void ReadBackContender::releaseObjects()

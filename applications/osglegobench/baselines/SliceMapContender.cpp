@@ -18,6 +18,7 @@ namespace
 constexpr int WORD_BITS = 32;
 constexpr int WORDS_PER_TEXEL = 4;
 constexpr int TARGET_BITS = WORD_BITS * WORDS_PER_TEXEL;
+constexpr GLuint NOTHING[4] = {0, 0, 0, 0};
 constexpr std::uint32_t GREY = 0xffa0a0a0;
 
 GLenum attachmentOf(int target)
@@ -25,30 +26,13 @@ GLenum attachmentOf(int target)
     return GL_COLOR_ATTACHMENT0_EXT + static_cast<GLenum>(target);
 }
 
-/** A texture of bits, attached to the frame buffer that is bound. */
-GlTexture attachTarget(const osg::State& state, int target, const glm::ivec3& dimensions)
-{
-    GlTexture texture(state);
-    glBindTexture(GL_TEXTURE_2D, texture.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI_EXT, dimensions.x, dimensions.y, 0, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT,
-                 nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    state.get<osg::GLExtensions>()->glFramebufferTexture2D(GL_FRAMEBUFFER_EXT, attachmentOf(target), GL_TEXTURE_2D,
-                                                           texture.get(), 0);
-    return texture;
-}
-
 } // namespace
 
 std::string SliceMapContender::createObjects(osg::State& state)
 {
     const glm::ivec3& dimensions = getGrid().dimensions;
-    const int limit = getGlInteger(GL_MAX_TEXTURE_SIZE);
-    if (std::max(dimensions.x, dimensions.y) > limit)
-        return "a side of " + std::to_string(std::max(dimensions.x, dimensions.y)) + " cells is beyond the " +
-               std::to_string(limit) + " texels of a texture";
+    if (std::string error = checkTextureSide(std::max(dimensions.x, dimensions.y), GL_MAX_TEXTURE_SIZE); !error.empty())
+        return error;
     if (!osg::setGLExtensionFuncPtr(_clearBuffer, "glClearBufferuiv")) return "GL lacks glClearBufferuiv";
     _numTargets = std::min(getGlInteger(GL_MAX_DRAW_BUFFERS), (dimensions.z + TARGET_BITS - 1) / TARGET_BITS);
     _program = ShaderLibrary::createProgram("slice map", {"slice_map.vert", "slice_map.frag"},
@@ -62,21 +46,16 @@ std::string SliceMapContender::createObjects(osg::State& state)
     _targets.clear();
     for (int target = 0; target < _numTargets; ++target)
     {
-        _targets.push_back(attachTarget(state, target, dimensions));
+        _targets.push_back(
+            createGlTexture2D(state, GL_RGBA32UI_EXT, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT, glm::ivec2(dimensions)));
+        extensions.glFramebufferTexture2D(GL_FRAMEBUFFER_EXT, attachmentOf(target), GL_TEXTURE_2D,
+                                          _targets.back().get(), 0);
         attachments.push_back(attachmentOf(target));
     }
     extensions.glDrawBuffers(_numTargets, attachments.data());
     if (extensions.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT)
         return "GL can't draw to " + std::to_string(_numTargets) + " textures of four 32-bit integers a texel";
     return ReadBackContender::createObjects(state);
-}
-
-void SliceMapContender::clear() const
-{
-    constexpr GLuint NOTHING[4] = {0, 0, 0, 0};
-    glDisable(GL_COLOR_LOGIC_OP);
-    for (int target = 0; target < _numTargets; ++target)
-        _clearBuffer(GL_COLOR, target, NOTHING);
 }
 
 void SliceMapContender::gatherCells(osg::State& state, GatheredCells& cells)
@@ -91,10 +70,12 @@ void SliceMapContender::gatherCells(osg::State& state, GatheredCells& cells)
     glLogicOp(GL_OR);
     for (int firstLayer = 0; firstLayer < dimensions.z; firstLayer += _numTargets * TARGET_BITS)
     {
-        clear();
+        glDisable(GL_COLOR_LOGIC_OP);
+        for (int target = 0; target < _numTargets; ++target)
+            _clearBuffer(GL_COLOR, target, NOTHING);
         glEnable(GL_COLOR_LOGIC_OP);
         uniforms.set("firstLayer", firstLayer);
-        getDrawing().draw(state);
+        draw(state);
         for (int target = 0; target < _numTargets; ++target)
             readTarget(target, firstLayer + target * TARGET_BITS, cells);
     }

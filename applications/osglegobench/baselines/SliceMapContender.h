@@ -15,7 +15,7 @@ namespace osgLego
  *
  * The mesh is drawn once, along z, without depth test; every fragment sets the bit of its cell in the bits of its
  * column, which the logic operation OR gathers. As published, but for 128 bits a target (four 32-bit integers) instead
- * of 32, and the bit reckoned instead of looked up. Several targets are drawn to at once, and more passes follow only
+ * of 32, and the bit computed instead of looked up. Several targets are drawn to at once, and more passes follow only
  * where these do not suffice (beyond 1024 layers with GL's minimum of eight). No colours: a bit is all there is of a
  * cell. Walls along z fall between pixels.
  */
@@ -33,7 +33,6 @@ protected:
 private:
     using ClearBuffer = void(GL_APIENTRY*)(GLenum buffer, GLint drawBuffer, const GLuint* value);
 
-    void clear() const;
     void readTarget(int target, int firstLayer, GatheredCells& cells);
 
     int _numTargets = 0;

@@ -22,10 +22,10 @@ protected:
         draw(scene, {osg::Vec3d(6, -12, 6), osg::Vec3d()});
         for (int frame = 0; frame < 20; ++frame) // longer than idle passes are kept
             _viewer.frame();
-        const std::size_t before = AllocationCount::now().ofAllThreads;
+        const std::size_t before = AllocationCount::getNumAllocations();
         for (int frame = 0; frame < 20; ++frame)
             _viewer.frame();
-        return AllocationCount::now().ofAllThreads - before;
+        return AllocationCount::getNumAllocations() - before;
     }
 
     static osg::ref_ptr<LegoNode> createLego(const std::string& settings)

@@ -1,10 +1,15 @@
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/CpuLegolizer.h>
+#include <osgLego/polygonization/BrickTriangles.h>
 
 #include <Meshes.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <osg/TriangleFunctor>
@@ -78,17 +83,66 @@ TEST(BrickGeometry, EnclosesTheVolumeOfBricksAndStudsWindingOutwards)
         }
 }
 
-TEST(BrickGeometry, FacesForPickingAreThoseOfTheOpenSides)
+/** Keeps the triangles that it is handed. */
+struct Triangles
 {
-    const osg::ref_ptr<const BrickModel> model = createModel(Proportions::CUBE, UpAxis::Z);
-    osg::TriangleFunctor<Measure> measure;
-    acceptBrickFaces(*model, measure);
-    double sides = 0.0;
-    for (const Brick& brick : model->getBricks())
-        sides += __builtin_popcount(brick.openSides);
-    const double pitch = model->getGrid().getPitch();
-    EXPECT_NEAR(measure.area, sides * pitch * pitch, 1e-3);
-    EXPECT_NEAR(measure.volume, pitch * pitch * pitch * static_cast<double>(model->getBricks().size()), 1e-3);
+    std::vector<std::array<osg::Vec3, 3>> corners;
+    void operator()(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c, bool = false)
+    {
+        corners.push_back({a, b, c});
+    }
+};
+
+TEST(BrickGeometry, AFunctorGetsTheTrianglesOfTheGeometryInTheirOrder)
+{
+    const osg::ref_ptr<const BrickModel> model = createModel(Proportions::BRICK, UpAxis::Z);
+    osg::TriangleFunctor<Triangles> ofModel;
+    acceptBrickTriangles(*model, ofModel);
+    osg::TriangleFunctor<Triangles> ofGeometry;
+    createBrickGeometry(*model)->accept(ofGeometry);
+    EXPECT_GT(ofModel.corners.size(), 8192u) << "more than one portion";
+    EXPECT_EQ(ofModel.corners, ofGeometry.corners);
+}
+
+TEST(BrickGeometry, TheModelOfNoBricksHasNoTriangles)
+{
+    osg::TriangleFunctor<Triangles> none;
+    acceptBrickTriangles(*BrickModel::create(BrickGrid(), {}), none);
+    EXPECT_TRUE(none.corners.empty());
+    EXPECT_FALSE(findBrickTriangle(*BrickModel::create(BrickGrid(), {}), 0));
+}
+
+TEST(BrickGeometry, EveryTriangleIsFoundToLieOnItsBrickAndSide)
+{
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+    {
+        const osg::ref_ptr<const BrickModel> model = createModel(Proportions::PLATE, up);
+        const BrickGrid& grid = model->getGrid();
+        osg::TriangleFunctor<Triangles> triangles;
+        acceptBrickTriangles(*model, triangles);
+        for (std::size_t index = 0; index < triangles.corners.size(); ++index)
+        {
+            const auto& [a, b, c] = triangles.corners[index];
+            const std::optional<BrickTriangle> found = findBrickTriangle(*model, index);
+            ASSERT_TRUE(found) << index;
+            const int axis = std::countr_zero(static_cast<unsigned int>(found->side)) / 2;
+            const bool isUpper = std::countr_zero(static_cast<unsigned int>(found->side)) % 2 == 1;
+            // The middle of the triangle, from the lowest corner of the cell, in cells.
+            const glm::dvec3 place = grid.toCells((a + b + c) / 3.0f) - glm::dvec3(found->brick.getCell());
+            for (int other = 0; other < 3; ++other)
+            {
+                if (other == axis) continue;
+                ASSERT_GT(place[other], 0.0) << index;
+                ASSERT_LT(place[other], 1.0) << index;
+            }
+            if (found->isStud)
+                ASSERT_GT(place[axis], 1.0 + 0.3 * grid.getStudHeight()) << index;
+            else
+                ASSERT_NEAR(place[axis], isUpper ? 1.0 : 0.0, 1e-4) << index;
+            ASSERT_FALSE(found->isStud && axis != grid.getUpIndex()) << index;
+        }
+        EXPECT_FALSE(findBrickTriangle(*model, triangles.corners.size()));
+    }
 }
 
 } // namespace

@@ -26,7 +26,7 @@ uniform ivec3 gridSize;
 void listCell(ivec3 cell)
 {
     uint number = atomicAdd(numCells, 1u);
-    // What finds no room is counted all the same, and tells how much room is needed.
+    // Cells beyond the capacity are counted all the same: the count is the capacity needed.
     if (number >= uint(cells.length())) return;
     uvec3 place = uvec3(cell);
     uvec3 size = uvec3(gridSize);
@@ -36,7 +36,7 @@ void listCell(ivec3 cell)
 void join(ivec3 cell, vec3 color)
 {
     const float MOST = 255.0;
-    // Bounded, as what an atomic operation answers to a helper invocation is undefined.
+    // Bounded, since the result of an atomic operation in a helper invocation is undefined.
     const int MOST_ATTEMPTS = 1024;
     uint expected = 0u;
     uint wanted = packUnorm4x8(vec4(color, 1.0 / MOST));

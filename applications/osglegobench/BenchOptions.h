@@ -1,0 +1,52 @@
+#pragma once
+
+#include "BenchMeshes.h"
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace osgLego
+{
+
+/** The options that all subcommands share: meshes, resolutions, and the file to write to. */
+struct BenchOptions
+{
+    std::vector<std::string> meshes;
+    std::string models = "build/models";
+    std::vector<unsigned int> resolutions;
+    bool isQuick = false;
+    std::string jsonFile;
+
+    /** @param usualResolutions those measured by default, for --help. */
+    void addTo(CLI::App& command, const std::string& usualResolutions);
+
+    /** All meshes to measure. Checks before hours of measuring that the file can be written. Throws
+     * std::runtime_error. */
+    std::vector<MeshSource> getMeshes() const;
+    /** The only mesh of a subcommand that measures one: the first of --mesh, else the bunny or the car. As above. */
+    MeshSource getMesh() const;
+    /** Those of --resolution, else the default ones of a quick or a usual run. */
+    std::vector<unsigned int> getResolutions(const std::vector<unsigned int>& quick,
+                                             const std::vector<unsigned int>& usual) const;
+
+    /** Write a document to --json, completely or not at all, or to the standard output. Throws std::runtime_error. */
+    void write(const nlohmann::ordered_json& document) const;
+
+private:
+    void checkFile() const;
+};
+
+/** How often something is timed. */
+struct BenchRuns
+{
+    unsigned int numRuns = 7;
+    unsigned int numWarmUps = 2; //!< runs before these, which are not counted
+
+    /** Add --runs and --warm-up. */
+    void addTo(CLI::App& command);
+};
+
+} // namespace osgLego

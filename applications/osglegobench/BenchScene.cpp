@@ -1,0 +1,98 @@
+#include "BenchScene.h"
+
+#include "BenchEnvironment.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <osg/GLExtensions>
+#include <osg/Math>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using PushDebugGroup = void GL_APIENTRY(GLenum source, GLuint id, GLsizei length, const char* message);
+using PopDebugGroup = void GL_APIENTRY();
+
+} // namespace
+
+BenchScene::BenchScene(const MeshSource& source, unsigned int resolution) : mesh(source)
+{
+    settings.resolution = resolution;
+    settings.upAxis = source.upAxis;
+}
+
+osg::ref_ptr<LegoNode> BenchScene::createLego() const
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+    lego->addChild(readMesh(mesh));
+    lego->setWaiting(true);
+    return lego;
+}
+
+void BenchScene::placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const
+{
+    constexpr double FIELD_OF_VIEW = 30.0;
+    const bool isYUp = settings.upAxis == UpAxis::Y;
+    const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
+    const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
+    const double turn = osg::DegreesToRadians(azimuth);
+    const double rise = osg::DegreesToRadians(elevation);
+    const osg::Vec3d ahead = front * std::cos(turn) + osg::Vec3d(std::sin(turn), 0, 0);
+    const osg::Vec3d toEye = ahead * std::cos(rise) + up * std::sin(rise);
+    const double eyeDistance = distance * bound.radius();
+    camera.setProjectionMatrixAsPerspective(FIELD_OF_VIEW, static_cast<double>(size.x) / size.y, 0.05 * eyeDistance,
+                                            eyeDistance + 4.0 * bound.radius());
+    camera.setViewMatrixAsLookAt(osg::Vec3d(bound.center()) + toEye * eyeDistance, bound.center(), up);
+}
+
+FrameViewer::FrameViewer(const glm::ivec2& size) : _size(size), _context(createBenchContext(size.x, size.y))
+{
+    osg::Camera& camera = *_viewer.getCamera();
+    camera.setGraphicsContext(_context);
+    camera.setViewport(0, 0, size.x, size.y);
+    camera.setDrawBuffer(GL_BACK);
+    camera.setReadBuffer(GL_BACK);
+    camera.setClearColor(osg::Vec4(0.0f, 0.0f, 0.2f, 1.0f));
+    camera.setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    _viewer.setReleaseContextAtEndOfFrameHint(false);
+}
+
+void FrameViewer::show(osg::Node& node, const BenchScene& scene)
+{
+    _viewer.setSceneData(&node);
+    scene.placeCamera(*_viewer.getCamera(), node.getBound(), _size);
+}
+
+double FrameViewer::timeFrame(const char* group)
+{
+    auto* const push = reinterpret_cast<PushDebugGroup*>(osg::getGLExtensionFuncPtr("glPushDebugGroup"));
+    auto* const pop = reinterpret_cast<PopDebugGroup*>(osg::getGLExtensionFuncPtr("glPopDebugGroup"));
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    if (push) push(GL_DEBUG_SOURCE_APPLICATION, 0, -1, group);
+    _viewer.frame();
+    if (pop) pop();
+    glFinish(); // outside the group, as it is not the frame's own wait
+    return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+}
+
+osg::ref_ptr<osg::Image> FrameViewer::read() const
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->readPixels(0, 0, _size.x, _size.y, GL_RGB, GL_UNSIGNED_BYTE);
+    return image;
+}
+
+void checkBricks(const LegoNode& lego, const FrameViewer& viewer)
+{
+    if (lego.isLegolized(viewer.getContextID())) return;
+    const std::string failure = lego.getFailure(viewer.getContextID());
+    throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
+}
+
+} // namespace osgLego

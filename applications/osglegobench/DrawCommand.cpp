@@ -1,0 +1,152 @@
+#include "AllocationCount.h"
+#include "BenchEnvironment.h"
+#include "BenchOptions.h"
+#include "BenchScene.h"
+#include "Commands.h"
+#include "ResidentMemory.h"
+#include "Spread.h"
+
+#include <osgLego/AmbientOcclusionScene.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <osg/Geode>
+#include <osg/ShapeDrawable>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using nlohmann::ordered_json;
+
+struct DrawOptions : BenchOptions
+{
+    std::string look = "full"; // "none": a box of OSG's own instead of bricks
+    std::string device = "auto";
+    std::string drawing = "auto";
+    bool hasOcclusion = false;
+    unsigned int numFrames = 20;
+
+    glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
+    BenchScene createScene() const
+    {
+        BenchScene scene(getMesh(), getResolutions({16}, {64}).front());
+        std::string error;
+        if (!LegoSettings::parse(
+                fmt::format("device={},drawing={},look={}", device, drawing, look == "none" ? "full" : look),
+                scene.settings, error))
+            throw std::runtime_error(error);
+        return scene;
+    }
+};
+
+/** Draw the same frame again and again.
+ * @param lego null where there are no bricks.
+ * @param isDirtied whether the bricks are made anew in each frame. */
+ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFrames, bool isDirtied)
+{
+    const auto countLegolizations = [&]
+    { return lego ? lego->getStatistics(viewer.getContextID()).numLegolizations : 0; };
+    std::vector<double> times;
+    times.reserve(numFrames);
+    const unsigned int legolizations = countLegolizations();
+    const std::size_t allocations = AllocationCount::getNumAllocations();
+    for (unsigned int frame = 0; frame < numFrames; ++frame)
+    {
+        if (isDirtied) lego->dirty();
+        times.push_back(viewer.timeFrame(isDirtied ? "dirtied" : "unchanged"));
+    }
+    const std::size_t numAllocations = AllocationCount::getNumAllocations() - allocations;
+    return {{"legolizations", countLegolizations() - legolizations},
+            {"allocations", numAllocations},
+            {"milliseconds", createSpread(times)}};
+}
+
+/** The drawing that Drawing::AUTO stands for here, or the one asked for. */
+std::string findDrawing(const DrawOptions& options)
+{
+    if (options.drawing != "auto") return options.drawing;
+    return isSoftwareRenderer() ? "splats" : "triangles";
+}
+
+osg::ref_ptr<osg::Node> createBox()
+{
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(new osg::ShapeDrawable(new osg::Box));
+    return geode;
+}
+
+/** The peak of memory once the first frame is drawn, then times and counts of frames. */
+ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
+{
+    constexpr double MEBIBYTE = 1024.0 * 1024.0;
+    constexpr unsigned int NUM_FRAMES_BEFORE = 20; // longer than idle passes are kept
+    const BenchScene scene = options.createScene();
+    const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr : scene.createLego();
+    const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();
+    const osg::ref_ptr<osg::Group> root = options.hasOcclusion ? new AmbientOcclusionScene : new osg::Group;
+    root->addChild(drawn);
+    viewer.show(*root, scene);
+    viewer.timeFrame("first");
+    ordered_json row{{"mesh", scene.mesh.name},
+                     {"resolution", scene.settings.resolution},
+                     {"device", options.device},
+                     {"look", options.look},
+                     {"drawnBy", lego ? findDrawing(options) : "triangles"},
+                     {"occlusion", options.hasOcclusion},
+                     {"frames", options.numFrames},
+                     {"mebibytes",
+                      {{"resident", readPeakMemory()},
+                       {"largestBlock", static_cast<double>(AllocationCount::getLargestBlock()) / MEBIBYTE}}}};
+    if (lego)
+    {
+        checkBricks(*lego, viewer);
+        const LegoStatistics statistics = lego->getStatistics(viewer.getContextID());
+        row["triangles"] = statistics.numTriangles;
+        row["drawnBricks"] = statistics.numDrawnBricks;
+    }
+    if (options.numFrames == 0) return row;
+    for (unsigned int frame = 1; frame < NUM_FRAMES_BEFORE; ++frame)
+        viewer.drawFrame();
+    row["unchanged"] = drawFrames(viewer, lego, options.numFrames, false);
+    if (lego) row["dirtied"] = drawFrames(viewer, lego, options.numFrames, true);
+    return row;
+}
+
+void runDraw(const DrawOptions& options)
+{
+    options.getMesh(); // reports bad options before there is a context
+    FrameViewer viewer(options.getSize());
+    ordered_json document = createDocument("draw", viewer.getContext());
+    document["width"] = options.getSize().x;
+    document["height"] = options.getSize().y;
+    document["rows"].push_back(measure(options, viewer));
+    options.write(document);
+}
+
+} // namespace
+
+void addDrawCommand(CLI::App& app)
+{
+    CLI::App* command = app.add_subcommand(
+        "draw", "Frames of one scene: peak memory after the first; then times, legolizations and allocations of frames "
+                "in which nothing has changed, and of frames in which the bricks are made anew");
+    const auto options = std::make_shared<DrawOptions>();
+    options->addTo(*command, "64");
+    command->add_option("--look", options->look, "plain, full, or none: a box without bricks (full)")
+        ->check(CLI::IsMember({"plain", "full", "none"}));
+    command->add_option("--device", options->device, "Device that finds the bricks: auto, gpu, cpu (auto)")
+        ->check(CLI::IsMember({"auto", "gpu", "cpu"}));
+    command->add_option("--drawing", options->drawing, "auto, triangles, splats (auto)")
+        ->check(CLI::IsMember({"auto", "triangles", "splats"}));
+    command->add_flag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
+    command->add_option("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)")
+        ->check(CLI::Range(0u, 10000u));
+    command->callback([options] { runDraw(*options); });
+}
+
+} // namespace osgLego

@@ -1,0 +1,127 @@
+#include <osgLego/BrickScene.h>
+
+#include <osgLego/BrickGeometry.h>
+#include <osgLego/LegoNode.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <osg/CopyOp>
+#include <osg/Geode>
+#include <osg/Material>
+#include <osg/NodeVisitor>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Whether a node is of a class of this library, which are groups all of them. */
+bool isOurs(const osg::Node& node)
+{
+    return node.asGroup() && std::string_view(node.libraryName()) == "osgLego";
+}
+
+/** Finds the nodes to be replaced, and all above them. */
+class ReplacedNodes : public osg::NodeVisitor
+{
+public:
+    explicit ReplacedNodes(const osg::Node& scene) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
+    {
+        setNodeMaskOverride(~0u);
+        const_cast<osg::Node&>(scene).accept(*this); // which changes nothing
+    }
+
+    bool contains(const osg::Node& node) const { return _nodes.count(&node) > 0; }
+
+    void apply(osg::Group& group) override
+    {
+        const bool isLego = dynamic_cast<LegoNode*>(&group) != nullptr;
+        if (isOurs(group)) _nodes.insert(getNodePath().begin(), getNodePath().end());
+        if (!isLego) traverse(group);
+    }
+
+private:
+    std::set<const osg::Node*> _nodes;
+};
+
+osg::ref_ptr<osg::Geometry> createMaterialGeometry(const BrickGrid& grid, const std::vector<Brick>& bricks)
+{
+    osg::ref_ptr<osg::Geometry> geometry = createBrickGeometry(*BrickModel::createComplete(grid, bricks));
+    const auto& color = bricks.front().color;
+    const osg::Vec4 value(osg::Vec3(color[0], color[1], color[2]) / 255.0f, 1.0f);
+    osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setAmbient(osg::Material::FRONT_AND_BACK, value);
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, value);
+    geometry->getOrCreateStateSet()->setAttribute(material);
+    geometry->setColorArray(new osg::Vec4Array(1, &value), osg::Array::BIND_OVERALL);
+    return geometry;
+}
+
+osg::ref_ptr<osg::Geode> createBrickGeode(const BrickModel& model, BrickColors colors)
+{
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    if (colors == BrickColors::BY_VERTEX)
+    {
+        geode->addDrawable(createBrickGeometry(model));
+        return geode;
+    }
+    std::map<std::array<std::uint8_t, 3>, std::vector<Brick>> byColor;
+    for (const Brick& brick : model.getBricks())
+        if (brick.openSides != 0) byColor[brick.color].push_back(brick);
+    for (const auto& [color, bricks] : byColor)
+        geode->addDrawable(createMaterialGeometry(model.getGrid(), bricks));
+    return geode;
+}
+
+/** Copies the nodes that are to be replaced or lie above such. */
+class BrickSceneCopy : public osg::CopyOp
+{
+public:
+    BrickSceneCopy(const ReplacedNodes& replaced, BrickColors colors) : _replaced(replaced), _colors(colors) {}
+
+    using osg::CopyOp::operator();
+    osg::Node* operator()(const osg::Node* node) const override
+    {
+        if (!node || !_replaced.contains(*node)) return const_cast<osg::Node*>(node);
+        osg::ref_ptr<osg::Node>& copy = _copies[node]; // which a node of several parents has one of
+        if (!copy) copy = createCopy(*node);
+        return copy;
+    }
+
+private:
+    osg::ref_ptr<osg::Node> createCopy(const osg::Node& node) const
+    {
+        if (const auto* lego = dynamic_cast<const LegoNode*>(&node)) return createBricks(*lego);
+        if (isOurs(node)) return new osg::Group(*node.asGroup(), *this);
+        return static_cast<osg::Node*>(node.clone(*this));
+    }
+
+    osg::ref_ptr<osg::Node> createBricks(const LegoNode& lego) const
+    {
+        const osg::ref_ptr<const BrickModel> model = lego.getBricks();
+        if (!model) return new osg::Group(lego, *this);
+        const osg::ref_ptr<osg::Geode> geode = createBrickGeode(*model, _colors);
+        geode->setName(lego.getName());
+        geode->setNodeMask(lego.getNodeMask());
+        return geode;
+    }
+
+    const ReplacedNodes& _replaced;
+    BrickColors _colors;
+    mutable std::map<const osg::Node*, osg::ref_ptr<osg::Node>> _copies;
+};
+
+} // namespace
+
+osg::ref_ptr<const osg::Node> createBrickScene(const osg::Node& scene, BrickColors colors)
+{
+    const ReplacedNodes replaced(scene);
+    return BrickSceneCopy(replaced, colors)(&scene);
+}
+
+} // namespace osgLego

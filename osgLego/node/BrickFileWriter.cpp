@@ -1,0 +1,130 @@
+#include <osgLego/node/BrickFileWriter.h>
+
+#include <osgLego/BrickScene.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <string_view>
+
+#include <osg/Notify>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/Registry>
+
+namespace osgLego
+{
+
+namespace
+{
+
+template <std::size_t COUNT>
+bool isOneOf(const std::array<std::string_view, COUNT>& list, std::string_view extension)
+{
+    return std::find(list.begin(), list.end(), extension) != list.end();
+}
+
+/** The extension of the format, in lower case: of `bricks.osgt.gz` it is that of what is compressed. */
+std::string formatOf(std::string fileName)
+{
+    if (osgDB::getLowerCaseFileExtension(fileName) == "gz") fileName = osgDB::getNameLessExtension(fileName);
+    return osgDB::getLowerCaseFileExtension(fileName);
+}
+
+/** Whether files of a format are written by OSG's serializers, for which this project has a plugin. */
+bool storesNodes(const std::string& format)
+{
+    const osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension(format);
+    return writer && writer->acceptsExtension("osgt");
+}
+
+// Of the formats that OSG 3.6.5 writes. All others keep colours as materials alone.
+constexpr std::array<std::string_view, 5> COLORS_BY_VERTEX{"dae", "flt", "ive", "osg", "osgjs"};
+constexpr std::array<std::string_view, 3> NO_COLORS{"3dc", "sta", "stl"};
+// Written without any osg::Geometry.
+constexpr std::array<std::string_view, 2> NO_GEOMETRY{"iv", "wrl"};
+
+BrickColors colorsOf(const std::string& format)
+{
+    const bool isByVertex = isOneOf(COLORS_BY_VERTEX, format) || isOneOf(NO_COLORS, format);
+    return isByVertex ? BrickColors::BY_VERTEX : BrickColors::BY_MATERIAL;
+}
+
+} // namespace
+
+BrickFileWriter::BrickFileWriter(osgDB::WriteFileCallback* next) : _next(next ? next : new osgDB::WriteFileCallback) {}
+
+void BrickFileWriter::install()
+{
+    static std::once_flag once;
+    std::call_once(once,
+                   []
+                   {
+                       osgDB::Registry* registry = osgDB::Registry::instance();
+                       registry->setWriteFileCallback(new BrickFileWriter(registry->getWriteFileCallback()));
+                   });
+}
+
+template <typename Write>
+BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node, const std::string& fileName,
+                                                          const Write& write)
+{
+    const std::string format = formatOf(fileName);
+    if (storesNodes(format)) return write(node);
+    const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));
+    if (scene != &node && isOneOf(NO_GEOMETRY, format))
+        return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " leaves geometry out; expected " +
+                           "another format for '" + fileName + "', such as .obj");
+    WriteResult result = write(*scene);
+    if (scene == &node || !result.success()) return result;
+    // Some writers, as Debian's of .dae, do nothing and report success.
+    if (!osgDB::containsServerAddress(fileName) && !osgDB::fileExists(fileName))
+        return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " has written no file '" + fileName +
+                           "'");
+    if (isOneOf(NO_COLORS, format))
+        OSG_WARN << "osgLego: '" << fileName << "' holds the shape of the bricks without their colours, which ."
+                 << format << " can't store" << std::endl;
+    return result;
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeObject(const osg::Object& object, const std::string& fileName,
+                                                          const Options* options)
+{
+    const auto* node = dynamic_cast<const osg::Node*>(&object);
+    if (!node) return _next->writeObject(object, fileName, options);
+    return writeBricks(*node, fileName,
+                       [&](const osg::Node& scene) { return _next->writeObject(scene, fileName, options); });
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeImage(const osg::Image& image, const std::string& fileName,
+                                                         const Options* options)
+{
+    return _next->writeImage(image, fileName, options);
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeHeightField(const osg::HeightField& field,
+                                                               const std::string& fileName, const Options* options)
+{
+    return _next->writeHeightField(field, fileName, options);
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeNode(const osg::Node& node, const std::string& fileName,
+                                                        const Options* options)
+{
+    return writeBricks(node, fileName,
+                       [&](const osg::Node& scene) { return _next->writeNode(scene, fileName, options); });
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeShader(const osg::Shader& shader, const std::string& fileName,
+                                                          const Options* options)
+{
+    return _next->writeShader(shader, fileName, options);
+}
+
+BrickFileWriter::WriteResult BrickFileWriter::writeScript(const osg::Script& script, const std::string& fileName,
+                                                          const Options* options)
+{
+    return _next->writeScript(script, fileName, options);
+}
+
+} // namespace osgLego

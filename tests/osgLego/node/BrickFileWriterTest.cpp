@@ -1,0 +1,97 @@
+#include <osgLego/LegoNode.h>
+#include <osgLego/node/BrickFileWriter.h>
+
+#include <Meshes.h>
+
+#include <gtest/gtest.h>
+#include <osg/Geode>
+#include <osg/Image>
+#include <osgDB/Registry>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+using WriteResult = osgDB::ReaderWriter::WriteResult;
+
+/** Keeps what it is asked to write, and answers without writing. */
+class Recorder : public osgDB::WriteFileCallback
+{
+public:
+    WriteResult writeNode(const osg::Node& node, const std::string&, const osgDB::Options*) override
+    {
+        written = &node;
+        return answer;
+    }
+    WriteResult writeObject(const osg::Object& object, const std::string&, const osgDB::Options*) override
+    {
+        written = &object;
+        return answer;
+    }
+    WriteResult writeImage(const osg::Image& image, const std::string&, const osgDB::Options*) override
+    {
+        written = &image;
+        return answer;
+    }
+
+    osg::ref_ptr<const osg::Object> written;
+    WriteResult answer = WriteResult(WriteResult::FILE_NOT_HANDLED);
+};
+
+class BrickFileWriterTest : public ::testing::Test
+{
+protected:
+    void SetUp() override { _lego->addChild(createSphere(4)); }
+
+    osg::ref_ptr<LegoNode> _lego = new LegoNode;
+    osg::ref_ptr<Recorder> _next = new Recorder;
+    osg::ref_ptr<BrickFileWriter> _writer = new BrickFileWriter(_next);
+};
+
+TEST_F(BrickFileWriterTest, TheFirstNodeInstallsOneInTheRegistry)
+{
+    EXPECT_TRUE(dynamic_cast<BrickFileWriter*>(osgDB::Registry::instance()->getWriteFileCallback()));
+}
+
+TEST_F(BrickFileWriterTest, TheCallbackBehindGetsTheNodeForOsgsOwnFormatsAndBricksForOthers)
+{
+    for (const char* name : {"lego.osgt", "lego.OSGB", "lego.osgx", "lego.osgt.gz"})
+    {
+        _writer->writeNode(*_lego, name, nullptr);
+        EXPECT_EQ(_next->written, _lego) << name;
+        _writer->writeObject(*_lego, name, nullptr);
+        EXPECT_EQ(_next->written, _lego) << name;
+    }
+    for (const char* name : {"lego.obj", "lego.ive", "lego.osg", "lego.ive.gz", "lego.unknown", "lego"})
+    {
+        _writer->writeNode(*_lego, name, nullptr);
+        EXPECT_TRUE(dynamic_cast<const osg::Geode*>(_next->written.get())) << name;
+        _writer->writeObject(*_lego, name, nullptr);
+        EXPECT_TRUE(dynamic_cast<const osg::Geode*>(_next->written.get())) << name;
+    }
+}
+
+TEST_F(BrickFileWriterTest, WhatIsNoSceneIsHandedOn)
+{
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    _writer->writeImage(*image, "image.png", nullptr);
+    EXPECT_EQ(_next->written, image);
+    _next->written = nullptr;
+    _writer->writeObject(*image, "image.png", nullptr);
+    EXPECT_EQ(_next->written, image);
+}
+
+TEST_F(BrickFileWriterTest, AWriterThatReportsSuccessWithoutAFileIsAnError)
+{
+    _next->answer = WriteResult(WriteResult::FILE_SAVED);
+    const WriteResult result = _writer->writeNode(*_lego, "/none/lego.obj", nullptr);
+    EXPECT_FALSE(result.success());
+    EXPECT_NE(result.message().find("has written no file '/none/lego.obj'"), std::string::npos) << result.message();
+    EXPECT_TRUE(_writer->writeNode(*createSphere(4), "/none/sphere.obj", nullptr).success()) << "not our business";
+}
+
+} // namespace
+
+} // namespace osgLego::test
