@@ -1,7 +1,7 @@
 // Colours are kept as they are shown; light is computed in proportion to its power.
 
-// A screen is seen in a room darker than the scene, which takes contrast away: displays are made to give back 1.2 times as
-// much of it as the scene has (ITU-R BT.709 by BT.1886), and so their 2.2 becomes this.
+// A picture on a screen is seen in a dim room, where it looks flatter than the scene did. The 1.2 that television has from end
+// to end (ITU-R BT.709 shown by BT.1886) makes up for that.
 const float GAMMA = 2.2 / 1.2;
 
 vec3 toLight(vec3 color)

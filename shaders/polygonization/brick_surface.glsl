@@ -15,12 +15,12 @@ uniform float roughness;    // as perceived: the square root of the microfacets'
 uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
 uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
 
-const float EDGE_SLOPE = 0.9;   // where a rounded edge ends
-const float GAP_DARKNESS = 0.5; // of the light, what does not reach into the gap,
+const float EDGE_SLOPE = 0.9;    // where a rounded edge ends
+const float GAP_DARKNESS = 0.5;  // of the light, what does not reach into the gap,
 const float EDGE_DARKNESS = 0.5; // and into the groove that two rounded edges make, at its bottom
-const float TILT = 0.006;       // of faces that are never perfectly flat
+const float TILT = 0.006;        // of faces that are never perfectly flat
 const float SHADE = 0.04;
-const float TOWARDS_EYE = 0.35; // of what is smaller than a pixel; see mergeFaces()
+const float TOWARDS_EYE = 0.35;     // of what is smaller than a pixel; see mergeFaces()
 const float MERGED_OPENNESS = 0.85; // faces and studs that turn away from each other hide light from each other
 
 struct Surface
@@ -160,7 +160,7 @@ vec3 meanNormal(vec3 toEye)
 // what is seen of them is turned towards the eye.
 void mergeFaces(inout Surface surface, vec3 toEye, float wide)
 {
-    float share = clamp(2.0 * wide - 0.5, 0.0, 1.0);
+    float share = clamp(2.0 * wide - 0.75, 0.0, 1.0);
     if (share == 0.0 || !isOutside) return;
     vec3 mean = (meanNormal(toEye) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
     float agreement = min(length(mean), 1.0);

@@ -436,20 +436,24 @@ TEST(LightProbe, TinyPicturesAreEnough)
     expectNear(createProbe(one)->getIrradiance({0.0, 1.0, 0.0}), grey(1.0), 2e-3);
 }
 
-TEST(LightProbe, TheSkyIsSoftAndBright)
+TEST(LightProbe, TheSkyIsBrightAboveAndLightsNoTwoSidesAlike)
 {
     const osg::ref_ptr<LightProbe> probe = new LightProbe;
     const osg::Vec3d up = probe->getIrradiance({0.0, 0.0, 1.0});
+    const osg::Vec3d front = probe->getIrradiance({0.0, -1.0, 0.0});
+    const osg::Vec3d right = probe->getIrradiance({1.0, 0.0, 0.0});
+    const osg::Vec3d left = probe->getIrradiance({-1.0, 0.0, 0.0});
+    const osg::Vec3d back = probe->getIrradiance({0.0, 1.0, 0.0});
     const osg::Vec3d down = probe->getIrradiance({0.0, 0.0, -1.0});
-    osg::Vec3d sides;
-    for (const osg::Vec3d& side :
-         {osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0), osg::Vec3d(0, 1, 0), osg::Vec3d(0, -1, 0)})
-        sides += probe->getIrradiance(side) * 0.25;
-    expectNear(up, grey(0.75), 0.06, "up");
-    expectNear(sides, grey(0.45), 0.04, "sides");
-    expectNear(down, grey(0.22), 0.03, "down");
-    EXPECT_GT(up.z(), up.x());
-    EXPECT_GT(down.x(), down.z());
+    expectNear(up, grey(1.16), 0.06, "up");
+    expectNear(front, grey(0.59), 0.06, "front");
+    expectNear(down, grey(0.09), 0.03, "down");
+    EXPECT_GT(front.y(), 1.3 * right.y());
+    EXPECT_GT(right.y(), 1.3 * back.y());
+    EXPECT_GT(front.y(), 1.3 * left.y());
+    EXPECT_GT(left.y(), 1.05 * back.y());
+    EXPECT_GT(front.x(), front.z()) << "the glow is warm";
+    EXPECT_GT(back.z(), back.x()) << "the sky is blue";
 
     double brightest = 0.0;
     for (int row = 0; row < 128; ++row)
