@@ -43,7 +43,13 @@ public:
 class BrickFileWriterTest : public ::testing::Test
 {
 protected:
-    void SetUp() override { _lego->addChild(createSphere(4)); }
+    void SetUp() override
+    {
+        LegoSettings settings;
+        settings.resolution = 8;
+        _lego->setSettings(settings);
+        _lego->addChild(createSphere(4));
+    }
 
     osg::ref_ptr<LegoNode> _lego = new LegoNode;
     osg::ref_ptr<Recorder> _next = new Recorder;

@@ -1,3 +1,4 @@
+#include <osgLego/BrickDimensions.h>
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/BrickIntersection.h>
 
