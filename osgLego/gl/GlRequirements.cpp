@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& items)
     return result;
 }
 
-/** What draws in the current context: Mesa's and other systems' software renderers are known by their names. */
+/** The renderer of the current context. Software renderers, Mesa's and others, are recognised by their names. */
 Renderer findRenderer()
 {
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -81,7 +81,7 @@ std::string findMissing(const osg::GLExtensions& extensions)
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
-        return "a context of the compatibility profile is needed, not of the core profile" + here;
+        return "a context of the compatibility profile is needed, not the core profile" + here;
 
     for (const Limit& limit :
          {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", GlRequirements::TEXTURE_SIZE},
@@ -122,7 +122,7 @@ Renderer GlRequirements::getRenderer(unsigned int contextID)
 
 std::string GlRequirements::getMissingVersion(const osg::GLExtensions& extensions)
 {
-    // A little less, since both versions come out of text as floats.
+    // Both versions are parsed from text into floats, so they may be slightly too low.
     constexpr float SLACK = 0.01f;
     if (std::min(extensions.glVersion, extensions.glslLanguageVersion) > NEEDED_VERSION - SLACK) return {};
     std::ostringstream text;
