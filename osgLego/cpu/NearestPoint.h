@@ -16,7 +16,7 @@ namespace osgLego
  * edges. All four candidates are computed, since a branch between them would be mispredicted often and cost more.
  * Values that depend only on the triangle are precomputed, so that a point costs two scalar products and no division.
  *
- * shaders/voxelization/nearest_point.glsl is the counterpart on the GPU, and explains why it differs.
+ * shaders/voxelization/nearest_point.glsl does the same on the GPU, and explains why it uses another algorithm.
  *
  * Immutable; uses no GL. May be called from any thread.
  */
