@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** The shape of a cell: its height over its width. */
+/** The shape of a cell: width to depth to height. */
 enum class Proportions
 {
     CUBE,  //!< 1:1:1, the cell of the paper
@@ -23,11 +23,11 @@ enum class UpAxis
     Z  //!< OpenSceneGraph's own convention
 };
 
-/** Which samples of a triangle mark cells as covered. */
+/** The samples of a triangle that mark cells as covered. */
 enum class VoxelizationMethod
 {
     POINTS, //!< the vertices of the subdivided triangles, one point each (the paper, section III-B)
-    EXACT   //!< every cell whose box a triangle overlaps (Akenine-Moller's separating-axis test), no other
+    EXACT   //!< every cell whose box a triangle overlaps (Akenine-Moller's separating-axis test), and no other
 };
 
 /** The meaning of a texel in the voxelization's frame buffer object. */
@@ -122,7 +122,7 @@ struct OSGLEGO_EXPORT LegoSettings
     /** The edge limit in effect, in cells: `edgeLimit` if set, otherwise the method's default (points: 1, as in the
      * paper; exact: 2). */
     double getEdgeLimit() const;
-    /** The height of a cell over its width: 1, 1.2 or 0.4. */
+    /** The height of a cell, divided by its width: 1, 1.2 or 0.4. */
     double getCellHeight() const;
 
     /** Check these values.

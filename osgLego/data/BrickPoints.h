@@ -24,8 +24,7 @@ struct BrickPoints
     static constexpr int BLOCK_SIDE = 8; //!< the edge length of a block, in cells
 
     std::vector<BrickPoint> points;
-    /** None is empty. The same part of the grid may have two blocks: one of bricks with studs, one of bricks without.
-     */
+    /** None is empty. A part of the grid may have two blocks: one of bricks with studs, one of bricks without. */
     std::vector<BrickBlock> blocks;
 };
 

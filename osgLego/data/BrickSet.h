@@ -29,13 +29,12 @@ public:
     /** Create a set made on the CPU. Computes the points, and adds their number to the statistics.
      * @param revision the number of the source (LegoSource::revision). */
     BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics);
-    /** Create a set made on the GPU. @param makeModel called at most once, in the thread that first calls getModel().
-     */
+    /** Create a set made on the GPU. @param makeModel called at most once, by the first getModel(). */
     BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel);
 
     std::uint64_t getRevision() const { return _revision; }
     const BrickGrid& getGrid() const { return _grid; }
-    /** Whether the set holds its points, rather than a buffer on the GPU. */
+    /** Whether the points are in this set, rather than in a buffer on the GPU. */
     bool hasPoints() const { return _hasPoints; }
     /** The visible bricks, block by block; empty unless hasPoints(). */
     const BrickPoints& getPoints() const { return _points; }

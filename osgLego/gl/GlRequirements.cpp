@@ -77,7 +77,7 @@ std::string findMissing(const osg::GLExtensions& extensions)
 
     std::vector<std::string> missing;
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    const std::string here = std::string(" (here: ") + (version ? version : "none") + ")";
+    const std::string here = std::string(" (found: ") + (version ? version : "none") + ")";
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
@@ -93,7 +93,7 @@ std::string findMissing(const osg::GLExtensions& extensions)
         glGetIntegerv(limit.name, &value);
         if (value >= limit.needed) continue;
         std::ostringstream text;
-        text << limit.text << " of " << limit.needed << " (here: " << value << ")";
+        text << limit.text << " of " << limit.needed << " (found: " << value << ")";
         missing.push_back(text.str());
     }
     return missing.empty() ? std::string() : joined(missing) + " is needed" + here;
@@ -126,7 +126,7 @@ std::string GlRequirements::getMissingVersion(const osg::GLExtensions& extension
     constexpr float SLACK = 0.01f;
     if (std::min(extensions.glVersion, extensions.glslLanguageVersion) > NEEDED_VERSION - SLACK) return {};
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << "OpenGL 4.0 or later with GLSL 4.00 is needed (here: OpenGL "
+    text << std::fixed << std::setprecision(1) << "OpenGL 4.0 or later with GLSL 4.00 is needed (found: OpenGL "
          << extensions.glVersion << std::setprecision(2) << " with GLSL " << extensions.glslLanguageVersion << ")";
     return text.str();
 }

@@ -18,8 +18,7 @@
 namespace osgLego
 {
 
-/** The name of a uniform, as the ID that OSG gives it. Make it static to avoid looking the name up in every draw call.
- */
+/** The name of a uniform, as the ID that OSG gives it. Make it static to avoid a look-up in every draw call. */
 struct UniformName
 {
     UniformName(const char* name) : id(osg::Uniform::getNameID(name)) {}

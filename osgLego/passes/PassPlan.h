@@ -28,8 +28,7 @@ struct PassPlan
     /** Whether the passes of this plan can legolize a source. */
     bool fits(const LegoSource& source) const { return create(source) == *this; }
 
-    /** The reason why no passes can legolize a source, with the expected settings, in one sentence; empty if they can.
-     */
+    /** The reason why passes can't legolize a source, and the expected settings, in one sentence; empty if they can. */
     static std::string findObstacle(const LegoSource& source);
 
     bool operator==(const PassPlan&) const = default;

@@ -37,7 +37,7 @@ public:
     /** The width of a brick in the newest set, or of an expected brick while there is no set; in model units. */
     double getPitch() const;
 
-    /** The bricks of a context ID; empty at first. */
+    /** The bricks of a context ID; initially empty. */
     osg::ref_ptr<ContextBricks> getContext(unsigned int contextID) const;
 
     /** Release the GL objects of one context, or of all contexts if `state` is null. */
