@@ -53,7 +53,8 @@ struct SceneBatch
 class SceneTriangles : public osg::Referenced
 {
 public:
-    // OpenSceneGraph keeps bounding spheres in single precision and squares their radii, which must not overflow.
+    // OpenSceneGraph keeps bounding spheres in single precision and squares their radii, which must neither overflow
+    // nor underflow.
     static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, of either sign
     static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
 
