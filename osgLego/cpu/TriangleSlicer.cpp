@@ -228,7 +228,7 @@ private:
             goOn(polygon, _first[AXIS]);
             return;
         }
-        // The cells that an uncut triangle meets follow exactly from its corners; those of a cut polygon, from the cuts.
+        // The corners of an uncut triangle determine its cells exactly; the cells of a polygon depend on the cuts.
         Extent extent{_minimum[AXIS], _maximum[AXIS]};
         if (wasCutBefore<AXIS>())
         {

@@ -41,8 +41,8 @@ struct CellPart
  * The drawing shows such a polygon, seen along z; the cut created its side pq. The lowest end, p, is farther than
  * NEARNESS from every plane, so that a rounding error of about 1e-12 cells can't move it into another cell: the polygon
  * is certain to meet the cells from y = 2 on. Likewise, because of the highest end, q, it is certain to meet the cells
- * up to y = 5. If q were within NEARNESS of y = 4, this would be certain only if q were exact: a corner of the triangle,
- * or a point on an edge along which y is constant.
+ * up to y = 5. If q were within NEARNESS of y = 4, this would be certain only if q were exact: a corner of the
+ * triangle, or a point on an edge along which y is constant.
  *
  * The rounding error is about 1e-12 cells because differences of coordinates up to 4096 cells are exact in double
  * precision, so that a cut of one of the triangle's edges is within that distance of its true position; each further
