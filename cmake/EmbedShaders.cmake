@@ -1,6 +1,6 @@
-# As a module: osglego_embed_shaders(OUTPUT FUNCTION FOLDER FILE...) makes OUTPUT, a C++ source whose FUNCTION returns the
-# texts of the files by their paths below FOLDER, or by those below its parent where they lie elsewhere there.
-# As a script: cmake -D OUTPUT=... -D FUNCTION=... -D FOLDER=... -D "FILES=a|b" -P EmbedShaders.cmake does it.
+# As a module: osglego_embed_shaders(OUTPUT FUNCTION FOLDER FILE...) generates OUTPUT, a C++ source whose FUNCTION
+# returns the texts of the files by path. Paths are relative to FOLDER, or to its parent for files outside FOLDER.
+# As a script, to generate it: cmake -D OUTPUT=... -D FUNCTION=... -D FOLDER=... -D "FILES=a|b" -P EmbedShaders.cmake
 set(OSGLEGO_EMBED_SHADERS ${CMAKE_CURRENT_LIST_FILE})
 
 function(osglego_embed_shaders output function folder)

@@ -1,4 +1,4 @@
-# What every target of the project shares: the language, the warnings, the folders of the build tree.
+# Settings that all targets of the project share: the language, the warnings, the folders of the build tree.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -16,7 +16,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 
-# Installed programs, libraries and plugins find the library beside them, wherever the tree is moved to.
+# Installed programs, libraries and plugins find the library by a relative path, so that the tree can be moved.
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/..;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 
@@ -29,7 +29,7 @@ add_library(osgLegoOptions INTERFACE)
 target_compile_options(osgLegoOptions INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
     -Wzero-as-null-pointer-constant
-    # GCC 12 warns without reason where its own std::string is in a precompiled header (bugs 105329 and 105651).
+    # GCC 12 gives false warnings if its own std::string is in a precompiled header (bugs 105329 and 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow>
     $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
 if(OSGLEGO_SANITIZE)

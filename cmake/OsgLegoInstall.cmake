@@ -1,4 +1,4 @@
-# The library, its public headers, and a package that find_package(osgLego) finds.
+# Installs the library, its public headers, and the package for find_package(osgLego).
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
 
 install(TARGETS osgLego EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -1,5 +1,5 @@
-# Targets for OpenSceneGraph, whose own find module gives variables only: osgLego::OpenSceneGraph, which the library needs,
-# and osgLego::OpenSceneGraphViewer, which programs need besides. Used by the build and by the installed package alike.
+# Targets for OpenSceneGraph, whose own find module only sets variables: osgLego::OpenSceneGraph for the library, and
+# osgLego::OpenSceneGraphViewer for programs with a viewer. Used by both the build and the installed package.
 find_package(OpenSceneGraph 3.6 QUIET COMPONENTS osgViewer osgGA osgDB osgUtil)
 
 if(OPENSCENEGRAPH_FOUND AND NOT TARGET osgLego::OpenSceneGraph)

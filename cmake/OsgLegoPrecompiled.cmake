@@ -1,12 +1,12 @@
-# Precompiled headers, which halve the time of a build: one for libraries, one for programs, and one for tests; the last
-# two are compiled with -fPIE, as executables are. A source still includes all that it uses.
+# Precompiled headers, which halve the time of a build: one for libraries, one for programs, and one for tests. The last
+# two are compiled with -fPIE, like executables. Every source still includes all headers that it uses.
 
 set(OSGLEGO_PRECOMPILED_HEADERS
     <algorithm> <array> <cmath> <functional> <map> <memory> <mutex> <string> <utility> <vector>
     <glm/glm.hpp> <osg/Camera> <osg/Drawable> <osg/GLExtensions> <osg/Geode> <osg/Geometry> <osg/Group> <osg/Notify>
     <osg/Program> <osg/State> <osg/StateSet> <osg/Texture2D> <osg/Uniform> <osgUtil/CullVisitor>)
 
-# A target that only holds a precompiled header. osglego_add_precompiled(NAME TYPE HEADERS... [LINKS TARGET...])
+# Add a target that only provides a precompiled header. osglego_add_precompiled(NAME TYPE HEADERS... [LINKS TARGET...])
 function(osglego_add_precompiled name type)
     cmake_parse_arguments(PARSE_ARGV 2 PRECOMPILED "" "" "HEADERS;LINKS")
     set(source ${PROJECT_BINARY_DIR}/${name}.cpp)
@@ -23,12 +23,12 @@ endfunction()
 
 osglego_add_precompiled(osgLegoPrecompiledLibrary STATIC HEADERS ${OSGLEGO_PRECOMPILED_HEADERS})
 
-# Have a library of the project use the precompiled header.
+# Make a library of the project use the precompiled header.
 function(osglego_precompile target)
     target_precompile_headers(${target} REUSE_FROM osgLegoPrecompiledLibrary)
 endfunction()
 
-# Have a program, or objects that only programs are linked with, use the header that applications/ precompiles for these.
+# Make a program, or objects that are linked only into programs, use the header that applications/ precompiles for them.
 function(osglego_precompile_program target)
     target_compile_options(${target} PRIVATE -fPIE)
     target_precompile_headers(${target} REUSE_FROM osgLegoPrecompiledProgram)

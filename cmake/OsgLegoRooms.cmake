@@ -1,13 +1,13 @@
-# The library is made of rooms: folders of osgLego/ with one idea each, and a static library each. A room may include
-# headers of itself and of the rooms that it names here, and of those that these name; the target osgLegoIncludeOrder,
-# which every build runs, fails where a source, a header or a shader includes anything else.
+# The library is divided into rooms: folders of osgLego/ that implement one idea each and are built as static libraries.
+# A room may include its own headers, those of the rooms that it names here, and those of the rooms that these name. The
+# target osgLegoIncludeOrder, which every build runs, fails if a source, a header or a shader includes anything else.
 
 set_property(GLOBAL PROPERTY OSGLEGO_ROOMS "")
 
 # osglego_add_room(NAME [PUBLIC CLASS...] [USES ROOM...] [LINKS TARGET...])
-#   PUBLIC  the classes of the room whose headers are public; these stand in osgLego/ itself, all others in osgLego/NAME/
+#   PUBLIC  the classes of the room whose headers are public; their files are in osgLego/, all others in osgLego/NAME/
 #   USES    the rooms whose headers it may include
-#   LINKS   targets of other projects
+#   LINKS   targets of other projects to link
 function(osglego_add_room name)
     cmake_parse_arguments(PARSE_ARGV 1 ROOM "" "" "PUBLIC;USES;LINKS")
     set(folder ${PROJECT_SOURCE_DIR}/osgLego)
@@ -35,7 +35,7 @@ function(osglego_add_room name)
     set_property(GLOBAL PROPERTY OSGLEGO_ROOM_${name}_USES "${ROOM_USES}")
 endfunction()
 
-# Have every build check that rooms include nothing but what they may. Call it behind the last room.
+# Make every build check the includes of all rooms. Call it after the last room.
 function(osglego_check_include_order)
     get_property(rooms GLOBAL PROPERTY OSGLEGO_ROOMS)
     set(rules "")

@@ -1,4 +1,4 @@
-# Writes a header with the commit that a folder is at, at every build, and touches it only when that is another.
+# Writes a header with the current commit of a folder, in every build, but changes the file only if the commit differs.
 # Usage: cmake -D SOURCE=FOLDER -D OUTPUT=FILE -P WriteCommit.cmake
 execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY ${SOURCE}
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE result)

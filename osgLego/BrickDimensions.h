@@ -1,7 +1,7 @@
 // The proportions of a brick. C++ and GLSL both read this file (in a shader: #include "osgLego/BrickDimensions.h"), so
-// it holds nothing but constants, in the syntax that the two languages share.
+// it contains only constants, in syntax that both languages accept.
 //
-// Lengths are over the pitch, the width of a cell: 8 mm of a LEGO brick.
+// Lengths are relative to the pitch, the width of a cell. The pitch of a LEGO brick is 8 mm.
 //
 // Usage:
 //
@@ -21,10 +21,10 @@ using Real = double;
 
 constexpr Real STUD_RADIUS = 0.3;    // 4.8 mm across
 constexpr Real STUD_HEIGHT = 0.2125; // 1.7 mm
-constexpr int STUD_SIDES = 16;       // of the prism that stands for the cylinder
+constexpr int STUD_SIDES = 16;       // of the prism that approximates the cylinder
 
 constexpr Real EDGE = 0.045; // the width of a rounded edge, 0.36 mm
-constexpr Real GAP = 0.014;  // half the gap between two bricks, 0.1 mm, and the depth that light does not reach
+constexpr Real GAP = 0.014;  // half the gap between two bricks, 0.1 mm; also the depth that light does not reach
 
 #ifdef __cplusplus
 } // namespace osgLego::BrickDimensions

@@ -10,7 +10,7 @@ namespace osgLego
 namespace
 {
 
-// An extent of this little more than a whole number of cells is rounding, not another cell.
+// An extent that exceeds a whole number of cells by less than this is a rounding error and adds no cell.
 constexpr double EXTENT_TOLERANCE = 1e-6;
 
 int indexOfLongest(const glm::dvec3& extent, int upIndex)

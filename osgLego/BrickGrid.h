@@ -14,14 +14,15 @@
 namespace osgLego
 {
 
-/** The grid of cells that lies around a mesh: where each cell is, and how large.
+/** The grid of cells around a mesh: the position and the size of its cells.
  *
  * Cell (x, y, z) is the half-open box from `origin + (x, y, z) * cellSize` to `origin + (x+1, y+1, z+1) * cellSize`
- * in model units, the axes being those of the model. "Cell units" are model coordinates less `origin` over `cellSize`.
+ * in model units, along the axes of the model. A point in "cell units" is `(point - origin) / cellSize`.
  *
- * The longest side of the bounds has exactly `resolution` cells; of sides equally long, a horizontal one counts. What
- * the other two sides leave over is shared by both ends of a horizontal side, so that a symmetric mesh gets symmetric
- * bricks, and lies on top of the vertical one, so that the lowest bricks stand where the mesh stands.
+ * The longest side of the bounds has exactly `resolution` cells; if several sides are equally long, a horizontal one
+ * counts as the longest. The other two sides are rounded up to whole cells. A horizontal side shares the excess between
+ * both ends, so that a symmetric mesh gets symmetric bricks; the vertical side has it at the top, so that the lowest
+ * bricks stand where the mesh stands.
  *
  * Usage:
  *
@@ -34,27 +35,27 @@ struct OSGLEGO_EXPORT BrickGrid
 {
     glm::dvec3 origin{0.0};   //!< the corner of cell (0, 0, 0), in model units
     glm::dvec3 cellSize{1.0}; //!< the edges of a cell, in model units
-    glm::ivec3 dimensions{0}; //!< cells along each axis; zero in a grid around nothing
+    glm::ivec3 dimensions{0}; //!< cells along each axis; zero in an empty grid
     UpAxis upAxis = UpAxis::Z;
 
-    /** Lay a grid around `bounds` (model units, valid, finite, its longest side above 0).
-     * @return a grid of no cells when the bounds do not meet that. */
+    /** Fit a grid around `bounds`, in model units: expected valid, finite, and with a longest side above 0.
+     * @return an empty grid for any other bounds. */
     static BrickGrid fit(const osg::BoundingBoxd& bounds, const LegoSettings& settings);
 
     /** The index of the axis along which studs point: 1 or 2. */
     int getUpIndex() const { return upAxis == UpAxis::Y ? 1 : 2; }
     /** The width of a cell, in model units. */
     double getPitch() const { return cellSize.x; }
-    /** The height of a stud, in cells along the axis that it points along. */
+    /** The height of a stud, in cells along the up axis. */
     double getStudHeight() const { return BrickDimensions::STUD_HEIGHT * getPitch() / cellSize[getUpIndex()]; }
-    /** How many cells the grid has; up to 1024 * 1024 * 2560. */
+    /** The number of cells, at most 1024 * 1024 * 2560. */
     std::size_t getNumCells() const;
 
-    /** From model units to cell units. */
+    /** Convert a point from model units to cell units. */
     glm::dvec3 toCells(const osg::Vec3d& point) const;
     /** The transform from cell units to model units. */
     osg::Matrixd getCellsToModel() const;
-    /** Where the bricks of a mesh that reaches every side of the grid lie, studs included, in model units. */
+    /** The bounds of all bricks that the grid can hold, studs included, in model units; invalid for an empty grid. */
     osg::BoundingBoxd getBrickBounds() const;
 
     bool operator==(const BrickGrid&) const = default;

@@ -47,7 +47,7 @@ void BrickModel::findOpenSides()
     for (Brick& brick : _bricks)
         brick.openSides = SIDE_LEFT | SIDE_RIGHT | SIDE_FRONT | SIDE_BACK | SIDE_BOTTOM | SIDE_TOP;
 
-    // The bricks are sorted, so each one's upper neighbour along an axis only ever moves forward.
+    // The bricks are sorted, so the search for the upper neighbour of each only ever moves forward.
     for (int axis = 0; axis < 3; ++axis)
     {
         glm::ivec3 step(0);

@@ -15,7 +15,7 @@
 namespace osgLego
 {
 
-/** The six neighbours of a cell, as the bits that say which of them are empty. */
+/** The six sides of a cell, as bits; Brick::openSides has the bit of each side whose neighbour is empty. */
 enum BrickSide : std::uint8_t
 {
     SIDE_LEFT = 1,    //!< towards -x
@@ -26,7 +26,7 @@ enum BrickSide : std::uint8_t
     SIDE_TOP = 32     //!< towards +z
 };
 
-/** A covered cell: its place in the grid, its colour, and which of its neighbours are empty (BrickSide bits). */
+/** A covered cell: its position in the grid, its colour (red, green, blue), and its open sides (BrickSide bits). */
 struct Brick
 {
     std::array<std::uint16_t, 3> cell{};
@@ -38,31 +38,31 @@ struct Brick
     bool operator==(const Brick&) const = default;
 };
 
-/** The bricks of a mesh on the CPU: every covered cell of its grid, with or without an open side.
+/** The bricks of a mesh in main memory: every covered cell of its grid, visible or not.
  *
- * The bricks are sorted by their number in the grid, x + width * (y + depth * z), each cell once.
+ * Each covered cell occurs once. The bricks are sorted by the number of their cell, x + width * (y + depth * z).
  *
  * Usage:
  *
  *     osg::ref_ptr<const osgLego::BrickModel> model = osgLego::legolizeOnCpu(*node, settings);
  *     for (const osgLego::Brick& brick : model->getBricks()) ...
  *
- * Free of GL, immutable once created; every function may be called from any thread.
+ * Uses no GL. Immutable once created; every function may be called from any thread.
  */
 class OSGLEGO_EXPORT BrickModel : public osg::Referenced
 {
 public:
-    /** Take over covered cells, in any order, each once; their `openSides` are found here. */
+    /** Create a model from covered cells in any order, each given once. Computes their `openSides`. */
     static osg::ref_ptr<const BrickModel> create(const BrickGrid& grid, std::vector<Brick> bricks);
 
-    /** Take over covered cells that are sorted, each with its open sides. */
+    /** Create a model from covered cells that are already sorted and have their `openSides` set. */
     static osg::ref_ptr<const BrickModel> createComplete(const BrickGrid& grid, std::vector<Brick> bricks);
 
     const BrickGrid& getGrid() const { return _grid; }
     const std::vector<Brick>& getBricks() const { return _bricks; }
-    /** The bricks with at least one open side: those that are drawn. */
+    /** The number of bricks with at least one open side; only these are drawn. */
     std::size_t getNumVisible() const;
-    /** The brick in a cell, null when that is empty or outside the grid. */
+    /** The brick in a cell; null if the cell is empty or outside the grid. */
     const Brick* find(const glm::ivec3& cell) const;
 
 private:

@@ -18,7 +18,7 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
     if (scene->getNumTriangles() == 0)
     {
-        OSG_WARN << "osgLego: '" << node.getName() << "' shows no triangles to legolize" << std::endl;
+        OSG_WARN << "osgLego: '" << node.getName() << "' has no visible triangles to legolize" << std::endl;
         return nullptr;
     }
     return voxelizeOnCpu(*GridTriangles::create(*scene, settings));

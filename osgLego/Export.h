@@ -1,6 +1,6 @@
 #pragma once
 
-// Marks what the shared library osgLego shows to its users; everything else in it stays hidden.
+// Marks the symbols that the shared library osgLego exports; all others stay hidden.
 #if defined(_WIN32)
 #if defined(osgLego_EXPORTS)
 #define OSGLEGO_EXPORT __declspec(dllexport)

@@ -17,22 +17,24 @@ namespace osgLego
 
 class LegoPipeline;
 
-/** A group whose children are drawn as bricks in their place, made on the GPU and made anew when they change.
+/** A group that draws its children as bricks, in their place, and remakes the bricks when the children change.
  *
- * The children, the source, may be any subgraph (see SceneTriangles for what of it counts). They are updated and get
- * events as ever; what is drawn, picked and bounded is their bricks, studs included. In a context that can't make
- * bricks the source is drawn as it is, and a warning says what is missing.
+ * The children, called the source, may be any subgraph; SceneTriangles lists the parts of it that are used. They take
+ * part in update and event traversals as in any osg::Group, but their bricks, studs included, are drawn, picked and
+ * bounded instead. In a context that cannot draw bricks, the source itself is drawn, and a warning names the missing
+ * feature.
  *
  * Preconditions:
- * 1. A context needs OpenGL 4.0 or later, compatibility profile.
- * 2. The source is changed where OSG allows a scene to be changed: in the update traversal or between frames. Arrays
- *    that change are said so by `array->dirty()`, or belong to a geometry whose data variance is DYNAMIC; transforms,
- *    switches, materials and textures need nothing. For what escapes even so there is dirty().
- * 3. The scene is updated once a frame, as every osgViewer does. Without an update traversal only the first source,
- *    setSettings() and dirty() are noticed.
+ * 1. Contexts provide OpenGL 4.0 or later, compatibility profile.
+ * 2. The source changes only where OSG allows a scene to change: in the update traversal or between frames. A change of
+ *    an array is announced by `array->dirty()`, or the array belongs to a geometry whose data variance is DYNAMIC;
+ *    transforms, switches, materials and textures need no announcement. Call dirty() after a change that is not
+ *    detected even so.
+ * 3. The scene is updated once a frame, as in every osgViewer. Without an update traversal, only the first source,
+ *    setSettings() and dirty() take effect.
  * 4. Contexts that share GL objects are drawn in one thread (osgViewer::ViewerBase::SingleThreaded).
- * 5. As with every node, GL objects are released while the node is in the scene of a context that closes, or by
- *    releaseGLObjects() before, while no thread draws (osgViewer::ViewerBase::stopThreading()).
+ * 5. As for every node, GL objects are released while the node is in the scene of a context that closes, or earlier by
+ *    releaseGLObjects() while no thread draws (osgViewer::ViewerBase::stopThreading()).
  *
  * Usage:
  *
@@ -40,19 +42,22 @@ class LegoPipeline;
  *     lego->addChild(osgDB::readRefNodeFile("bunny.ply"));
  *     viewer.setSceneData(lego);
  *
- * Other node visitors than the update, event and cull visitors: those that traverse all children get the source and the
- * bricks, those that traverse active children the bricks alone. BrickIntersection tells which brick was picked.
+ * Node visitors other than the update, event and cull visitors see the bricks alone if they traverse active children,
+ * and both the source and the bricks if they traverse all children. BrickIntersection gives the brick that was picked.
  *
- * Written by osgDB, .osgt, .osgb and .osgx keep the node: its settings and the source. Other formats get the bricks as
- * osg::Geometry (see createBrickScene), by a WriteFileCallback that the first LegoNode puts into osgDB's registry, in
- * front of the one that is there. A program that sets one of its own later calls that in turn, or createBrickScene().
+ * In osgDB's native formats .osgt, .osgb and .osgx, the node is saved as its settings and its source. In other formats,
+ * the bricks are saved as osg::Geometry (see createBrickScene()), by a WriteFileCallback that the first LegoNode puts
+ * into osgDB's registry, in front of any existing one. A program that later sets a callback of its own calls the
+ * previous one in it, or createBrickScene().
  *
- * What else of the source draws, or acts while it is culled, does so only where the source is drawn as it is: lights
- * and clip planes below the node, cameras that render to textures, levels of paged detail that are not loaded yet.
- * State set above the node has no part in the bricks' colours. Since the source is looked at once a frame, a viewer
- * that runs on demand draws all the time, as it does with every node that has an update callback.
+ * Parts of the source that draw something other than triangles, or that act during culling, take effect only where the
+ * source itself is drawn: lights and clip planes below the node, cameras that render to textures, and paged levels of
+ * detail that are not loaded yet. State set above the node does not affect the colours of the bricks. Since the source
+ * is checked once a frame, a viewer that runs on demand draws all the time, as with every node that has an update
+ * callback.
  *
- * Functions may be called from the thread that updates the scene, those of the statistics and bricks from any.
+ * Functions may be called from the thread that updates the scene; those that return statistics or bricks, from any
+ * thread.
  */
 class OSGLEGO_EXPORT LegoNode : public osg::Group
 {
@@ -62,43 +67,43 @@ public:
     LegoNode(const LegoNode& node, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgLego, LegoNode)
 
-    /** Change the settings; the bricks are made anew in the next frame, unless only the look is another.
-     * @return false, with a warning and no change, when LegoSettings::check refuses them. */
+    /** Change the settings. The next frame remakes the bricks, unless only the look or the drawing differs.
+     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
     bool setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
 
-    /** Change how the bricks are made to look like bricks in the full look; nothing is legolized anew.
-     * @return false, with a warning and no change, when BrickAppearance::check refuses it. */
+    /** Change the appearance of bricks in the full look. The bricks are not remade.
+     * @return false, with a warning and no change, if BrickAppearance::check() reports an error. */
     bool setAppearance(const BrickAppearance& appearance);
     BrickAppearance getAppearance() const;
 
-    /** Change the light from all around in the full look; null: the built-in sky. Under an AmbientOcclusionScene the
-     * probe of that counts instead. The probe is copied: set it again after changing it. */
+    /** Set the ambient light of the full look; null selects the built-in sky. Below an AmbientOcclusionScene, the probe
+     * of that scene is used instead. The probe is copied: set it again after changing it. */
     void setLightProbe(const LightProbe* probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 
-    /** Make the bricks anew in the next frame, whether or not a change of the source can be seen. */
+    /** Remake the bricks in the next frame, even if no change of the source is detected. */
     void dirty();
 
-    /** Whether the source shows any triangle; without one there are no bricks. */
+    /** Whether the source has any visible triangles; without them there are no bricks. */
     bool hasTriangles() const;
 
-    /** Wait after each stage of a legolization, so that getStatistics() has its times. Off at first. */
+    /** Wait for each stage of a legolization to finish, so that getStatistics() has its time. Off by default. */
     void setTiming(bool timing);
     bool getTiming() const;
 
-    /** Wait, in the cull traversal, for bricks that are made on the CPU, so that each frame shows the source as it is.
-     * Off at first: the node goes on showing the bricks it has until the new ones are ready, and a newer change of the
-     * source takes the place of an older one that is still being worked on. The first bricks are waited for in any
-     * case, since there is nothing to show before. */
+    /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
+     * Off by default: the node keeps showing the previous bricks until the new ones are ready, and a newer change of
+     * the source cancels work on an older one. The first bricks are always waited for, since there is nothing else to
+     * show. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 
-    /** Called when bricks made on the CPU are ready to be shown from the next frame on; for viewers that run on demand,
-     * which must be asked for that frame.
+    /** Called when bricks made on the CPU are ready to be shown from the next frame on. Viewers that run on demand use
+     * it to request that frame.
      *
-     * Called by a thread of its own: ready() may do nothing but what is allowed from any thread, such as
-     * osgViewer::ViewerBase::requestRedraw(), and may not call the node. */
+     * A worker thread calls ready(), which may only do what any thread may do, such as
+     * osgViewer::ViewerBase::requestRedraw(), and must not call the node. */
     class OSGLEGO_EXPORT BricksCallback : public osg::Referenced
     {
     public:
@@ -107,35 +112,35 @@ public:
     protected:
         ~BricksCallback() override = default;
     };
-    /** Null: call nothing. */
+    /** Set the callback; null removes it. */
     void setBricksCallback(BricksCallback* callback);
     osg::ref_ptr<BricksCallback> getBricksCallback() const { return _bricksCallback; }
 
-    /** Bring all covered cells back from the GPU with each legolization, for getBricks(contextID). Off at first. */
+    /** Read all covered cells back from the GPU after each legolization, for getBricks(contextID). Off by default. */
     void setReadBack(bool readBack);
     bool getReadBack() const;
 
-    /** The bricks, made on the CPU when they are asked for and kept until the source changes; null without triangles.
+    /** The bricks, made on the CPU by the first call and kept until the source changes; null without triangles.
      *
-     * The cells are those of VoxelizationMethod::EXACT, whatever the settings say. Needs no GL context. */
+     * The cells are those of VoxelizationMethod::EXACT, regardless of the settings. Needs no GL context. */
     osg::ref_ptr<const BrickModel> getBricks() const;
 
-    /** Every covered cell as the GPU of a context found it; null when it has not yet, or setReadBack() is off. */
+    /** Every covered cell, as made for a context; null until its bricks are made, and while setReadBack() is off. */
     osg::ref_ptr<const BrickModel> getBricks(unsigned int contextID) const;
 
-    /** What the last legolization in a context went through. Waits for one that is going on, as do the two below. */
+    /** Statistics of the last legolization in a context. May wait for one in progress, as may getFailure(). */
     LegoStatistics getStatistics(unsigned int contextID) const;
 
-    /** Whether a context has the bricks of the source as it is now. */
+    /** Whether a context has the bricks of the current source. */
     bool isLegolized(unsigned int contextID) const;
 
-    /** Whether a context, which is current, has all that bricks are made and drawn with; see precondition 1. */
+    /** Whether the current context, that of `state`, can make and draw bricks; see precondition 1. */
     static bool isSupported(const osg::State& state);
     /** The first thing that a context, which is current, lacks to make bricks, in one sentence; empty when
      * isSupported(). */
     static std::string getMissing(const osg::State& state);
 
-    /** Why a context draws the source instead of bricks, in one sentence; empty when it does not. */
+    /** The reason, in one sentence, why a context draws the source instead of bricks; empty if it draws bricks. */
     std::string getFailure(unsigned int contextID) const;
 
     void traverse(osg::NodeVisitor& visitor) override;
@@ -154,7 +159,7 @@ private:
 
     osg::ref_ptr<LegoPipeline> _pipeline;
     osg::ref_ptr<BricksCallback> _bricksCallback;
-    mutable osg::BoundingSphere _sourceBound; // when the source was looked at last
+    mutable osg::BoundingSphere _sourceBound; // when the source was last checked
 };
 
 } // namespace osgLego

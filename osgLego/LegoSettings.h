@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** The shape of a cell: its height over its width. */
+/** The shape of a cell: width to depth to height. */
 enum class Proportions
 {
     CUBE,  //!< 1:1:1, the cell of the paper
@@ -23,47 +23,46 @@ enum class UpAxis
     Z  //!< OpenSceneGraph's own convention
 };
 
-/** Which samples of a triangle mark cells as covered. */
+/** The samples of a triangle that mark cells as covered. */
 enum class VoxelizationMethod
 {
     POINTS, //!< the vertices of the subdivided triangles, one point each (the paper, section III-B)
-    EXACT   //!< every cell whose box a triangle overlaps (Akenine-Moller's separating-axis test), no other
+    EXACT   //!< every cell whose box a triangle overlaps (Akenine-Moller's separating-axis test), and no other
 };
 
-/** What a texel of the voxelization's frame buffer object stands for. */
+/** The meaning of a texel in the voxelization's frame buffer object. */
 enum class VoxelizationTarget
 {
     PROJECTED, //!< a pixel of an orthographic picture of the mesh (the paper, Algorithms 3 and 4)
     ADDRESSED  //!< one cell of the grid (the paper's future work)
 };
 
-/** What finds the bricks. */
+/** The device that makes the bricks. */
 enum class Device
 {
-    AUTO, //!< the CPU where a software renderer draws and the method is EXACT, else the GPU
-    GPU,  //!< the passes of the method
-    CPU   //!< legolizeOnCpu, for EXACT alone
+    AUTO, //!< the CPU if OpenGL is a software renderer and the method is EXACT, otherwise the GPU
+    GPU,  //!< the GPU, with the passes of the method
+    CPU   //!< the CPU, as legolizeOnCpu() does; only for EXACT
 };
 
 /** How bricks are drawn. */
 enum class Look
 {
-    PLAIN, //!< smooth bricks by Phong's model, in the light of the scene's lights alone
-    FULL   //!< plastic with joints and relief (BrickAppearance), in the light of a probe besides (LightProbe)
+    PLAIN, //!< smooth bricks in Phong's lighting model, lit by the scene's lights alone
+    FULL   //!< plastic with joints and relief (BrickAppearance), also lit by a probe (LightProbe)
 };
 
-/** By which means bricks are drawn; the picture is the same. */
+/** The technique that draws bricks; the picture is the same. */
 enum class Drawing
 {
-    AUTO,      //!< splats where a software renderer draws, else triangles
-    TRIANGLES, //!< triangles out of a geometry shader
-    SPLATS     //!< points whose pixels cast rays; triangles where rays can't show the bricks, as when they are cut open
+    AUTO,      //!< splats if OpenGL is a software renderer, otherwise triangles
+    TRIANGLES, //!< triangles from a geometry shader
+    SPLATS     //!< points whose pixels cast rays; triangles if rays can't show the bricks, such as bricks cut open
 };
 
-/** Everything that decides which bricks stand for a mesh, and whether they look like bricks; and the one text form of
- * it.
+/** The settings that determine the bricks of a mesh and how they are drawn, and their text form.
  *
- * A plain value: copy it, change members, hand it to LegoNode::setSettings or legolizeOnCpu, which check it.
+ * A plain value: copy it, change members, and pass it to LegoNode::setSettings() or legolizeOnCpu(), which check it.
  *
  * The text form is a list of `key=value` separated by commas; a number alone is the resolution:
  *
@@ -105,42 +104,45 @@ struct OSGLEGO_EXPORT LegoSettings
     Proportions proportions = Proportions::CUBE;
     UpAxis upAxis = UpAxis::Z;
     VoxelizationMethod method = VoxelizationMethod::EXACT;
-    /** Unset: what getTarget() answers. */
+    /** Unset: the method's default; see getTarget(). */
     std::optional<VoxelizationTarget> target;
     /** Pixels along a side of a projected target, MINIMUM_FBO_SIZE to MAXIMUM_FBO_SIZE; other targets ignore it. */
     unsigned int fboSize = 1024;
-    /** The longest edge that subdivision leaves, in cells; unset: what getEdgeLimit() answers. */
+    /** The longest edge that subdivision leaves, in cells, MINIMUM_EDGE_LIMIT to MAXIMUM_EDGE_LIMIT; unset: the
+     * method's default, see getEdgeLimit(). */
     std::optional<double> edgeLimit;
-    /** Both find the same cells; colours may differ by what rounding does. */
+    /** Both devices find the same cells, except cells that a triangle merely grazes; colours may differ by rounding. */
     Device device = Device::AUTO;
-    // These two have no effect on which bricks there are.
+    // These two do not affect which cells become bricks.
     Look look = Look::FULL;
     Drawing drawing = Drawing::AUTO;
 
-    /** The target in force: `target`, or the method's own (points: projected, exact: addressed). */
+    /** The target in effect: `target` if set, otherwise the method's default (points: projected, exact: addressed). */
     VoxelizationTarget getTarget() const;
-    /** The edge limit in force, in cells: `edgeLimit`, or the method's own (points: 1, the paper's; exact: 2). */
+    /** The edge limit in effect, in cells: `edgeLimit` if set, otherwise the method's default (points: 1, as in the
+     * paper; exact: 2). */
     double getEdgeLimit() const;
-    /** The height of a cell over its width: 1, 1.2 or 0.4. */
+    /** The height of a cell, divided by its width: 1, 1.2 or 0.4. */
     double getCellHeight() const;
 
-    /** What is wrong with these values and what is allowed instead, in one sentence; empty when nothing is. */
+    /** Check these values.
+     * @return one sentence that names the first bad value and the expected values; empty if all values are good. */
     std::string check() const;
 
     /** Read the text form.
      *
-     * Keys that the text does not name keep the values that `settings` had.
-     * @return false, with one sentence in `error` and `settings` unchanged, on an unknown key, a bad value, a key
-     * given twice, or values that check() refuses together. */
+     * Keys that are not in the text keep the values that `settings` had.
+     * @return false, with one sentence in `error` and `settings` unchanged, for an unknown key, a bad value, a key
+     * given twice, or a combination of values that check() rejects. */
     static bool parse(const std::string& text, LegoSettings& settings, std::string& error);
 
-    /** Whether the text form has a key of that name. */
+    /** Whether the text form has a key of this name. */
     static bool isKey(const std::string& name);
 
-    /** The shortest text that parse() turns into these values, beginning with the resolution. */
+    /** The shortest text that parse() turns into these values; it begins with the resolution. */
     std::string toString() const;
 
-    /** Whether the same mesh gives the same bricks: equal in everything but the look and the drawing. */
+    /** Whether a mesh gets the same bricks from both settings: they are equal except for the look and the drawing. */
     bool givesSameBricks(const LegoSettings& other) const;
 
     bool operator==(const LegoSettings&) const = default;

@@ -22,7 +22,7 @@ namespace osgLego
 namespace
 {
 
-/** The order in which TriangleSlicer finds parts. */
+/** The order in which TriangleSlicer appends parts. */
 bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
 {
     return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
@@ -70,7 +70,7 @@ private:
             _sums.add(part.cell, static_cast<float>(part.area + PassConstants::LEAST_WEIGHT), *color++);
     }
 
-    /** Let the overlap test say which parts there are. */
+    /** Replace the parts by those whose cells pass the overlap test. */
     void decideParts(const GridVertex* corners)
     {
         const TriangleOverlap overlap(corners[0].position, corners[1].position, corners[2].position);
@@ -119,7 +119,7 @@ osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles)
 
 osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles)
 {
-    // A thread that waits here takes on none of the caller's tasks, which may want locks that it holds.
+    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
     return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles); });
 }
 

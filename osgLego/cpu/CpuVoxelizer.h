@@ -8,8 +8,8 @@
 namespace osgLego
 {
 
-/** The bricks of triangles that are in their grid already, as legolizeOnCpu() finds them; without triangles, a model
- * without bricks. May be called from any thread; works in all threads that oneTBB gives the caller. */
+/** Make the bricks of triangles that are already in their grid, as legolizeOnCpu() does; a model without bricks if
+ * there are no triangles. May be called from any thread; uses all threads that oneTBB gives the caller. */
 osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles);
 
 } // namespace osgLego

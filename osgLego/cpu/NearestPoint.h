@@ -10,15 +10,15 @@
 namespace osgLego
 {
 
-/** Finds the points of a triangle that are nearest to others, four at a time.
+/** Finds the point of a triangle that is nearest to a given point, for four points at a time.
  *
- * The nearest point of its plane, if that is inside of the triangle; else the nearest of those of its edges. All four
- * are computed, since a branch on which of them it is can't be predicted and costs more. What depends on the triangle
- * alone is kept, so that a point costs two scalar products and no division.
+ * It is the nearest point of the triangle's plane if that is inside the triangle, otherwise the nearest point of its
+ * edges. All four candidates are computed, since a branch between them would be mispredicted often and cost more.
+ * Values that depend only on the triangle are precomputed, so that a point costs two scalar products and no division.
  *
- * shaders/voxelization/nearest_point.glsl does the same on the GPU, and says why by another algorithm.
+ * shaders/voxelization/nearest_point.glsl does the same on the GPU, and explains why it uses another algorithm.
  *
- * Immutable, free of GL; may be called from any thread.
+ * Immutable; uses no GL. May be called from any thread.
  */
 class NearestPoint
 {
@@ -26,7 +26,7 @@ public:
     static constexpr std::size_t NUM_LANES = 4;
     using Lanes = std::experimental::fixed_size_simd<double, NUM_LANES>;
 
-    /** Barycentric coordinates of points, of the second and the third corner; the rest to one is that of the first. */
+    /** Barycentric coordinates of points for the second and third corner; that for the first is 1 - b - c. */
     struct Shares
     {
         Lanes b;
@@ -43,7 +43,7 @@ public:
     {
     }
 
-    /** The points nearest to those at x, y, z. */
+    /** The points nearest to the points (x, y, z). */
     Shares find(const Lanes& x, const Lanes& y, const Lanes& z) const
     {
         const Lanes px = x - _corner.x;
@@ -52,7 +52,7 @@ public:
         const Lanes ab = _ab.x * px + _ab.y * py + _ab.z * pz;
         const Lanes ac = _ac.x * px + _ac.y * py + _ac.z * pz;
 
-        // Along each edge, from its first corner to its second; distances squared, less that of corner a.
+        // The nearest point on each edge, as a fraction of its length, and its squared distance minus that of corner a.
         const Lanes alongAb = clamped(ab * _perAb);
         const Lanes alongAc = clamped(ac * _perAc);
         const Lanes alongBc = clamped((ac - ab + (_abab - _abac)) * _perBc);
@@ -88,7 +88,7 @@ private:
 
     double inverseArea() const
     {
-        // Of a sliver narrower than this an edge is as near, and its area has no digits left.
+        // In a sliver narrower than this, an edge is as near, and rounding errors dominate the area.
         constexpr double NARROWEST = 1e-12;
         const double area = _abab * _acac - _abac * _abac;
         return area > NARROWEST * _abab * _acac ? 1.0 / area : 0.0;

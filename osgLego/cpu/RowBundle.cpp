@@ -13,7 +13,7 @@ namespace osgLego
 namespace
 {
 
-/** Looks into all bundles of a grid, row by row. */
+/** Reads the occupancy of all bundles of a grid, row by row. */
 class RowOccupancy
 {
 public:
@@ -28,7 +28,7 @@ public:
         return _bundles[static_cast<std::size_t>(y / RowBundle::SIDE + _numBundles * (z / RowBundle::SIDE))];
     }
 
-    /** The words of a row; zeros outside of the grid. */
+    /** The words of a row; zeros outside the grid. */
     const std::uint64_t* getRow(int y, int z) const
     {
         if (y < 0 || z < 0 || y >= _dimensions.y || z >= _dimensions.z) return _nothing.data();
@@ -46,7 +46,7 @@ private:
     std::vector<std::uint64_t> _nothing;
 };
 
-/** Copy the bricks of a row, and find their open sides. */
+/** Copy the bricks of a row, and compute their open sides. */
 void joinRow(const RowOccupancy& occupancy, int y, int z, const Brick* from, Brick* to)
 {
     const std::uint64_t* here = occupancy.getRow(y, z);

@@ -14,7 +14,7 @@
 namespace osgLego
 {
 
-/** The covered cells of a bundle of rows: SIDE x SIDE rows of cells along x, side by side in y and z.
+/** The covered cells of a bundle of rows: SIDE x SIDE rows of cells along x, adjacent in y and z.
  *
  * Rows are numbered from 0, y first. */
 struct RowBundle
@@ -23,28 +23,28 @@ struct RowBundle
     static constexpr std::size_t NUM_ROWS = SIDE * SIDE;
     static constexpr int WORD_BITS = 64;
 
-    std::vector<Brick> bricks;                      //!< row by row, each by rising x; openSides are not known yet
-    std::vector<std::uint64_t> occupancy;           //!< a bit a cell, the rows one after the other; empty: no bricks
-    std::array<std::uint32_t, NUM_ROWS + 1> begins; //!< the first brick of each row, and the number of all
+    std::vector<Brick> bricks;                      //!< row by row, each sorted by x; openSides are not set yet
+    std::vector<std::uint64_t> occupancy;           //!< one bit per cell, row by row; empty if there are no bricks
+    std::array<std::uint32_t, NUM_ROWS + 1> begins; //!< the first brick of each row, then the number of all
 
     static std::size_t rowOf(int y, int z)
     {
         return static_cast<unsigned int>(y) % SIDE + SIDE * (static_cast<unsigned int>(z) % SIDE);
     }
-    /** How many words of occupancy a row of so many cells has. */
+    /** The number of occupancy words in a row of `width` cells. */
     static std::size_t numWords(int width) { return static_cast<std::size_t>((width + WORD_BITS - 1) / WORD_BITS); }
 };
 
-/** Adds up what triangles say of the colours of the cells of one bundle; used again for the next.
+/** Sums the weighted colours that triangles contribute to the cells of one bundle. Reusable for the next bundle.
  *
- * One thread. */
+ * One thread at a time. */
 class RowBundleSums
 {
 public:
     /** @param width cells along x. */
     explicit RowBundleSums(int width);
 
-    /** Add a colour, 0 to 1 a channel, to a cell of the bundle. @param weight above 0. */
+    /** Add a colour, 0 to 1 per channel, to a cell of the bundle. @param weight above 0. */
     void add(const glm::ivec3& cell, float weight, const glm::vec3& color)
     {
         const std::size_t row = RowBundle::rowOf(cell.y, cell.z);
@@ -53,12 +53,12 @@ public:
         const std::uint64_t bit = std::uint64_t(1) << x % RowBundle::WORD_BITS;
         glm::vec4& sum = _sums[row * _width + x];
         const glm::vec4 addend(weight * color, weight);
-        // What a sum was in the bundle before is not cleared away, but overwritten.
+        // Sums of the previous bundle are overwritten rather than cleared.
         sum = (word & bit) != 0 ? sum + addend : addend;
         word |= bit;
     }
 
-    /** Take the bricks out, and forget them here. @param firstRow y and z of the bundle's first row. */
+    /** Return the bricks, and start again without any. @param firstRow y and z of the bundle's first row. */
     RowBundle take(const glm::ivec2& firstRow);
 
 private:
@@ -70,8 +70,8 @@ private:
     std::vector<std::uint64_t> _occupancy;
 };
 
-/** The bricks of all bundles of a grid, each knowing which of its sides are open, sorted as in a BrickModel.
- * @param bundles along y first, then z, SIDE rows each. */
+/** The bricks of all bundles of a grid, with their open sides, sorted as in a BrickModel.
+ * @param bundles ordered along y first, then z; SIDE rows each. */
 std::vector<Brick> joinBundles(const std::vector<RowBundle>& bundles, const glm::ivec3& dimensions);
 
 } // namespace osgLego

@@ -14,14 +14,14 @@ namespace osgLego
 namespace
 {
 
-// Triangles that one thread sorts at a time.
+// The number of triangles that a thread sorts at a time.
 constexpr std::size_t CHUNK = 16384;
-// In cells: rather one bundle too many than one too few.
+// In cells. It makes up for rounding: a bundle too many costs little, but a bundle too few loses bricks.
 constexpr float GENEROSITY = 1e-2f;
 constexpr std::uint32_t NO_BUNDLE = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t SEVERAL_BUNDLES = NO_BUNDLE - 1;
 
-/** Places along an axis. */
+/** An interval on an axis. */
 struct Range
 {
     float lowest = std::numeric_limits<float>::max();
@@ -39,7 +39,7 @@ int bundleOf(float place, int last)
     return std::clamp(static_cast<int>(place) / RowBundle::SIDE, 0, last);
 }
 
-/** How far in y a triangle reaches between two layers. */
+/** The range of y that a triangle covers between two values of z. */
 Range reachBetween(const GridVertex* corners, float from, float to)
 {
     Range reach;
@@ -54,7 +54,7 @@ Range reachBetween(const GridVertex* corners, float from, float to)
     return reach;
 }
 
-/** Call `use` with the place of every bundle that a triangle may reach into. */
+/** Call `use` with the number of every bundle that a triangle may reach into. */
 template <typename Use>
 void forEachBundle(const GridVertex* corners, const glm::ivec2& size, const Use& use)
 {
@@ -71,7 +71,7 @@ void forEachBundle(const GridVertex* corners, const glm::ivec2& size, const Use&
     const bool isSmall = firstZ == lastZ || bundleOf(y.lowest, last.x) == bundleOf(y.highest, last.x);
     for (int bundle = firstZ; bundle <= lastZ; ++bundle)
     {
-        // A long triangle reaches into few of the bundles around it.
+        // A long triangle reaches into only a few of the bundles in its bounds.
         const auto layer = static_cast<float>(bundle * RowBundle::SIDE);
         const Range reach =
             isSmall ? y : reachBetween(corners, layer - GENEROSITY, layer + RowBundle::SIDE + GENEROSITY);
@@ -82,7 +82,7 @@ void forEachBundle(const GridVertex* corners, const glm::ivec2& size, const Use&
     }
 }
 
-/** Triangles of one batch that follow each other. */
+/** Consecutive triangles of one batch. */
 struct Chunk
 {
     const GridVertex* vertices;
@@ -115,10 +115,10 @@ TriangleBins::TriangleBins(const GridTriangles& triangles)
     const std::vector<Chunk> chunks = cutIntoChunks(triangles);
     const std::size_t numBundles = getNumBundles();
 
-    // A counting sort: of every chunk how many triangles go into each bundle, then where its first goes, then where
-    // they all go. So the order of the triangles stays.
+    // A counting sort, which keeps the order of the triangles: count the triangles of each chunk in each bundle, turn
+    // the counts into positions, then place the triangles.
     std::vector<std::vector<std::size_t>> places(chunks.size(), std::vector<std::size_t>(numBundles));
-    // Most triangles go into one bundle, and need not be looked at again.
+    // Most triangles reach into one bundle only, which need not be determined twice.
     std::vector<std::uint32_t> onlyBundles(triangles.getNumTriangles());
     const auto countChunk = [&](std::size_t chunk)
     {

@@ -12,16 +12,17 @@
 namespace osgLego
 {
 
-/** Which triangles may reach into each bundle of rows (RowBundle), so that every bundle can be worked on by itself.
+/** Lists the triangles that may reach into each bundle of rows (RowBundle), so that bundles can be processed
+ * independently.
  *
- * Triangles are numbered through all batches; those of a bundle come in that order. Immutable once made; may be read
- * from any thread. */
+ * Triangles are numbered consecutively through all batches; each list is in that order. Immutable once created; may be
+ * read from any thread. */
 class TriangleBins
 {
 public:
     explicit TriangleBins(const GridTriangles& triangles);
 
-    /** How many bundles there are along y and z. */
+    /** The number of bundles along y and z. */
     const glm::ivec2& getSize() const { return _size; }
     std::size_t getNumBundles() const { return static_cast<std::size_t>(_size.x) * static_cast<std::size_t>(_size.y); }
     /** @param bundle its number, along y first. */

@@ -29,7 +29,7 @@ glm::dvec3 joined(const glm::dvec3& color, const glm::dvec4& texel, TextureEnvir
 
 bool haveSameColor(const GridVertex& a, const GridVertex& b)
 {
-    // The upper half of the second word is the level of the texture.
+    // The upper half of the second word is the texture level.
     constexpr std::uint32_t BLUE = 0xffff;
     return a.colorAndLevel[0] == b.colorAndLevel[0] && ((a.colorAndLevel[1] ^ b.colorAndLevel[1]) & BLUE) == 0;
 }
@@ -56,7 +56,7 @@ void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors
     }
     for (std::size_t first = 0; first < parts.size(); first += NearestPoint::NUM_LANES)
     {
-        // Lanes without a part repeat the last one.
+        // Spare lanes repeat the last part.
         const auto middleOf = [&](int axis)
         {
             return NearestPoint::Lanes([&](std::size_t lane)

@@ -12,12 +12,13 @@
 namespace osgLego
 {
 
-/** The colour that a triangle gives to the cells that it covers: that of its point nearest to the middle of the cell.
+/** The colour that a triangle contributes to each cell that it covers: the colour of its point nearest to the centre of
+ * the cell.
  *
  * Preconditions:
- * 1. The batch outlives this.
+ * 1. The batch and its vertices outlive this object.
  *
- * Immutable, free of GL; every function may be called from any thread.
+ * Immutable; uses no GL. Every function may be called from any thread.
  */
 class TriangleColor
 {
@@ -25,7 +26,7 @@ public:
     /** @param corners the first of three vertices of the batch. */
     TriangleColor(const GridBatch& batch, const GridVertex* corners);
 
-    /** The colours for the cells of some parts, 0 to 1 a channel. @param colors as many as there are parts. */
+    /** Compute the colours for the cells of some parts, 0 to 1 per channel. @param colors has an element per part. */
     void getColors(std::span<const CellPart> parts, glm::vec3* colors) const;
 
 private:
@@ -35,7 +36,7 @@ private:
     const GridVertex* _vertices;
     NearestPoint _nearestPoint;
     std::array<glm::vec3, 3> _colors;
-    bool _isEven; // the same all over, whatever the point
+    bool _isEven; // the same colour at every point
 };
 
 } // namespace osgLego

@@ -13,11 +13,11 @@ namespace osgLego
 namespace
 {
 
-// Up to this many candidate cells are tried one by one, more are halved first.
+// A box of up to this many cells is tested cell by cell; a larger one is halved first.
 constexpr int DIRECT_CANDIDATES = 27;
-// In cells; boxes of many cells are judged generously, their cells exactly.
+// In cells. It makes the test of a box of several cells conservative; single cells are tested exactly.
 constexpr double GENEROSITY = 1e-9;
-// An axis this short comes from a sliver or an edge along an axis, and tells nothing.
+// A shorter axis comes from a sliver, or from an edge along an axis, and separates nothing.
 constexpr double SHORTEST_AXIS = 1e-9;
 
 } // namespace

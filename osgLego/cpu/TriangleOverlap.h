@@ -8,18 +8,20 @@
 namespace osgLego
 {
 
-/** Which cells of the unit grid a triangle overlaps, and how: the ground truth of voxelization, in double precision.
+/** Determines the cells of the unit grid that a triangle overlaps: the ground truth of voxelization, in double
+ * precision.
  *
- * A cell is half-open: it holds its three lower faces and not its three upper ones, so that a surface on the boundary
- * of two cells belongs to one of them. The test is Akenine-Moller's (Fast 3D Triangle-Box Overlap Testing, 2001) on
- * thirteen axes; a touch at the end of an axis counts only where the cell's own corner there counts.
+ * A cell is half-open: its three lower faces belong to it and its three upper faces do not, so that a surface on the
+ * boundary between two cells belongs to one of them. The test is Akenine-Moller's (Fast 3D Triangle-Box Overlap
+ * Testing, 2001) on thirteen axes. Where the projections of triangle and cell on an axis merely touch, they overlap
+ * only if the cell's corner there belongs to the cell.
  *
  * Usage:
  *
  *     const osgLego::TriangleOverlap overlap(a, b, c);
  *     overlap.findCells(grid.dimensions, cells);
  *
- * Immutable, free of GL; every function may be called from any thread.
+ * Immutable; uses no GL. Every function may be called from any thread.
  */
 class TriangleOverlap
 {
@@ -30,18 +32,18 @@ public:
     /** Whether the triangle and the cell have a point in common. */
     bool overlaps(const glm::ivec3& cell) const;
 
-    /** How far, in cells, the triangle would have to move to stop overlapping the cell; if it does not overlap it,
-     * how far, as a negative number, to begin (a lower bound of that distance). */
+    /** The distance, in cells, by which the triangle would have to move to stop overlapping the cell. If it does not
+     * overlap the cell: minus a lower bound of the distance between them. */
     double getMargin(const glm::ivec3& cell) const;
 
-    /** Append every overlapped cell from (0, 0, 0) to below `dimensions`; each once, in an order that depends on the
-     * triangle alone. */
+    /** Append every overlapped cell from (0, 0, 0) to `dimensions`, exclusive; each once, in an order that depends only
+     * on the triangle. */
     void findCells(const glm::ivec3& dimensions, std::vector<glm::ivec3>& cells) const;
-    /** The same for the cells from `minimum` to `maximum`, both included. */
+    /** The same for the cells from `minimum` to `maximum`, both inclusive. */
     void findCells(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<glm::ivec3>& cells) const;
 
 private:
-    // The triangle's normal, and each edge crossed with each axis; the three faces' axes are the bounds.
+    // The triangle's normal, and the cross product of each edge with each axis. The bounds test the three face normals.
     static constexpr int NUM_AXES = 10;
 
     struct Axis
@@ -51,7 +53,7 @@ private:
         double triangleMaximum = 0.0;
         double cellMinimum = 0.0; // of the cell at the origin
         double cellMaximum = 0.0;
-        bool minimumIsOpen = false; // the cell ends there in a corner that is not its own
+        bool minimumIsOpen = false; // the corner of the cell there does not belong to the cell
         bool maximumIsOpen = false;
     };
 

@@ -14,10 +14,10 @@ namespace osgLego
 namespace
 {
 
-// A line that goes less far than this along y, for each cell along x, is nearly parallel to x.
+// A line that advances less than this along y, per cell along x, is nearly parallel to x.
 constexpr double LEAST_SLOPE = 1e-4;
 
-/** A convex polygon: a triangle, with one more corner at most for each of the six planes that it is cut by. */
+/** A convex polygon: a triangle cut by up to six planes, each of which adds at most one corner. */
 struct Polygon
 {
     std::size_t count = 0;
@@ -26,7 +26,7 @@ struct Polygon
     void add(const glm::dvec3& corner) { corners[count++] = corner; }
 };
 
-/** Cut a polygon in two: what is below a plane, and what is on it and above. */
+/** Cut a polygon in two: the part below a plane, and the part on or above it. */
 template <int AXIS>
 void split(const Polygon& whole, double plane, Polygon& below, Polygon& above)
 {
@@ -51,7 +51,7 @@ void split(const Polygon& whole, double plane, Polygon& below, Polygon& above)
     }
 }
 
-/** Whether a place on an axis is so far from the planes between cells that no rounding moves it across one. */
+/** Whether a position on an axis is so far from the planes between cells that rounding can't move it across one. */
 bool isAwayFromPlanes(double place)
 {
     const double fraction = place - static_cast<double>(static_cast<int>(place));
@@ -76,7 +76,7 @@ Extent extentOf(const Polygon& polygon)
     return extent;
 }
 
-/** Call `use` with every part of a polygon between planes along an axis, and the number of its cells there. */
+/** Cut a polygon by the planes across an axis. Call `use` with every part and the coordinate of its cells. */
 template <int AXIS, typename Use>
 void forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int maximum, const Use& use)
 {
@@ -124,14 +124,14 @@ double projectedArea(const Polygon& polygon, std::size_t axis)
     return std::abs(sum);
 }
 
-/** Whether a line, by how far it goes along x and y, is nearly parallel to x without being so: where it meets a plane
- * across y, a small error in y is a large one in x. */
+/** Whether a line with direction (x, y) is nearly, but not exactly, parallel to x: at its intersection with a plane
+ * across y, a small error in y is a large error in x. */
 bool isNearlyAlongX(double x, double y)
 {
     return y != 0.0 && std::abs(y) < LEAST_SLOPE * std::abs(x);
 }
 
-/** How much of a triangle is below a plane, as a fraction of its area, from the places of its corners. */
+/** The fraction of a triangle's area that is below a plane, given the positions of its corners along the normal. */
 class FractionBelow
 {
 public:
@@ -157,7 +157,7 @@ private:
 
 } // namespace
 
-/** Cuts one triangle that lies across several rows of cells, along the planes across z first, then y, then x. */
+/** Cuts one triangle that spans several rows of cells, by the planes across z first, then y, then x. */
 class TriangleSlicer::Cutter
 {
 public:
@@ -175,7 +175,7 @@ public:
         _areCellsKnown = length2 > 0.0 && !(glm::all(_isCut) && mayMagnifyErrors(normal));
     }
 
-    /** @return whether it is known that the parts' cells are those of the triangle. */
+    /** @return whether the cells of the parts are certain to be those that the triangle overlaps. */
     bool cut(const glm::ivec3& minimum, const glm::ivec3& maximum)
     {
         Polygon triangle;
@@ -190,17 +190,17 @@ private:
     {
         _axis = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
         _areaOfProjected = 0.5 * length / normal[static_cast<int>(_axis)];
-        // Nearly as good for areas, and shows how far along x something lies.
+        // A projection that keeps x is nearly as accurate for areas.
         constexpr double STEEPEST = 1e-3;
         _axisAcrossX = normal.y >= normal.z ? 1 : 2;
         const double size = normal[static_cast<int>(_axisAcrossX)];
         if (size > STEEPEST * length) _areaOfProjectedAcrossX = length / size;
     }
 
-    /** Whether a cut across y may turn an error in y, which a cut across z has left, into a larger one in x. */
+    /** Whether a cut across y may turn an error in y, caused by a cut across z, into a larger error in x. */
     bool mayMagnifyErrors(const glm::dvec3& normal) const
     {
-        // The sides that cuts across z make run across the normal.
+        // Cuts across z create sides perpendicular to the normal.
         if (isNearlyAlongX(normal.y, normal.x)) return true;
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
@@ -210,7 +210,8 @@ private:
         return false;
     }
 
-    /** Cut what lies in one cell of the axes after AXIS, which were cut before. @param cell its place along those. */
+    /** Cut a polygon across AXIS and the axes before it; those after AXIS have been cut already.
+     * @param cell the cell of the polygon along the axes after AXIS. */
     template <int AXIS>
     void cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
     {
@@ -227,7 +228,7 @@ private:
             goOn(polygon, _first[AXIS]);
             return;
         }
-        // The corners say exactly which cells an uncut triangle meets; those of a polygon follow from the cuts.
+        // The corners of an uncut triangle determine its cells exactly; the cells of a polygon depend on the cuts.
         Extent extent{_minimum[AXIS], _maximum[AXIS]};
         if (wasCutBefore<AXIS>())
         {
@@ -241,8 +242,8 @@ private:
             forEachPart<AXIS>(polygon, extent, minimum[AXIS], maximum[AXIS], goOn);
     }
 
-    /** Add the parts of what lies in one row of cells along x, without cutting: the area of each is the sum of what is
-     * below the polygon's edges in that cell, in the projection across x. */
+    /** Add the parts of a polygon in one row of cells along x, without cutting it: the area of each part is the sum of
+     * the areas below the polygon's edges in that cell, in a projection that keeps x. */
     void addParts(const Polygon& polygon, const Extent& extent, int minimum, int maximum, glm::ivec3 cell)
     {
         const int first = std::max(static_cast<int>(extent.lowest), minimum);
@@ -277,7 +278,8 @@ private:
         return parts;
     }
 
-    /** Call `add` with the signed area below every piece of an edge, and the number of the cell that it lies in. */
+    /** Call `add` with the x coordinate of each cell that an edge passes through, and the signed area below the edge
+     * there. */
     template <typename Add>
     static void addBelowEdge(glm::dvec2 from, const glm::dvec2& to, const Add& add)
     {
@@ -304,15 +306,15 @@ private:
         return (AXIS < 2 && _isCut.z) || (AXIS < 1 && _isCut.y);
     }
 
-    /** Whether rounding has no say in which cell along an axis the end of a polygon lies that was cut before. */
+    /** Whether rounding can't change the cell, along an axis, that contains the end of a cut polygon. */
     template <int AXIS>
     bool isCellOfEndKnown(const Polygon& polygon, double end, bool isHighest) const
     {
         return isAwayFromPlanes(end) || endsAtCorner<AXIS>(polygon, end, isHighest);
     }
 
-    /** Whether a polygon ends exactly where a corner of the triangle does: at that corner, or at an edge across the
-     * axis, along which a cut leaves the place on the axis as it is. */
+    /** Whether a polygon ends exactly at a corner of the triangle, or at an edge perpendicular to the axis: a cut of
+     * such an edge does not change its position on the axis. */
     template <int AXIS>
     bool endsAtCorner(const Polygon& polygon, double end, bool isHighest) const
     {
@@ -325,16 +327,17 @@ private:
         {
             const glm::dvec3& corner = polygon.corners[number];
             if (std::abs(corner[AXIS] - end) > NEARNESS) continue;
-            // Where a cut meets another plane too, rounding may have put it on the other side of that.
+            // If a cut also meets another plane, rounding may have moved the corner to the other side of that plane.
             if (corner[AXIS] != end || countPlanesNear<AXIS>(corner) > 1) return false;
             sum += corner;
             count += 1.0;
         }
-        // A cell does not hold its upper faces: what ends on one of them alone does not reach its end inside the cell.
+        // Upper faces do not belong to a cell: a polygon that only reaches its end on one of them does not reach it
+        // inside the cell.
         return !isHighest || countPlanesNear<AXIS>(sum / count) == 0;
     }
 
-    /** Along how many of the axes after AXIS a place is near a plane between cells. */
+    /** The number of axes after AXIS along which a point is near a plane between cells. */
     template <int AXIS>
     static int countPlanesNear(const glm::dvec3& place)
     {
@@ -350,10 +353,10 @@ private:
     const glm::ivec3& _first; // the cell of `_minimum`
     glm::bvec3 _isCut;
     std::vector<CellPart>& _parts;
-    std::size_t _axis = 0;                // along which the triangle's projection is largest
-    double _areaOfProjected = 0.0;        // half the area over that of the projection
-    std::size_t _axisAcrossX = 0;         // the same of the axes but x
-    double _areaOfProjectedAcrossX = 0.0; // the area over that of the projection; 0 where that is too small
+    std::size_t _axis = 0;                // the axis along which the triangle's projection is largest
+    double _areaOfProjected = 0.0;        // half the triangle's area, divided by the area of that projection
+    std::size_t _axisAcrossX = 0;         // y or z: the axis along which the projection is larger
+    double _areaOfProjectedAcrossX = 0.0; // the area, divided by that of this projection; 0 if that is too small
     bool _areCellsKnown = false;
 };
 

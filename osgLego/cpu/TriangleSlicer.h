@@ -9,22 +9,23 @@
 namespace osgLego
 {
 
-/** The part of a triangle that lies in one cell. */
+/** The part of a triangle in one cell. */
 struct CellPart
 {
     glm::ivec3 cell{0};
     double area = 0.0; //!< in cell units squared
 };
 
-/** Cuts a triangle along the planes between cells: which cells it overlaps, and the area in each, at the cost of one
- * cut for each further cell.
+/** Cuts a triangle along the planes between cells, to find the cells that it overlaps and its area in each, at the cost
+ * of one cut for each further cell.
  *
- * The cells are those of TriangleOverlap, which decides every cell for itself and takes several times as long. Where
- * rounding could change which cells the cuts find, TriangleOverlap is to be asked for the cells; the areas found here
- * are still good.
+ * The cells are those of TriangleOverlap, which tests each cell separately and takes several times as long. Where
+ * rounding could change the cells, slice() returns false, and TriangleOverlap must determine them; the areas found here
+ * are still usable.
  *
- * Where that is: cuts go across z first, then y, then x. Corners are floats, so which cells are met along z is exact.
- * Each cut leaves a polygon, which meets the cells from its lowest to its highest end along the next axis.
+ * Rounding matters in the following case. The triangle is cut across z first, then y, then x. Its corners are in single
+ * precision, so the cells along z are exact. Each polygon left by a cut covers, along the next axis, the cells from its
+ * lowest to its highest end.
  *
  *     y = 2              3              4
  *         |              |              |
@@ -37,26 +38,27 @@ struct CellPart
  *         |       r      |              |
  *       >| |<          >| |<          >| |<  NEARNESS
  *
- * The drawing shows such a polygon along z: the cut made its side pq. The lowest end, p, is farther than NEARNESS from
- * every plane, so rounding, of 1e-12 cells, can't move it into another cell: it is known that the cells from y = 2 on
- * are met. The same holds for the highest end, q, and the cells up to y = 5. If q were within NEARNESS of y = 4, it
- * would be known only if q is exact: a corner of the triangle, or on an edge along which y does not change.
+ * The drawing shows such a polygon, seen along z; the cut created its side pq. The lowest end, p, is farther than
+ * NEARNESS from every plane, so that a rounding error of about 1e-12 cells can't move it into another cell: the polygon
+ * is certain to meet the cells from y = 2 on. Likewise, because of the highest end, q, it is certain to meet the cells
+ * up to y = 5. If q were within NEARNESS of y = 4, this would be certain only if q were exact: a corner of the
+ * triangle, or a point on an edge along which y is constant.
  *
- * Why rounding is of 1e-12 cells: a cut of the triangle's own edges lies within that of its true place, as differences
- * of coordinates of at most 4096 cells lose nothing in double precision, and each further cut of the rest of an edge
- * adds as much. The line pq has that error in y, too, and a cut of it across y has it in x, times how far x goes
- * for each cell along y. Where that is more than 1e4 cells, the cells are not known either. Cuts across x find areas
- * alone.
+ * The rounding error is about 1e-12 cells because differences of coordinates up to 4096 cells are exact in double
+ * precision, so that a cut of one of the triangle's edges is within that distance of its true position; each further
+ * cut of the rest of an edge adds the same error. The line pq has this error in y, too. A cut of pq across y turns it
+ * into an error in x, multiplied by the number of cells that pq advances along x per cell along y. If that number
+ * exceeds 1e4, the cells are uncertain as well. Cuts across x only determine areas.
  *
- * TriangleOverlap may miss a mere touch by rounding, which grows with the triangle, where cutting finds it: of
- * triangles whose corners were put a few steps of a float beside planes, one in a thousand differed where they reached
- * over hundreds of cells, and one in a million within twenty.
+ * Rounding in TriangleOverlap, which grows with the triangle, may make it miss a mere touch that cutting finds. Of
+ * triangles whose corners were placed a few floating-point steps beside planes, one in a thousand differed if they
+ * spanned hundreds of cells, and one in a million if they spanned at most twenty.
  *
  * Usage:
  *
  *     if (!osgLego::TriangleSlicer(a, b, c).slice(minimum, maximum, parts)) ... // TriangleOverlap(a, b, c)
  *
- * Immutable, free of GL; every function may be called from any thread.
+ * Immutable; uses no GL. Every function may be called from any thread.
  */
 class TriangleSlicer
 {
@@ -66,9 +68,9 @@ public:
     /** @param a, b, c corners in cell units, 0 to 4096. */
     TriangleSlicer(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-    /** Append the parts in the cells from `minimum` to `maximum`, both included, ordered by z, then y, then x.
-     * @return whether these are the cells; if not, TriangleOverlap is to be asked: it may know others beside, of areas
-     * below 1e-6, and not know some of such areas. */
+    /** Append the parts in the cells from `minimum` to `maximum`, both inclusive, ordered by z, then y, then x.
+     * @return whether their cells are certain. If not, TriangleOverlap must determine the cells: it may add or remove
+     * cells in which the area is below 1e-6. */
     bool slice(const glm::ivec3& minimum, const glm::ivec3& maximum, std::vector<CellPart>& parts) const;
 
 private:

@@ -25,7 +25,7 @@ void include(const Brick& brick, BrickBlock& block)
     ++block.count;
 }
 
-/** Sorts the bricks of one layer of blocks: those with studs, then the others. */
+/** Sorts the bricks of one layer of blocks into blocks: first the bricks with studs, then the others. */
 class BlockLayer
 {
 public:
@@ -65,13 +65,13 @@ private:
         return _blocks[brick.openSides & _stud ? place : _size + place];
     }
 
-    int _stud; // the side that has one when it is open
+    int _stud; // the side that has a stud when it is open
     std::size_t _width;
     std::size_t _size;
-    std::vector<BrickBlock> _blocks; // with and without bricks
+    std::vector<BrickBlock> _blocks; // including empty ones
 };
 
-/** Where the bricks of each layer of blocks begin, and the end. */
+/** The index of the first brick in each layer of blocks, followed by the number of all bricks. */
 std::vector<std::size_t> findLayers(const std::vector<Brick>& bricks)
 {
     std::vector<std::size_t> begins{0};
@@ -152,7 +152,7 @@ BrickPoints createBrickPoints(const BrickModel& model)
         layers[layer] = BlockLayer(model.getGrid())
                             .sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
     };
-    // A thread that waits here takes on none of the caller's tasks, which may want locks that it holds.
+    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
     oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(std::size_t(0), layers.size(), sortLayer); });
     return join(layers);
 }

@@ -14,10 +14,10 @@
 namespace osgLego
 {
 
-/** The bricks of one source, as a producer delivers them: all that drawing, picking, bounds and export read.
+/** The bricks of one source, as a producer delivers them. Drawing, picking, bounds and export read nothing else.
  *
- * A set made on the CPU holds its points, which each context uploads. The points of a set made by the GPU stay in a
- * buffer of the context that made them (ContextBricks), and its model is made when it is first asked for.
+ * A set made on the CPU holds its points, which each context uploads. The points of a set made on the GPU stay in a
+ * buffer of the context that made them (ContextBricks), and its model is computed by the first getModel().
  *
  * Immutable; every function may be called from any thread.
  */
@@ -26,21 +26,21 @@ class BrickSet : public osg::Referenced
 public:
     using MakeModel = std::function<osg::ref_ptr<const BrickModel>()>;
 
-    /** A set made on the CPU. Finds the points, and adds what is known of the bricks to the statistics.
+    /** Create a set made on the CPU. Computes the points, and adds their number to the statistics.
      * @param revision the number of the source (LegoSource::revision). */
     BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics);
-    /** A set made by the GPU. @param makeModel called at most once, by the thread that asks for the model first. */
+    /** Create a set made on the GPU. @param makeModel called at most once, by the first getModel(). */
     BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel);
 
     std::uint64_t getRevision() const { return _revision; }
     const BrickGrid& getGrid() const { return _grid; }
-    /** Whether the points are here, not on a GPU. */
+    /** Whether the points are in this set, rather than in a buffer on the GPU. */
     bool hasPoints() const { return _hasPoints; }
     /** The visible bricks, block by block; empty unless hasPoints(). */
     const BrickPoints& getPoints() const { return _points; }
-    /** Every covered cell. May take as long as legolizeOnCpu() when it is first called. */
+    /** Every covered cell. The first call may take as long as legolizeOnCpu(). */
     osg::ref_ptr<const BrickModel> getModel() const;
-    /** How the set was made; of a set made by the GPU, each context knows (ContextBricks::getStatistics). */
+    /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */
     const LegoStatistics& getStatistics() const { return _statistics; }
 
 private:

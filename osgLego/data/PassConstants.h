@@ -1,5 +1,5 @@
-// Constants that the CPU's way to find bricks and the passes of the GPU share. C++ and GLSL both read this file, as
-// they do BrickDimensions.h.
+// Constants that voxelization on the CPU and on the GPU share. C++ and GLSL both read this file, as they do
+// BrickDimensions.h.
 #ifndef OSGLEGO_PASS_CONSTANTS_H
 #define OSGLEGO_PASS_CONSTANTS_H
 
@@ -13,11 +13,11 @@ using Real = double;
 #define Real float
 #endif
 
-// Added to the area of a triangle in a cell, in cells squared: lets one that only grazes the cell decide its colour
-// when no other covers it.
+// Added to the area of a triangle in a cell, in cells squared, so that a triangle that merely grazes the cell still
+// determines its colour if no other triangle covers it.
 constexpr Real LEAST_WEIGHT = 1e-9;
 
-// The texture level that a fraction of 1 stands for in a packed vertex.
+// The mipmap level that a fraction of 1 denotes in a packed vertex.
 constexpr Real MAXIMUM_LEVEL = 16.0;
 
 #ifdef __cplusplus

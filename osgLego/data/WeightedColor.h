@@ -9,11 +9,11 @@
 namespace osgLego
 {
 
-/** The brick in a cell whose colours times weights, and weights, add up to `sum`; its open sides are not known yet.
- * May be called from any thread. */
+/** The brick in a cell, given the sum of its weighted colours (rgb) and the sum of the weights (a, above 0). Its open
+ * sides are not set. May be called from any thread. */
 inline Brick makeBrick(const glm::ivec3& cell, const glm::vec4& sum)
 {
-    // As std::lround, which is no function to be called for every cell.
+    // Rounds like std::lround, which is too slow to call for every cell.
     const auto toByte = [](float fraction)
     { return static_cast<std::uint8_t>(static_cast<double>(255.0f * std::clamp(fraction, 0.0f, 1.0f)) + 0.5); };
     Brick brick;

@@ -17,10 +17,10 @@ namespace
 constexpr GLsizei WORD_BYTES = sizeof(std::uint32_t);
 constexpr GLsizei BLOCK_BYTES = Occupancy::WORDS_PER_BLOCK * WORD_BYTES;
 constexpr std::size_t BRICK_BYTES = sizeof(BrickPoint);
-constexpr const char* NO_SHADERS = "the shaders of BrickExtractionPass do not compile";
+constexpr const char* NO_SHADERS = "the shaders of BrickExtractionPass failed to compile";
 constexpr int OCCUPANCY_UNIT = 1; // unit 0 is the voxel image
 
-/** Feeds whole numbers, up to four an attribute, to a vertex shader, from location 0 on, as long as it lives. */
+/** Feeds integers, up to four per attribute, to a vertex shader during its lifetime, from location 0 on. */
 class NumberArrays
 {
 public:
@@ -50,7 +50,7 @@ private:
     GLuint _count;
 };
 
-/** Makes the occupancy a texture of its unit as long as it lives. */
+/** Binds the occupancy to its texture unit during its lifetime. */
 class OccupancyTexture
 {
 public:
@@ -69,7 +69,7 @@ private:
     osg::State& _state;
 };
 
-/** Make room for `capacity` bricks; those that are there already stay. */
+/** Allocate memory for `capacity` bricks, and keep those already captured. */
 void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
@@ -90,7 +90,8 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
 
 std::string describeLackOfRoom(std::size_t numBricks)
 {
-    return "there is no room for " + std::to_string(numBricks) + " bricks; allowed: a lower resolution";
+    return "there is not enough memory on the GPU for " + std::to_string(numBricks) +
+           " bricks; expected a lower resolution";
 }
 
 /** Fill the occupancy from the voxel image. */
@@ -102,12 +103,12 @@ void findOccupancy(const osg::State& state, const Occupancy& occupancy, int numB
     feedback.end();
 }
 
-/** Capture the numbers of those words of the occupancy that are not empty. */
+/** Capture the numbers of the non-empty words of the occupancy. */
 void findWords(const osg::State& state, const Occupancy& occupancy, int numBlocks, GLuint words,
                TransformFeedback& feedback)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    // All of them at the most.
+    // Large enough for all words.
     const GLsizeiptr size = static_cast<GLsizeiptr>(numBlocks) * BLOCK_BYTES;
     extensions.glBindBuffer(GL_ARRAY_BUFFER, words);
     extensions.glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_DYNAMIC_COPY);
@@ -143,7 +144,8 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
     const GlBuffer wordBuffer(state);
     TransformFeedback words(*state.get<osg::GLExtensions>());
     findWords(state, work.occupancy, numBlocks, wordBuffer.get(), words);
-    if (takeOutOfMemoryError()) return "there is no room for the words of the occupancy; allowed: a lower resolution";
+    if (takeOutOfMemoryError())
+        return "there is not enough memory on the GPU for the words of the occupancy; expected a lower resolution";
 
     if (!apply(state, _states->getBricks(), grid, slab)) return NO_SHADERS;
     const ProgramUniforms uniforms(state);
@@ -156,7 +158,7 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
     return {};
 }
 
-/** Make a program the one that draws. @return whether it is there. */
+/** Apply a program and set its addressing. @return false if its shaders failed to compile. */
 bool BrickExtractionPass::apply(osg::State& state, const osg::StateSet& stateSet, const BrickGrid& grid,
                                 const Slab& slab) const
 {
@@ -166,10 +168,11 @@ bool BrickExtractionPass::apply(osg::State& state, const osg::StateSet& stateSet
     return true;
 }
 
-/** Capture the bricks of those words; the program and its arrays are there. @return why it failed, or nothing. */
+/** Capture the bricks of the captured words, with the program and its arrays already set up.
+ * @return the reason for a failure; empty on success. */
 std::string BrickExtractionPass::capture(osg::State& state, Legolization& work, const TransformFeedback& words) const
 {
-    // A capture needs a range that is not empty.
+    // Transform feedback needs a non-empty range.
     constexpr std::size_t SPARE_BRICKS = 1024;
     if (work.brickCapacity == 0) reserve(state, work, work.source->triangles->estimateCoveredCells() + SPARE_BRICKS);
     if (work.brickCapacity == work.numBricks) reserve(state, work, 2 * work.brickCapacity);

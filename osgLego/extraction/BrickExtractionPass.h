@@ -8,14 +8,13 @@
 namespace osgLego
 {
 
-/** Turns the voxel image of one slab into a point for each brick that can be seen, behind those of the slabs before
- * (the paper's future work: a brick with six neighbours is left out, and the others know which of theirs are empty).
+/** Converts the voxel image of one slab to points, one for each visible brick, and appends them to those of the
+ * previous slabs (the paper's future work: bricks with six neighbours are omitted, the others store their open sides).
  *
- * Only places that voxelization marked in the occupancy are looked at: blocks of cells, then those of their words that
- * are not empty, then the covered cells in these. So the bricks of a block follow each other. How many words there are
- * the CPU never asks.
+ * It examines only cells that are marked in the occupancy: for each block, its non-empty words, and for each of these,
+ * its covered cells. So the bricks of a block are consecutive. The CPU never reads back the number of words.
  *
- * A buffer that was too small is made larger, and the bricks captured again. The pass of the last slab finishes the
+ * If the buffer is too small, it is enlarged and the bricks are captured again. The pass of the last slab completes the
  * legolization.
  */
 class BrickExtractionPass : public LegolizationPass

@@ -9,20 +9,21 @@
 namespace osgLego
 {
 
-/** The programs of the extraction and what they read; the passes of all slabs share them, and so compile them once.
+/** The state sets of the extraction: its programs and their input. The passes of all slabs share them, so that they are
+ * compiled once.
  *
- * Needs no context to be made.
+ * Can be created without a context.
  */
 class ExtractionStates : public osg::Referenced
 {
 public:
     explicit ExtractionStates(osg::Texture2D& voxelImage);
 
-    /** The occupancy out of the voxel image, for contexts in which voxelization can't mark it. */
+    /** Computes the occupancy from the voxel image, for contexts in which voxelization can't mark cells. */
     osg::StateSet& getOccupancy() const { return *_occupancy; }
-    /** Those words of the occupancy that are not empty. */
+    /** Captures the numbers of the non-empty words of the occupancy. */
     osg::StateSet& getWords() const { return *_words; }
-    /** The bricks of those. */
+    /** Captures the bricks of these words. */
     osg::StateSet& getBricks() const { return *_bricks; }
 
     void releaseGLObjects(osg::State* state) const;

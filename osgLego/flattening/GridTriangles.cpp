@@ -34,7 +34,8 @@ glm::vec3 toCellPosition(const BrickGrid& grid, const glm::dvec3& position)
     return result;
 }
 
-/** How many texels the width of a cell covers where the texture is pressed together most; 0 without a texture. */
+/** The number of texels across the width of a cell, in the direction in which the texture is compressed most; 0 for a
+ * triangle without area. */
 double texelsPerCell(const Corners& corners, const glm::ivec2& textureSize)
 {
     const glm::dvec3 edge1 = corners[1].position - corners[0].position;
@@ -43,8 +44,8 @@ double texelsPerCell(const Corners& corners, const glm::ivec2& textureSize)
     const glm::dvec2 texels1 = glm::dvec2(corners[1].coordinate - corners[0].coordinate) * size;
     const glm::dvec2 texels2 = glm::dvec2(corners[2].coordinate - corners[0].coordinate) * size;
 
-    // An orthonormal basis of the triangle's plane; texels as a linear function of the place in it is a 2x2 matrix,
-    // whose larger singular value is the answer.
+    // In an orthonormal basis of the triangle's plane, a 2x2 matrix maps positions to texels. The result is its larger
+    // singular value.
     const double length1 = glm::length(edge1);
     if (!(length1 > 0.0)) return 0.0;
     const glm::dvec3 axis1 = edge1 / length1;
@@ -60,7 +61,7 @@ double texelsPerCell(const Corners& corners, const glm::ivec2& textureSize)
     return std::sqrt(0.5 * (trace + root));
 }
 
-/** The mipmap in which a cell is two texels wide: linear filtering then gathers what lies within one cell's width. */
+/** The mipmap level at which a cell is two texels wide: linear filtering then covers the width of one cell. */
 double textureLevel(const Corners& corners, const SurfaceTexture* texture)
 {
     if (!texture) return 0.0;
@@ -107,14 +108,14 @@ void appendBatches(const BrickGrid& grid, const SceneBatch& source, std::vector<
     }
 }
 
-/** The factor, a power of two, by which halving brings a length down to the limit. */
+/** The smallest power of two that divides a length down to the limit. */
 double halvings(double length, double limit)
 {
     return length > limit ? std::exp2(std::ceil(std::log2(length / limit))) : 1.0;
 }
 
-/** The mean number of unit cells that a triangle meets, wherever it lies: the volume of its Minkowski sum with a cell.
- */
+/** The number of unit cells that a triangle meets, on average over all positions: the volume of its Minkowski sum with
+ * a cell. */
 double meanCellsMet(const GridVertex* corners)
 {
     const glm::dvec3 a(corners[0].position);
@@ -134,7 +135,7 @@ std::size_t GridBatch::estimateFineTriangles(double edgeLimit) const
     {
         const std::array<float, 3> lengths = edgeLengths(&vertices[first]);
         const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-        // A sliver is cut along its length, a full triangle along its height as well.
+        // A sliver is only cut along its length, a well-shaped triangle also along its height.
         sum += halvings(*longest, edgeLimit) * halvings(*shortest, edgeLimit);
     }
     return static_cast<std::size_t>(sum);

@@ -16,16 +16,16 @@
 namespace osgLego
 {
 
-/** A corner of a triangle in a grid: 32 bytes, laid out as the shaders of the passes read it.
+/** A corner of a triangle in a grid: 32 bytes, in the vertex layout of the passes' shaders.
  *
- * `colorAndLevel` packs four 16-bit fractions: red, green (first word), blue, and the texture level over
- * PassConstants::MAXIMUM_LEVEL (second word). The level is the mipmap in which a cell on this triangle is two texels
- * wide, where linear filtering gathers what lies within one cell; all three corners carry the same.
+ * `colorAndLevel` packs four 16-bit fractions: red and green in the first word, blue and the texture level divided by
+ * PassConstants::MAXIMUM_LEVEL in the second. At this mipmap level, a cell on the triangle is two texels wide, so that
+ * linear filtering covers one cell; it is the same for all three corners.
  */
 struct GridVertex
 {
     glm::vec3 position{0.0f};   //!< in cell units, at least 0 and below the grid's dimensions on every axis
-    std::uint32_t triangle = 0; //!< the number of the source triangle in its batch
+    std::uint32_t triangle = 0; //!< the index of the source triangle in its batch
     glm::vec2 coordinate{0.0f};
     std::array<std::uint32_t, 2> colorAndLevel{};
 
@@ -38,7 +38,7 @@ struct GridVertex
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 
-/** Triangles in a grid that share one texture, three vertices each, at most MAXIMUM_TRIANGLES. */
+/** At most MAXIMUM_TRIANGLES triangles in a grid, three vertices each, that share one texture. */
 struct GridBatch
 {
     // The passes look source triangles up in a buffer texture, whose size GL limits.
@@ -50,16 +50,16 @@ struct GridBatch
     float longestEdge = 0.0f; //!< in cells
 
     std::size_t getNumTriangles() const { return vertices.size() / 3; }
-    /** About how many triangles subdivision to edges of at most `edgeLimit` cells makes of these. */
+    /** An estimate of the number of triangles after subdivision to edges of at most `edgeLimit` cells. */
     std::size_t estimateFineTriangles(double edgeLimit) const;
 };
 
-/** A mesh in the grid of its bricks: what every method of voxelization, on the GPU and on the CPU, starts from.
+/** A mesh in the grid of its bricks: the input of every voxelization method, on the GPU and on the CPU.
  *
- * Positions are rounded to float once, here, so that all of them see the very same triangles. A surface on the far side
- * of the grid belongs to the last cell.
+ * Positions are rounded to single precision once, here, so that all methods see exactly the same triangles. A surface
+ * on the far side of the grid belongs to the last cell.
  *
- * Free of GL, immutable once created; every function may be called from any thread.
+ * Uses no GL. Immutable once created; every function may be called from any thread.
  */
 class GridTriangles : public osg::Referenced
 {
@@ -70,7 +70,8 @@ public:
     const std::vector<GridBatch>& getBatches() const { return _batches; }
     std::size_t getNumTriangles() const;
     float getLongestEdge() const;
-    /** About how many cells the triangles cover, rather too many than too few, and no more than the grid has. */
+    /** An estimate of the number of cells that the triangles cover, more likely too high than too low, and at most the
+     * number of cells in the grid. */
     std::size_t estimateCoveredCells() const;
 
 private:

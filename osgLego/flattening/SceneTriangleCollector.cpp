@@ -31,7 +31,8 @@ struct IndexTriangles
     }
 };
 
-/** Indices of whole triangles: OSG's functor reads past the end of GL_TRIANGLES whose last one lacks corners. */
+/** Collects the indices of complete triangles: OSG's functor reads past the end of GL_TRIANGLES whose last triangle is
+ * incomplete. */
 class WholeTriangles : public osg::TriangleIndexFunctor<IndexTriangles>
 {
 public:
@@ -70,7 +71,7 @@ glm::dvec3 toGlm(const osg::Vec3d& vector)
     return {vector.x(), vector.y(), vector.z()};
 }
 
-/** Reads the vertices of a geometry, whatever arrays it keeps them in. */
+/** Reads the vertices of a geometry from arrays of any type. */
 class VertexReader
 {
 public:

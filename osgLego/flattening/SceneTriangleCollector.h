@@ -14,7 +14,7 @@
 namespace osgLego
 {
 
-/** The visitor that fills SceneTriangles: each drawable's primitives, taken apart into triangles. */
+/** The visitor that fills SceneTriangles with the primitives of each drawable, split into triangles. */
 class SceneTriangleCollector : public SourceVisitor
 {
 public:

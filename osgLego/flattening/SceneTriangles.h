@@ -21,21 +21,21 @@ class SurfaceTextureCache;
 struct SceneVertex
 {
     glm::dvec3 position{0.0};
-    glm::vec2 coordinate{0.0f}; //!< of the texture, its matrix applied; 1 = once around the image
-    glm::vec3 color{1.0f};      //!< before the texture joins, 0 to 1 a channel
+    glm::vec2 coordinate{0.0f}; //!< texture coordinate, with the texture matrix applied; 1 is the size of the image
+    glm::vec3 color{1.0f};      //!< before texturing, 0 to 1 per channel
 };
 
 /** Triangles that share one texture, three vertices each. */
 struct SceneBatch
 {
-    osg::ref_ptr<const SurfaceTexture> texture; //!< null: the vertices' colours are all there is
+    osg::ref_ptr<const SurfaceTexture> texture; //!< null: the vertices have colours only
     TextureEnvironment environment = TextureEnvironment::MODULATE;
     std::vector<SceneVertex> vertices;
 };
 
 /** The triangles of any OSG subgraph, flattened: transforms applied, state resolved to plain colours and textures.
  *
- * Takes nested transforms, shared children, Switch, Sequence and LOD (the finest level there is), every primitive type
+ * Handles nested transforms, shared children, Switch, Sequence and LOD (the finest level loaded), every primitive type
  * of triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials, the
  * Texture2D of the first unit with one, with wrap mode, matrix and environment, and inherited state with OVERRIDE and
  * PROTECTED. A triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points
@@ -47,19 +47,20 @@ struct SceneBatch
  *     osg::ref_ptr<const osgLego::SceneTriangles> triangles = osgLego::SceneTriangles::create(*node);
  *     if (triangles->getNumTriangles() == 0) ...
  *
- * Free of GL. create() may be called from any thread as long as no other thread changes the subgraph; the result is
- * immutable and independent of it.
+ * Uses no GL. create() may be called from any thread as long as no other thread changes the subgraph; the result is
+ * immutable and independent of the subgraph.
  */
 class SceneTriangles : public osg::Referenced
 {
 public:
-    // OpenSceneGraph keeps bounding spheres in floats and squares their lengths, which must be possible.
+    // OpenSceneGraph keeps bounding spheres in single precision and squares their radii, which must neither overflow
+    // nor underflow.
     static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, of either sign
     static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
 
-    /** Flatten `node` itself and everything below it that would be shown, in the order of traversal. */
+    /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
-    /** The same with textures that are kept from one call to the next. */
+    /** The same, reusing textures from earlier calls. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
 
     const std::vector<SceneBatch>& getBatches() const { return _batches; }

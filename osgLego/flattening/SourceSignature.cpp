@@ -15,7 +15,7 @@ namespace osgLego
 namespace
 {
 
-/** Mixes numbers into one, in order (the multiplication and shifts of MurmurHash's 64-bit finalizer). */
+/** Hashes a sequence of numbers, with the multiplications and shifts of MurmurHash's 64-bit finalizer. */
 class Signature
 {
 public:

@@ -13,8 +13,8 @@ namespace osgLego
 
 class SourceVisitor;
 
-/** What tells whether a subgraph shows what it did: a number, and the objects that it came from, which are held so that
- * no new one comes to lie where an old one lay. */
+/** A hash of the visible contents of a subgraph, and the objects whose addresses went into it. These are referenced so
+ * that no new object gets the address of an old one. */
 struct SourceSignature
 {
     std::uint64_t value = 0;
@@ -23,24 +23,24 @@ struct SourceSignature
     bool operator==(const SourceSignature& other) const { return value == other.value; }
 };
 
-/** A signature that changes whenever what a subgraph shows does.
+/** Compute a signature that changes with the visible contents of a subgraph.
  *
- * Takes in transforms, switches, levels of detail, materials, textures and their images, and the arrays and primitive
- * sets of geometries: by their modified counts (`array->dirty()`), and, where a geometry's data variance is DYNAMIC, by
- * their contents. So a change of any of them is found without a word to the LegoNode, and a frame that changes nothing
- * costs a walk over the nodes, not over the triangles.
+ * It covers transforms, switches, levels of detail, materials, textures and their images, and the arrays and primitive
+ * sets of geometries: by their modified counts (`array->dirty()`), and also by their contents if the geometry's data
+ * variance is DYNAMIC. So LegoNode detects these changes by itself, and a frame without changes costs a traversal of
+ * the nodes, not of the triangles.
  *
  * May be called from any thread as long as no other thread changes the subgraph. */
 SourceSignature computeSourceSignature(const osg::Node& node);
 
-/** Computes signatures time and again, without allocating memory for each. One thread at a time. */
+/** Computes signatures repeatedly, without allocating memory for each. One thread at a time. */
 class SourceSignatures
 {
 public:
     SourceSignatures();
     ~SourceSignatures();
 
-    /** @return what lasts until the next call. */
+    /** @return a signature that is valid until the next call. */
     const SourceSignature& compute(const osg::Node& node);
 
 private:

@@ -58,7 +58,7 @@ void SourceVisitor::apply(osg::Sequence& sequence)
     int last = 0;
     sequence.getInterval(mode, first, last);
     const int end = static_cast<int>(sequence.getNumChildren()) - 1;
-    first = std::clamp(first < 0 ? end : first, 0, end); // -1 is the last child
+    first = std::clamp(first < 0 ? end : first, 0, end); // -1 means the last child
     const bool pushed = pushState(sequence);
     sequence.getChild(static_cast<unsigned int>(first))->accept(*this);
     if (pushed) _stateSets.pop_back();

@@ -14,11 +14,12 @@
 namespace osgLego
 {
 
-/** Walks over what of a subgraph would be shown, and hands on each drawable with its transform and state sets.
+/** Traverses the visible parts of a subgraph, and calls applySurface() for each drawable with its transform and state
+ * sets.
  *
- * Of a Switch the children that are on, of an LOD the most detailed ones that are there, of a Sequence the one that is
- * its turn, or, before the first update, will be; cameras that draw elsewhere (before, after, to a texture) are passed
- * over. Reads only; one thread at a time.
+ * It visits the children of a Switch that are on, the most detailed loaded children of an LOD, and the current child of
+ * a Sequence or, before the first update, the one that it will begin with. It skips cameras that draw before or after
+ * the scene or into a texture. Changes nothing in the subgraph; one thread at a time.
  */
 class SourceVisitor : public osg::NodeVisitor
 {
@@ -35,8 +36,9 @@ public:
     void apply(osg::Drawable& drawable) override;
 
 protected:
-    /** A drawable that would be shown. @param toRoot from its coordinates to those of the node first visited;
-     * @param stateSets the ones above it, outermost first, its own last. */
+    /** Called for each visible drawable.
+     * @param toRoot the transform from its coordinates to those of the node that accepted the visitor.
+     * @param stateSets the state sets that apply to it, outermost first, its own last. */
     virtual void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
                               const std::vector<const osg::StateSet*>& stateSets) = 0;
 

@@ -10,7 +10,7 @@ namespace osgLego
 namespace
 {
 
-/** A value inherited from state set to state set, as osg::State inherits modes and attributes. */
+/** A value inherited from state set to state set, by the rules of osg::State for modes and attributes. */
 template <typename Value>
 class Inherited
 {
@@ -81,7 +81,7 @@ TextureEnvironment environmentOf(const osg::TexEnv* environment)
     }
 }
 
-/** What is inherited of one texture unit. */
+/** The inherited state of one texture unit. */
 class InheritedUnit
 {
 public:
@@ -94,7 +94,7 @@ public:
         _generated.push(stateSet.getTextureMode(unit, GL_TEXTURE_GEN_S));
     }
 
-    /** Null when there is none to be seen. */
+    /** Null if no texture is visible. */
     const osg::Texture2D* getTexture() const
     {
         return _texturing.get(false) && !_generated.get(false) ? _texture.get<osg::Texture2D>() : nullptr;
@@ -158,7 +158,7 @@ osg::Vec4d SurfaceState::getColor() const
 {
     if (!_material) return {1.0, 1.0, 1.0, 1.0};
     osg::Vec4d color = _material->getDiffuse(osg::Material::FRONT);
-    // What glows by itself is seen in its own light, even where no lamp reaches it.
+    // Emission is visible even where no light source reaches.
     if (_lit) color += _material->getEmission(osg::Material::FRONT);
     for (unsigned int channel = 0; channel < 4; ++channel)
         color[channel] = std::clamp(color[channel], 0.0, 1.0);

@@ -12,29 +12,29 @@
 namespace osgLego
 {
 
-/** What the state sets above a drawable make of its colour: the material, the texture, and how they join.
+/** The state that determines the colour of a drawable: its material, its texture, and how they are combined.
  *
- * The texture is that of the first unit with one: readers need not put it into unit 0, and OSG's of Collada does not.
- * OVERRIDE and PROTECTED count as in osg::State. Textures whose coordinates depend on the eye (TexGen) are left out.
- * Holds bare pointers into the state sets it was made of, and is not to outlive them.
+ * The texture is taken from the first unit that has one, because file readers need not use unit 0, and OSG's Collada
+ * reader does not. OVERRIDE and PROTECTED work as in osg::State. Textures with generated coordinates (TexGen) are
+ * ignored. Holds plain pointers into the state sets that it was created from, and must not outlive them.
  */
 class SurfaceState
 {
 public:
-    /** @param stateSets from the outermost node to the drawable; no null among them. */
+    /** @param stateSets from the outermost node to the drawable; none is null. */
     explicit SurfaceState(const std::vector<const osg::StateSet*>& stateSets);
 
     const osg::Material* getMaterial() const { return _material; }
     const osg::Texture2D* getTexture() const { return _texture; }
-    /** The unit of the texture, whose coordinates are meant; 0 when there is none. */
+    /** The unit of the texture, whose texture coordinates apply; 0 if there is no texture. */
     unsigned int getTextureUnit() const { return _textureUnit; }
-    /** The texture matrix, null when it is the identity. */
+    /** The texture matrix; null if it is the identity. */
     const osg::TexMat* getTextureMatrix() const { return _textureMatrix; }
     TextureEnvironment getEnvironment() const { return _environment; }
 
-    /** Whether the drawable's colour array, if it has one, is shown; otherwise getColor() is. */
+    /** Whether the drawable's colour array, if it has one, determines its colour, rather than getColor(). */
     bool usesColorArray() const;
-    /** The colour of a drawable without colour array, or whose array is not used; 0 to 1 a channel. */
+    /** The colour of a drawable that has no colour array or does not use it; 0 to 1 per channel. */
     osg::Vec4d getColor() const;
 
 private:

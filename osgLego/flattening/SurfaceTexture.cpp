@@ -12,7 +12,7 @@ namespace osgLego
 namespace
 {
 
-/** An image in floating point, from which the next mipmap is made without rounding twice. */
+/** An image in floating point, from which the next mipmap level is computed without rounding twice. */
 struct FloatImage
 {
     glm::ivec2 size{0};
@@ -39,7 +39,7 @@ FloatImage readImage(const osg::Image& image)
         {
             const osg::Vec4 color = image.getColor(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
             const glm::vec4 texel(color.r(), color.g(), color.b(), color.a());
-            // Comparisons with NaN are false: what is not a number becomes 0.
+            // Comparisons with NaN are false, so NaN becomes 0.
             for (int channel = 0; channel < 4; ++channel)
                 result.at(column, row)[channel] = texel[channel] > 0.0f ? std::min(texel[channel], 1.0f) : 0.0f;
         }
@@ -47,7 +47,7 @@ FloatImage readImage(const osg::Image& image)
     return result;
 }
 
-/** The texels of a wider row that one texel of a narrower row stands for, with their shares. */
+/** The texels of a wider row that one texel of a narrower row averages, with their weights. */
 struct Footprint
 {
     int first = 0;
@@ -96,11 +96,11 @@ void appendBytes(const FloatImage& image, std::vector<unsigned char>& bytes)
 
 osg::Texture::WrapMode simplified(osg::Texture::WrapMode mode)
 {
-    // GL_CLAMP blends half a border into the edge only where a driver still honours it; users never want that.
+    // Some drivers still blend half of the border into the edge for GL_CLAMP, which users never want.
     return mode == osg::Texture::CLAMP ? osg::Texture::CLAMP_TO_EDGE : mode;
 }
 
-/** The texel that an index outside an image stands for; -1 is the border. */
+/** The texel at an index that may be outside the image; -1 for the border. */
 int wrapped(int index, int size, osg::Texture::WrapMode mode)
 {
     const auto modulo = [](int value, int period) { return ((value % period) + period) % period; };
@@ -120,7 +120,8 @@ int wrapped(int index, int size, osg::Texture::WrapMode mode)
     }
 }
 
-/** A coordinate in texels, brought to where an int can count: far out, only the place within a period matters. */
+/** A texture coordinate in texels, reduced to the range of an int: far outside the image, only the position within a
+ * period matters. */
 double inTexels(double coordinate, int size, osg::Texture::WrapMode mode)
 {
     if (!std::isfinite(coordinate)) return 0.0;
@@ -146,7 +147,7 @@ osg::ref_ptr<SurfaceTexture> SurfaceTexture::create(const osg::Texture2D& textur
     if (!source || !canBeRead(*source))
     {
         OSG_WARN << "osgLego: the texture image '" << (source ? source->getFileName() : texture.getName())
-                 << "' is compressed, empty or not there, and is left out; allowed: uncompressed images" << std::endl;
+                 << "' is compressed, empty or missing, and is ignored; expected an uncompressed image" << std::endl;
         return nullptr;
     }
 
@@ -171,7 +172,7 @@ osg::ref_ptr<SurfaceTexture> SurfaceTexture::create(const osg::Texture2D& textur
     result->_wrapS = simplified(texture.getWrap(osg::Texture::WRAP_S));
     result->_wrapT = simplified(texture.getWrap(osg::Texture::WRAP_T));
     result->_borderColor = texture.getBorderColor();
-    auto* data = new unsigned char[bytes.size()]; // osg::Image frees it as it was made, with delete[]
+    auto* data = new unsigned char[bytes.size()]; // osg::Image frees it with delete[]
     std::copy(bytes.begin(), bytes.end(), data);
     result->_image = new osg::Image;
     result->_image->setImage(baseSize.x, baseSize.y, 1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, data,

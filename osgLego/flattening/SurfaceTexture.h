@@ -13,7 +13,7 @@
 namespace osgLego
 {
 
-/** How a texture joins the colour that is already there, as glTexEnv says. */
+/** How a texture is combined with the colour below it, as with glTexEnv. */
 enum class TextureEnvironment
 {
     MODULATE, //!< colour x texture
@@ -22,39 +22,40 @@ enum class TextureEnvironment
     ADD       //!< colour + texture
 };
 
-/** The picture on a surface, filtered to any size, the same with and without GL.
+/** The texture of a surface, filtered to any size, with the same result on the CPU and in GL.
  *
  * Holds the image of an osg::Texture2D as 8-bit RGBA together with its mipmaps (box filter), its wrap modes and its
- * border colour, and samples it as GL_LINEAR_MIPMAP_LINEAR does at a given level. A copy: the osg::Texture2D may drop
- * its image, or change, afterwards.
+ * border colour, and samples it at a given level like GL_LINEAR_MIPMAP_LINEAR. Since it is a copy, the osg::Texture2D
+ * may release its image, or change, afterwards.
  *
  * Preconditions:
- * 1. The image is uncompressed; a compressed one can't be read without GL, and create() answers null.
- * 2. Sides beyond MAXIMUM_SIZE texels are halved until they fit: bricks are never that small.
+ * 1. The image is uncompressed. A compressed image can't be read without GL; create() returns null for it.
+ * 2. The sides have at most MAXIMUM_SIZE texels. Larger images are halved until they fit: bricks are never that small.
  *
  * Usage:
  *
  *     osg::ref_ptr<osgLego::SurfaceTexture> surface = osgLego::SurfaceTexture::create(*texture2D);
  *     if (surface) colour = surface->sample({0.5, 0.5}, 0.0);
  *
- * Immutable once created, and free of GL: every function may be called from any thread.
+ * Uses no GL. Immutable once created; every function may be called from any thread.
  */
 class SurfaceTexture : public osg::Referenced
 {
 public:
     static constexpr int MAXIMUM_SIZE = 4096;
 
-    /** Copy a texture's image. @return null when it has none, or one that can't be read; a warning says why. */
+    /** Copy the image of a texture. @return null, with a warning, if it is missing or can't be read. */
     static osg::ref_ptr<SurfaceTexture> create(const osg::Texture2D& texture);
 
-    /** The colour at a texture coordinate (1 = once around the image), 0 to 1 a channel.
-     * @param level 0 for the image itself, 1 for half its size, and so on, with fractions; clamped to what there is. */
+    /** The colour at a texture coordinate (1 is the size of the image), 0 to 1 per channel.
+     * @param level 0 for the image itself, 1 for half its size, and so on; fractions blend two levels. Clamped to the
+     * levels that exist. */
     glm::dvec4 sample(const glm::dvec2& coordinate, double level) const;
 
-    /** Texels of level 0. */
+    /** The size of level 0, in texels. */
     glm::ivec2 getSize() const { return _levels.front().size; }
 
-    /** Level 0 and its mipmaps in one GL_RGBA, GL_UNSIGNED_BYTE image, to be given to GL. */
+    /** Level 0 and its mipmaps in one GL_RGBA, GL_UNSIGNED_BYTE image, for use in GL. */
     osg::Image* getImage() const { return _image.get(); }
     osg::Texture::WrapMode getWrapS() const { return _wrapS; }
     osg::Texture::WrapMode getWrapT() const { return _wrapT; }

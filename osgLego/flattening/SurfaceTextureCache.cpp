@@ -20,7 +20,7 @@ osg::ref_ptr<const SurfaceTexture> SurfaceTextureCache::findOrMake(const osg::Te
     if (!isNew && entry.isOf(texture)) return entry.surface;
 
     const osg::Image* image = texture.getImage();
-    // A wrap mode that changes once the image has gone comes too late.
+    // Once the image has been released, a change of the wrap mode can no longer take effect.
     if (isNew || image) entry.surface = SurfaceTexture::create(texture);
     entry.image = image;
     entry.modifiedCount = image ? image->getModifiedCount() : 0;

@@ -12,22 +12,22 @@
 namespace osgLego
 {
 
-/** The SurfaceTextures of a source from one flattening to the next, so that a source that moves does not have them made
- * anew, and one whose texture has let go of its image (Texture::setUnRefImageDataAfterApply) keeps its colours.
+/** Keeps the SurfaceTextures of a source from one flattening to the next, so that a moving source does not make them
+ * again, and a source whose texture has released its image (Texture::setUnRefImageDataAfterApply) keeps its colours.
  *
- * Not for several threads at once. */
+ * One thread at a time. */
 class SurfaceTextureCache
 {
 public:
-    /** The surface of a texture; null when its image can't be read. */
+    /** The SurfaceTexture of a texture; null if its image can't be read. */
     osg::ref_ptr<const SurfaceTexture> findOrMake(const osg::Texture2D& texture);
-    /** Let go of what nobody has asked for since the last call. */
+    /** Drop the entries that findOrMake() has not returned since the last call. */
     void dropUnused();
 
 private:
     struct Entry
     {
-        osg::observer_ptr<const osg::Image> image; // no more, or there would be no use in letting go of it
+        osg::observer_ptr<const osg::Image> image; // a reference would keep the image from being released
         unsigned int modifiedCount = 0;
         osg::Texture::WrapMode wrapS = osg::Texture::CLAMP;
         osg::Texture::WrapMode wrapT = osg::Texture::CLAMP;

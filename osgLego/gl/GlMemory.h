@@ -5,7 +5,7 @@
 namespace osgLego
 {
 
-/** Whether GL has run out of memory since its errors were last asked for. Clears them; needs a current context. */
+/** Whether GL has run out of memory since its errors were last read. Clears all errors; needs a current context. */
 inline bool takeOutOfMemoryError()
 {
     bool result = false;

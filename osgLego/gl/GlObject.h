@@ -11,7 +11,7 @@
 namespace osgLego
 {
 
-/** Deletes one kind of GL object for one context, in that context's own thread, when OSG flushes what was deleted. */
+/** Deletes one kind of GL object for one context, in that context's thread, when OSG flushes its deleted objects. */
 template <void (*DELETE)(const osg::GLExtensions&, GLuint)>
 class GlObjectManager : public osg::GLObjectManager
 {
@@ -24,10 +24,11 @@ public:
     }
 };
 
-/** Owns the name of a GL object that contexts of one ID share: a buffer or a texture.
+/** Owns the name of a GL object, a buffer or a texture, that contexts with the same ID share.
  *
- * Created by a thread in which the context is current; destroyed anywhere, the object itself then being deleted through
- * OSG's deferred deletion; when the context is gone meanwhile, and another one has taken over its ID, nothing is.
+ * Create it in a thread in which the context is current. It may be destroyed in any thread, which deletes the GL object
+ * through OSG's deferred deletion. Nothing is deleted if the context has closed meanwhile, even if another context has
+ * taken over its ID.
  */
 template <void (*CREATE)(const osg::GLExtensions&, GLuint&), void (*DELETE)(const osg::GLExtensions&, GLuint)>
 class GlObject
@@ -53,7 +54,7 @@ public:
         if (_name != 0 && _manager.lock(manager)) manager->scheduleGLObjectForDeletion(_name);
     }
 
-    /** The name to hand to GL; 0 when there is none. */
+    /** The name to pass to GL; 0 if there is none. */
     GLuint get() const { return _name; }
 
 private:

@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& items)
     return result;
 }
 
-/** What draws in the current context: Mesa's and other systems' software renderers are known by their names. */
+/** The renderer of the current context. Software renderers, Mesa's and others, are recognised by their names. */
 Renderer findRenderer()
 {
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -77,11 +77,11 @@ std::string findMissing(const osg::GLExtensions& extensions)
 
     std::vector<std::string> missing;
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    const std::string here = std::string(" (here: ") + (version ? version : "none") + ")";
+    const std::string here = std::string(" (found: ") + (version ? version : "none") + ")";
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
-        return "a context of the compatibility profile is needed, not of the core profile" + here;
+        return "a context of the compatibility profile is needed, not the core profile" + here;
 
     for (const Limit& limit :
          {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", GlRequirements::TEXTURE_SIZE},
@@ -93,7 +93,7 @@ std::string findMissing(const osg::GLExtensions& extensions)
         glGetIntegerv(limit.name, &value);
         if (value >= limit.needed) continue;
         std::ostringstream text;
-        text << limit.text << " of " << limit.needed << " (here: " << value << ")";
+        text << limit.text << " of " << limit.needed << " (found: " << value << ")";
         missing.push_back(text.str());
     }
     return missing.empty() ? std::string() : joined(missing) + " is needed" + here;
@@ -122,11 +122,11 @@ Renderer GlRequirements::getRenderer(unsigned int contextID)
 
 std::string GlRequirements::getMissingVersion(const osg::GLExtensions& extensions)
 {
-    // A little less, since both versions come out of text as floats.
+    // Both versions are parsed from text into floats, so they may be slightly too low.
     constexpr float SLACK = 0.01f;
     if (std::min(extensions.glVersion, extensions.glslLanguageVersion) > NEEDED_VERSION - SLACK) return {};
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << "OpenGL 4.0 or later with GLSL 4.00 is needed (here: OpenGL "
+    text << std::fixed << std::setprecision(1) << "OpenGL 4.0 or later with GLSL 4.00 is needed (found: OpenGL "
          << extensions.glVersion << std::setprecision(2) << " with GLSL " << extensions.glslLanguageVersion << ")";
     return text.str();
 }

@@ -9,19 +9,20 @@
 namespace osgLego
 {
 
-/** What draws in a context. */
+/** The kind of renderer that draws in a context. */
 enum class Renderer
 {
-    UNKNOWN, //!< the context has not been asked yet
+    UNKNOWN, //!< the context has not been checked yet
     SOFTWARE,
     HARDWARE
 };
 
-/** What the passes need of a GL context, checked once for each context ID.
+/** The requirements of the passes on a GL context, checked once for each context ID.
  *
- * OpenGL 4.0 in the compatibility profile (OSG's fixed-function state and geometry shaders side by side), GLSL 4.00,
- * two geometry shader invocations, 1024 components out of a geometry shader, and buffer textures and textures as large
- * as the passes make them. Images that fragments write into (OpenGL 4.2) are used where they are, and not needed.
+ * They are OpenGL 4.0 in the compatibility profile (the passes combine OSG's fixed-function state with geometry
+ * shaders), GLSL 4.00, two geometry shader invocations, 1024 output components of a geometry shader, and textures and
+ * buffer textures as large as the passes create. Image stores in fragment shaders (OpenGL 4.2) are used where
+ * available, but not required.
  */
 class GlRequirements : public osg::Referenced
 {
@@ -31,15 +32,14 @@ public:
 
     explicit GlRequirements(unsigned int contextID);
 
-    /** What the current context lacks, in one sentence that begins with what is needed; empty if nothing.
-     *
-     * Call with the context of `state` current. */
+    /** The requirements that the context of `state`, which must be current, does not meet, in one sentence; empty if it
+     * meets all. */
     static const std::string& getMissing(const osg::State& state);
 
-    /** The same as far as it can be told by the version alone, for which the context need not be current. */
+    /** The same, but checks only the version, so that the context need not be current. */
     static std::string getMissingVersion(const osg::GLExtensions& extensions);
 
-    /** What draws in a context, as it was found by the last getMissing() in it. May be called from any thread. */
+    /** The renderer of a context, as found by getMissing(). May be called from any thread. */
     static Renderer getRenderer(unsigned int contextID);
 
 private:

@@ -13,25 +13,25 @@
 namespace osgLego
 {
 
-/** The camera of a pass: draws the one drawable of the pass into a frame buffer object, before the frame.
+/** The camera of a pass: draws the pass's only drawable into a frame buffer object, before the frame.
  *
- * The drawable owns the camera and not the other way round: a frame that is being drawn holds its drawables, and so
- * keeps the camera alive even when the node was removed meanwhile.
+ * The drawable owns the camera, not the other way round: a frame being drawn holds references to its drawables, and so
+ * keeps the camera alive even if the node has been removed meanwhile.
  */
 class PassCamera : public osg::Camera
 {
 public:
-    /** Draw into a texture, cleared before to `clearColor`. */
+    /** Draw into a texture, after clearing it to `clearColor`. */
     PassCamera(const osg::Drawable& drawable, osg::Texture2D& target, const osg::Vec4& clearColor);
-    /** Draw into several textures of one size, gl_FragData[0] into the first and so on. */
+    /** Draw into several textures of the same size: gl_FragData[0] into the first, and so on. */
     PassCamera(const osg::Drawable& drawable, const std::vector<osg::ref_ptr<osg::Texture2D>>& targets,
                const osg::Vec4& clearColor);
-    /** Draw nothing: for transform feedback, which needs a complete frame buffer all the same. */
+    /** Draw into no texture: for transform feedback, which still needs a complete frame buffer. */
     explicit PassCamera(const osg::Drawable& drawable);
 
     void traverse(osg::NodeVisitor& visitor) override;
 
-    /** A texture for a pass to draw into: RGBA, 32-bit floats, texels fetched one by one. */
+    /** A texture for a pass to draw into: RGBA, 32-bit floats, unfiltered. */
     static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size);
 
 private:

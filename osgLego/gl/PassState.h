@@ -8,15 +8,14 @@
 namespace osgLego
 {
 
-/** The state of a pass: its program, and all other state as GL starts with it, whatever the scene around the pass
- * sets. */
+/** Create the state of a pass: its program, and otherwise GL's initial state, regardless of state set in the scene. */
 osg::ref_ptr<osg::StateSet> createPassState(osg::Program& program);
 
-/** The same state without a program. */
+/** Set the same state, without a program. */
 void applyInitialState(osg::StateSet& stateSet);
 
-/** Whether a complete frame buffer object is bound for drawing. OSG draws into the window when it can't make one, above
- * all for lack of memory. Needs the context of the state current. */
+/** Whether a complete frame buffer object is bound for drawing. If OSG can't create one, usually for lack of memory, it
+ * draws into the window instead. Needs the context of `state` current. */
 bool isTargetThere(const osg::State& state);
 
 } // namespace osgLego

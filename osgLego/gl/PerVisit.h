@@ -12,11 +12,11 @@
 namespace osgLego
 {
 
-/** Something of its own for every visit that cull visitors pay a node in a frame: by visitor, by camera, and, of a node
- * with several parents, by visit.
+/** Holds a separate item for each time that a cull visitor visits a node in a frame: per visitor, per camera, and, for
+ * a node with several parents, per node path.
  *
- * What is found may be changed until the next frame of the visitor, which is not culled before its last one is drawn.
- * Not locked: hold a mutex.
+ * An item may be changed until the visitor's next frame, which is not culled before the previous one has been drawn.
+ * Not locked: the caller holds a mutex.
  */
 template <typename Item>
 class PerVisit
@@ -24,15 +24,15 @@ class PerVisit
 public:
     struct Entry
     {
-        osg::observer_ptr<osgUtil::CullVisitor> visitor; // to tell it from a later one at the same address
+        osg::observer_ptr<osgUtil::CullVisitor> visitor; // detects a later visitor at the same address
         osg::observer_ptr<osg::Camera> camera;
         unsigned int contextID = 0;
-        unsigned int frame = 0; //!< in which it was found last
-        osg::NodePath path;     //!< by which the visitor came
+        unsigned int frame = 0; //!< the last frame that used the item
+        osg::NodePath path;     //!< the path by which the visitor reached the node
         std::unique_ptr<Item> item;
     };
 
-    /** What is there for the visit that a visitor pays just now; new at its first. */
+    /** The item of the visitor's current visit; created by the first one. */
     Item& find(osgUtil::CullVisitor& visitor)
     {
         const unsigned int frame = visitor.getTraversalNumber();
@@ -62,17 +62,18 @@ public:
     void clear() { _entries.clear(); }
 
 private:
-    // What was not used for so many frames goes, as of a camera that is switched off.
+    // Items unused for this many frames are dropped, such as those of a camera that is switched off.
     static constexpr unsigned int IDLE_FRAMES = 60;
 
     std::vector<Entry> _entries;
 };
 
-/** The turn from a visitor's eye coordinates to the world's, at the node it is visiting: what osg_ViewMatrixInverse
- * says, but right for cameras that render to textures, too. */
+/** The transform from a visitor's eye coordinates to world coordinates, at the node it is visiting: like
+ * osg_ViewMatrixInverse, but also correct for cameras that render to textures. */
 inline osg::Matrixd computeEyeToWorld(osgUtil::CullVisitor& visitor)
 {
-    // As osg::computeLocalToWorld() does, which copies the path: from the last camera that stands for itself on.
+    // Like osg::computeLocalToWorld(), but without copying the path: starts at the last camera that is not relative to
+    // its parents.
     const osg::NodePath& path = visitor.getNodePath();
     const auto isOutermost = [](osg::Node* node)
     {

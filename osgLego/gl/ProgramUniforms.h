@@ -18,7 +18,7 @@
 namespace osgLego
 {
 
-/** The name of a uniform, as OSG numbers them: a static one spares every draw call the search for it. */
+/** The name of a uniform, as the ID that OSG gives it. Make it static to avoid a look-up in every draw call. */
 struct UniformName
 {
     UniformName(const char* name) : id(osg::Uniform::getNameID(name)) {}
@@ -26,9 +26,9 @@ struct UniformName
     unsigned int id;
 };
 
-/** Sets uniforms of the program that a state has applied last, at once and by name.
+/** Sets uniforms, by name and immediately, in the program that a state has applied last.
  *
- * For values that change from draw call to draw call; a name that the program does not use is passed over. Needs the
+ * For values that change from draw call to draw call. Names that the program does not use are ignored. Needs the
  * context of the state current.
  */
 class ProgramUniforms
@@ -84,20 +84,20 @@ private:
     const osg::Program::PerContextProgram& _program;
 };
 
-/** A matrix of OSG's, which multiplies rows, as GLSL's, which multiplies columns. */
+/** Convert a matrix from OSG, which multiplies row vectors, to GLSL, which multiplies column vectors. */
 inline glm::mat4 toGlsl(const osg::Matrixd& matrix)
 {
     return glm::mat4(glm::make_mat4(matrix.ptr()));
 }
 
-/** The rotation, without scale, of a transform that has no other skew. */
+/** The rotation of a transform that consists of rotation, scale and translation. */
 inline glm::mat3 rotationOf(const osg::Matrixd& matrix)
 {
     const glm::mat3 linear(toGlsl(matrix));
     return {glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2])};
 }
 
-/** That as the value of a uniform. */
+/** The same rotation, as the value of a uniform. */
 inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
 {
     const glm::mat3 rotation = rotationOf(matrix);
@@ -106,7 +106,7 @@ inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
     return result;
 }
 
-/** Tell shaders/light/fog.glsl what fog the state has applied; the colour and the rest are GL's own. */
+/** Set the mode of the applied fog for shaders/light/fog.glsl; GL provides its colour and other parameters. */
 inline void setFog(const ProgramUniforms& uniforms, const osg::State& state)
 {
     const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));

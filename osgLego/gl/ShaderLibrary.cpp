@@ -13,7 +13,7 @@
 namespace osgLego
 {
 
-/** The embedded files by name; made at build time, see CMakeLists.txt. */
+/** The embedded files by name; generated at build time, see CMakeLists.txt. */
 const ShaderLibrary::Sources& getEmbeddedShaders();
 
 namespace
@@ -31,7 +31,7 @@ bool readFile(const std::string& path, std::string& text)
     return true;
 }
 
-/** All files that are known. */
+/** The embedded files, and those given to ShaderLibrary::add(). */
 class KnownSources
 {
 public:
@@ -87,7 +87,7 @@ std::string ShaderLibrary::getSource(const std::string& fileName)
     std::string text;
     if (!readShader(fileName, text))
     {
-        OSG_WARN << "osgLego: there is no shader '" << fileName << "'" << std::endl;
+        OSG_WARN << "osgLego: shader '" << fileName << "' not found" << std::endl;
         return {};
     }
 

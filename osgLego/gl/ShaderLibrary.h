@@ -11,12 +11,12 @@
 namespace osgLego
 {
 
-/** The GLSL sources of the passes, which are files of the folder shaders/, embedded in the library when it is built.
+/** The GLSL sources of the passes: the files of the folder shaders/, embedded in the library when it is built.
  *
- * When the environment variable OSGLEGO_SHADER_PATH names a folder, files are read from there instead, so that shaders
- * can be edited without building; a file that is missing there comes from the library. A line `#include "file"` is
- * replaced by that file. So can headers of C++ be, `#include "osgLego/NAME.h"`, which are written to suit both
- * languages; CMakeLists.txt lists them.
+ * If the environment variable OSGLEGO_SHADER_PATH names a folder, files are read from there instead, so that shaders
+ * can be edited without a build; files missing there come from the library. A line `#include "file"` is replaced by
+ * that file. Shaders may also include C++ headers that are valid in both languages, as `#include "osgLego/NAME.h"`;
+ * CMakeLists.txt lists them.
  *
  * Every function may be called from any thread.
  */
@@ -25,17 +25,17 @@ class ShaderLibrary
 public:
     using Sources = std::map<std::string_view, std::string_view>;
 
-    /** Make more files known, by their names: those of a program that draws with shaders of its own besides. The texts
-     * must outlive every use of the library. */
+    /** Add files by name, for a program that also draws with shaders of its own. The texts must outlive every use of
+     * the library. */
     static void add(const Sources& sources);
 
-    /** The text of a file of shaders/, its includes resolved; empty, with a warning, when there is none. */
+    /** The text of a file in shaders/, with its includes resolved; empty, with a warning, if there is no such file. */
     static std::string getSource(const std::string& fileName);
 
     /** A program of the given stages (.vert, .geom and .frag files).
      *
-     * Its name is `pass` and the definitions together, since OSG takes programs that look alike for one.
-     * @param definitions lines of GLSL, `#define NAME value`, put in front of every stage. */
+     * Its name combines `pass` and the definitions, since OSG may merge programs that look alike.
+     * @param definitions lines of GLSL, `#define NAME value`, put at the start of every stage. */
     static osg::ref_ptr<osg::Program> createProgram(const std::string& pass,
                                                     std::initializer_list<const char*> fileNames,
                                                     const std::string& definitions = {});

@@ -5,8 +5,8 @@
 namespace osgLego
 {
 
-/** The override value of state without which a drawable can't draw, such as the program of a pass: it replaces state
- * sets below it (OVERRIDE), and state sets above it that override do not replace it (PROTECTED). */
+/** The override value for state that a drawable can't draw without, such as the program of a pass: it replaces the
+ * state in state sets below (OVERRIDE), and overriding state sets above do not replace it (PROTECTED). */
 constexpr osg::StateAttribute::OverrideValue OVERRIDE_PROTECTED =
     osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 

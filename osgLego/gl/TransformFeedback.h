@@ -6,7 +6,7 @@
 namespace osgLego
 {
 
-/** What a transform feedback was given, and what of it found room. */
+/** The number of primitives that a transform feedback generated, and the number that fitted into its buffer. */
 struct CapturedPrimitives
 {
     GLuint generated = 0;
@@ -15,10 +15,10 @@ struct CapturedPrimitives
     bool isComplete() const { return generated == written; }
 };
 
-/** A GL transform feedback object and the two queries that tell whether its buffer was large enough.
+/** A GL transform feedback object, with two queries that determine whether its buffer was large enough.
  *
- * Rasterization is off while capturing. All functions, constructor and destructor included, need the context current
- * in which the object was made; transform feedback objects are not shared between contexts (OpenGL 4.6, chapter 5).
+ * Rasterization is off while capturing. All functions, including constructor and destructor, need the context current
+ * in which the object was made; contexts do not share transform feedback objects (OpenGL 4.6, chapter 5).
  *
  * Usage:
  *
@@ -42,10 +42,10 @@ public:
     void begin(GLenum primitives, GLuint buffer, GLintptr offset, GLsizeiptr size);
     void end();
 
-    /** Draw what was captured last, without asking how much that is. */
+    /** Draw the primitives of the last capture, without reading their number back. */
     void draw(GLenum primitives) const;
 
-    /** Wait for the last capture to be over, and count. */
+    /** Wait for the last capture to finish, and count its primitives. */
     CapturedPrimitives getResult() const;
 
 private:

@@ -69,7 +69,7 @@ void BrickDisplay::cull(osgUtil::CullVisitor& visitor)
     visitor.popStateSet();
 }
 
-/** What only this visit knows of the view: where the probe's light comes from, in the eye's coordinates. */
+/** The state that is specific to the view of this visit: the orientation of the light probe in eye coordinates. */
 osg::ref_ptr<osg::StateSet> BrickDisplay::getViewState(osgUtil::CullVisitor& visitor)
 {
     const std::lock_guard lock(_mutex);
@@ -84,7 +84,7 @@ void BrickDisplay::dirtyBound()
     const std::lock_guard lock(_mutex);
     if (!_nodes) return;
     _nodes->dirtyBound();
-    _nodes->getBound(); // here, or several cull threads would compute it at once
+    _nodes->getBound(); // computed here, so that cull threads don't compute it concurrently
 }
 
 void BrickDisplay::resizeGLObjectBuffers(unsigned int maxSize)

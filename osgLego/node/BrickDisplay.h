@@ -18,7 +18,7 @@
 namespace osgLego
 {
 
-/** How the bricks of a store look, and the nodes that draw them so, made when they are first asked for.
+/** The look of the bricks of a store, and the nodes that draw them, which are created on first use.
  *
  * Every function may be called from any thread.
  */
@@ -33,13 +33,13 @@ public:
     void setLightProbe(const LightProbe& probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 
-    /** Queue the bricks to be drawn in the stage that the visitor is filling. */
+    /** Queue the bricks in the render stage that the visitor is filling. */
     void cull(osgUtil::CullVisitor& visitor);
 
-    /** The node that stands for the bricks: drawn, picked, bounded. */
+    /** The node that represents the bricks for drawing, picking and bounds. */
     osg::ref_ptr<osg::Geode> getBrickNode() const { return &getNodes()->getFrameNode(); }
 
-    /** Say that the bounds of the bricks have changed; in the update traversal. */
+    /** Recompute the bounds of the nodes after those of the bricks have changed. Call it in the update traversal. */
     void dirtyBound();
 
     void resizeGLObjectBuffers(unsigned int maxSize);

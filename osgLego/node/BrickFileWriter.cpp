@@ -24,24 +24,24 @@ bool isOneOf(const std::array<std::string_view, COUNT>& list, std::string_view e
     return std::find(list.begin(), list.end(), extension) != list.end();
 }
 
-/** The extension of the format, in lower case: of `bricks.osgt.gz` it is that of what is compressed. */
+/** The extension of the format, in lower case; for a compressed file, `bricks.osgt.gz`, without the extension .gz. */
 std::string formatOf(std::string fileName)
 {
     if (osgDB::getLowerCaseFileExtension(fileName) == "gz") fileName = osgDB::getNameLessExtension(fileName);
     return osgDB::getLowerCaseFileExtension(fileName);
 }
 
-/** Whether files of a format are written by OSG's serializers, for which this project has a plugin. */
+/** Whether OSG's serializers, for which this project has a plugin, write files of a format. */
 bool storesNodes(const std::string& format)
 {
     const osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension(format);
     return writer && writer->acceptsExtension("osgt");
 }
 
-// Of the formats that OSG 3.6.5 writes. All others keep colours as materials alone.
+// The formats written by OSG 3.6.5 that keep colours by vertex. All others keep them only as materials.
 constexpr std::array<std::string_view, 5> COLORS_BY_VERTEX{"dae", "flt", "ive", "osg", "osgjs"};
 constexpr std::array<std::string_view, 3> NO_COLORS{"3dc", "sta", "stl"};
-// Written without any osg::Geometry.
+// Formats whose writers ignore osg::Geometry.
 constexpr std::array<std::string_view, 2> NO_GEOMETRY{"iv", "wrl"};
 
 BrickColors colorsOf(const std::string& format)
@@ -77,7 +77,7 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node,
                            "another format for '" + fileName + "', such as .obj");
     WriteResult result = write(*scene);
     if (scene == &node || !result.success()) return result;
-    // Some writers, as Debian's of .dae, do nothing and report success.
+    // Some writers, such as Debian's for .dae, write nothing and report success.
     if (!osgDB::containsServerAddress(fileName) && !osgDB::fileExists(fileName))
         return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " has written no file '" + fileName +
                            "'");

@@ -10,11 +10,11 @@
 namespace osgLego
 {
 
-/** Has osgDB write the bricks of LegoNodes, as geometry, into files of formats that can't store the node.
+/** Makes osgDB write the bricks of LegoNodes as geometry to files whose format can't store the node.
  *
- * A callback of osgDB's registry, which is where every file is written through whose format OSG chooses by its name
- * (osgDB::writeNodeFile, osgconv), and the one place where the format is known before a writer walks over the scene.
- * Hands everything on to the callback that was there before, or to the registry.
+ * It is a callback of osgDB's registry. The registry writes every file whose format OSG chooses by its name
+ * (osgDB::writeNodeFile, osgconv), and only there is the format known before a writer traverses the scene. All calls
+ * are forwarded to the previous callback, or to the registry.
  */
 class BrickFileWriter : public osgDB::WriteFileCallback
 {
@@ -22,10 +22,10 @@ public:
     using WriteResult = osgDB::ReaderWriter::WriteResult;
     using Options = osgDB::Options;
 
-    /** Install one, the first time that this is called. May be called from any thread. */
+    /** Install a writer in the registry; only the first call has an effect. May be called from any thread. */
     static void install();
 
-    /** @param next what everything is handed on to; null: the registry. */
+    /** @param next the callback to which calls are forwarded; null: the registry. */
     explicit BrickFileWriter(osgDB::WriteFileCallback* next);
 
     WriteResult writeObject(const osg::Object& object, const std::string& fileName, const Options* options) override;
@@ -39,7 +39,7 @@ public:
 private:
     ~BrickFileWriter() override = default;
 
-    /** Write a node, its bricks replaced if they must be, by `write(node)`. */
+    /** Write a node by `write(node)`, after replacing its bricks by geometry if the format requires it. */
     template <typename Write>
     static WriteResult writeBricks(const osg::Node& node, const std::string& fileName, const Write& write);
 

@@ -105,8 +105,8 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     return true;
 }
 
-/** The one place that knows where bricks are made. A context whose renderer is not known yet gets bricks from the CPU,
- * which any context can show. */
+/** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is
+ * unknown, since any context can show bricks from the CPU. */
 BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsigned int contextID) const
 {
     if (settings.device == Device::CPU) return *_cpuProducer;
@@ -115,7 +115,7 @@ BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsign
     return *_cpuProducer;
 }
 
-/** Whether a frame must wait for its bricks: by request, or because there would be nothing to show. */
+/** Whether a frame must wait for its bricks: on request, or because there are no others to show. */
 bool LegoPipeline::mustWait(const ContextBricks& bricks) const
 {
     if (_waiting) return true;
@@ -126,7 +126,7 @@ bool LegoPipeline::mustWait(const ContextBricks& bricks) const
 bool LegoPipeline::isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
 {
     if (bricks.isHopeless() || bricks.getFailedRevision() == source.revision) return true;
-    // There once the context has been current; in a first frame without it, drawing finds out.
+    // Null until the context has been current; in such a first frame, drawing checks the requirements.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
     const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();
     if (missing.empty()) return false;
@@ -161,7 +161,7 @@ void LegoPipeline::prepareForPicking()
     const osg::ref_ptr<const LegoSource> source = getSource();
     if (!source) return;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    // A set that is shown is picked until the next one is; one that was only picked is as old as the source.
+    // A set that is shown is picked until the next set is shown. A set made only for picking must match the source.
     const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source->revision);
     if (!isShown) _store->deliver(*createGpuBrickSet(*source));
 }

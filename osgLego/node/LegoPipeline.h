@@ -22,10 +22,10 @@
 namespace osgLego
 {
 
-/** All that is behind a LegoNode: looks at its source, has a producer make bricks when that has changed, and shows what
- * the producers have delivered.
+/** The implementation of LegoNode: checks the source, has a producer make bricks when it has changed, and shows the
+ * bricks delivered.
  *
- * Every function may be called from any thread, as long as no other thread changes the source meanwhile.
+ * Every function may be called from any thread as long as no other thread changes the source.
  */
 class LegoPipeline : public osg::Referenced
 {
@@ -38,48 +38,48 @@ public:
     bool getTiming() const;
     void setReadBack(bool readBack);
     bool getReadBack() const;
-    /** Whether frames wait for bricks that are made on the CPU. */
+    /** Whether frames wait for bricks made on the CPU. */
     void setWaiting(bool waiting) { _waiting = waiting; }
     bool getWaiting() const { return _waiting; }
-    /** Called after each set that was made on the CPU, by the thread that finished it. */
+    /** Set the function to call when a set has been made on the CPU; it is called in the thread that made the set. */
     void setAnnouncement(std::function<void()> announcement);
 
     BrickDisplay& getDisplay() { return _display; }
     const BrickDisplay& getDisplay() const { return _display; }
     const BrickStore& getStore() const { return *_store; }
 
-    /** Flatten the source at the next look, whatever its signature says. */
+    /** Flatten the source at the next check, even if its signature has not changed. */
     void dirty() { _isDirty = true; }
     bool isDirty() const { return _isDirty; }
 
-    /** Look at the source, and flatten it if it is not the one of the last look. */
+    /** Check the source, and flatten it if it has changed since the last check. */
     void refresh(const osg::Node& source);
-    /** The same, but look only when dirty() was said. */
+    /** The same, but only after dirty(). */
     void refreshIfDirty(const osg::Node& source)
     {
         if (_isDirty) refresh(source);
     }
-    /** Take over what the producers have finished. Called in every update, behind refresh().
-     * @return whether the bounds of the bricks are not those of the last update. */
+    /** Show the bricks that the producers have finished. Called in every update, after refresh().
+     * @return whether the bounds of the bricks have changed since the last update. */
     bool update(unsigned int frame);
 
-    /** Draw the bricks, and have them made first if the visitor's context lacks them.
-     * @return false when the context can't have them, or there are none: then the source is to be drawn. */
+    /** Queue the bricks for drawing, after having them made if the visitor's context lacks them.
+     * @return false if the context can't show bricks, or there are none; the caller then draws the source. */
     bool cull(osgUtil::CullVisitor& visitor);
 
-    /** Find out whether a context, which is current, has what bricks need. */
+    /** Whether a context, which must be current, meets the requirements of bricks. */
     bool isFit(const osg::State& state) const;
 
-    /** The source of the last look; null when it shows no triangles. */
+    /** The source of the last check; null if it has no visible triangles. */
     osg::ref_ptr<const LegoSource> getSource() const;
-    /** The model of that source, made now if it is not there yet; null without source. */
+    /** The model of that source, made now if necessary; null without a source. */
     osg::ref_ptr<const BrickModel> getModel();
-    /** Where bricks are, or will be as soon as they are made. */
+    /** The bounds of the bricks, including those still being made. */
     osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
 
-    /** See to it that there is a brick set to be picked, which may be made before any context has drawn one. */
+    /** Make sure that there is a brick set for picking, even before any context has drawn one. */
     void prepareForPicking();
-    /** The bricks of the source as osg::Geometry, made when first asked for; null when there are none. */
+    /** The bricks of the source as osg::Geometry, created by the first call; null if there are none. */
     osg::ref_ptr<osg::Node> getGeometryNode();
 
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -92,7 +92,7 @@ private:
     bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
     bool mustWait(const ContextBricks& bricks) const;
 
-    mutable std::mutex _mutex; // of the wishes, the watch and the geometry
+    mutable std::mutex _mutex; // guards the wishes, the watch, the last bounds and the geometry
     SourceWatch::Wishes _wishes;
     SourceWatch _watch;
     std::atomic<bool> _isDirty{true};
@@ -104,7 +104,7 @@ private:
     osg::ref_ptr<osg::Geode> _geometryNode;
     osg::ref_ptr<const BrickModel> _geometryModel;
 
-    /** What producers may call after the pipeline has gone. */
+    /** The function to call, kept apart because producers may call it after the pipeline has been destroyed. */
     struct Announcement
     {
         void operator()();

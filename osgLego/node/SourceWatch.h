@@ -11,14 +11,14 @@
 namespace osgLego
 {
 
-/** Notices when a source has changed, and flattens it then.
+/** Detects changes of a source, and flattens it when it has changed.
  *
  * Not locked: one thread at a time, while no other thread changes the source.
  */
 class SourceWatch
 {
 public:
-    /** What a source is to be legolized by. */
+    /** The options with which a source is legolized. */
     struct Wishes
     {
         LegoSettings settings;
@@ -26,12 +26,12 @@ public:
         bool readBack = false;
     };
 
-    /** Look at a source, and flatten it if it, or the wishes, are not those of the last look.
-     * @param isDirty flatten it all the same.
+    /** Check a source, and flatten it if it has changed since the last check.
+     * @param isDirty flatten it in any case, as after a change of the wishes.
      * @return whether it was flattened. */
     bool look(const osg::Node& node, const Wishes& wishes, bool isDirty);
 
-    /** The source of the last look; null when it shows no triangles. */
+    /** The source of the last check; null if it has no visible triangles. */
     osg::ref_ptr<const LegoSource> getSource() const { return _source; }
 
 private:

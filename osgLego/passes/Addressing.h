@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** Set what shaders/passes/addressing.glsl needs to find the cells of a slab in a voxel image. */
+/** Set the uniforms of shaders/passes/addressing.glsl, which map the cells of a slab to texels of a voxel image. */
 inline void setAddressing(const ProgramUniforms& uniforms, const BrickGrid& grid, const Slab& slab,
                           const glm::ivec2& imageSize)
 {

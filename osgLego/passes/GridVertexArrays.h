@@ -6,9 +6,9 @@
 namespace osgLego
 {
 
-/** Feeds buffers of GridVertex to a vertex shader, attribute locations 0 to 3, as long as it lives.
+/** Feeds buffers of GridVertex to the attribute locations 0 to 3 of a vertex shader during its lifetime.
  *
- * Expects, and leaves behind, no vertex array enabled and no array buffer bound. Needs its context current.
+ * No vertex array may be enabled and no array buffer bound before, and none is afterwards. Needs its context current.
  */
 class GridVertexArrays
 {
@@ -18,7 +18,7 @@ public:
     GridVertexArrays(const GridVertexArrays&) = delete;
     GridVertexArrays& operator=(const GridVertexArrays&) = delete;
 
-    /** Take the vertices from here on out of `buffer`. */
+    /** Read the vertices of the following draw calls from `buffer`. */
     void bind(GLuint buffer) const;
 
 private:

@@ -53,7 +53,8 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 
 std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& work) const
 {
-    if (!state.getLastAppliedProgramObject()) return std::string("the shaders of ") + className() + " do not compile";
+    if (!state.getLastAppliedProgramObject())
+        return std::string("the shaders of ") + className() + " failed to compile";
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     try
@@ -62,11 +63,11 @@ std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& wo
     }
     catch (const std::bad_alloc&)
     {
-        return "there is no memory for so many bricks; expected a lower resolution";
+        return "there is not enough memory for the bricks; expected a lower resolution";
     }
 }
 
-/** Show the bricks in this context, and let everything else know of their set. */
+/** Show the bricks in this context, and deliver their set to the store. */
 void LegolizationPass::deliver(const osg::State& state, Legolization& work) const
 {
     GpuBricks made;
@@ -93,7 +94,7 @@ bool LegolizationPass::start(osg::State& state, PassContext& context, const Pass
     const osg::ref_ptr<const ContextBricks> shown = _workspace->getStore().getContext(state.getContextID());
     if (!source || bricks->getRevision() != source->revision) return false;
     if (shown->getFailedRevision() == source->revision || shown->isOf(source->revision)) return false;
-    // The source may have changed since the frame was culled: then the next frame has passes that fit.
+    // If the source has changed since the frame was culled, the next frame will have passes that fit.
     if (!plan.fits(*source)) return false;
     const bool isOthers = context.work && context.work->owner != state.getGraphicsContext();
     if (isOthers) return false;

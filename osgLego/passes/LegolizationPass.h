@@ -12,21 +12,20 @@
 namespace osgLego
 {
 
-/** A pass of the legolization: a drawable that does its part of the work when it is drawn, and then only if it is its
- * turn.
+/** A pass of the legolization: a drawable that does one step of the work when it is drawn in its turn.
  *
- * The passes of a source are numbered; the first starts a legolization if the context has no bricks of the wanted
- * source, each of the others goes on where the one before stopped, and the last finishes. A pass drawn a second time in
- * a frame, or in a frame that needs no work, does nothing.
+ * The passes of a source are numbered. The first one starts a legolization if the context lacks the bricks of the
+ * wanted source, each of the others continues where the previous one stopped, and the last one completes it. A pass
+ * that is drawn again in the same frame, or in a frame without work, does nothing.
  *
  * Preconditions:
- * 1. Drawn through its own camera, in the order of the numbers, all in one context and one frame.
- * 2. GL objects that only this pass needs do not outlive its run.
+ * 1. The passes are drawn through their own cameras, in the order of their numbers, all in one context and one frame.
+ * 2. GL objects that only this pass needs do not outlive its run().
  */
 class LegolizationPass : public osg::Drawable
 {
 public:
-    /** The camera that draws this pass; give it to a cull visitor. */
+    /** The camera that draws this pass; have a cull visitor visit it. */
     PassCamera& getCamera() const { return *_camera; }
 
     osg::BoundingBox computeBoundingBox() const override { return {}; }
@@ -43,20 +42,19 @@ protected:
     ~LegolizationPass() override = default;
 
     void setCamera(PassCamera* camera) { _camera = camera; }
-    /** Start the legolization of the wanted source, unless the context has its bricks, or can't have them, or another
-     * context is at work on them. For begin() of a first pass. */
+    /** Start the legolization of the wanted source, unless the context has its bricks or has failed to make them, or
+     * another context is making them. For begin() of the first pass. @return whether it was started. */
     bool start(osg::State& state, PassContext& context, const PassPlan& plan) const;
 
-    /** Bind the texture of a batch, and say how it joins the colours, for shaders/passes/surface_color.glsl. For run().
-     */
+    /** Bind the texture of a batch and set its environment, for shaders/passes/surface_color.glsl. For run(). */
     void bindSurfaceOf(osg::State& state, const GridBatch& batch) const;
 
-    /** Whether there is something to do; the first pass starts the legolization here. Called as run() is. */
+    /** Whether it is this pass's turn; the first pass starts the legolization here. Called in the same way as run(). */
     virtual bool begin(osg::State& state, PassContext& context) const;
-    /** Do the work; the last pass says that it is complete. Called with the context current, its work locked and the
-     * pass's own program applied. @return why it can't be done; empty when it was. */
+    /** Do the work; the last pass marks it as complete. Called with the context current, its work locked, and the
+     * program of the pass applied. @return the reason for a failure, in one sentence; empty on success. */
     virtual std::string run(osg::State& state, Legolization& work) const = 0;
-    /** Where the time it took is to be added. */
+    /** The statistic to which the time of this pass is added. */
     virtual double& getTime(LegoStatistics& statistics) const = 0;
 
 private:

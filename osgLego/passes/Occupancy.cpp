@@ -46,7 +46,7 @@ void Occupancy::clear(const osg::State& state, int numBlocks)
 
 void Occupancy::beginMarking(osg::State& state)
 {
-    // Whether the compiler knows images is what counts, whatever the driver says of itself.
+    // Depends on whether the shader compiler supports images, not on the version or extensions that the driver reports.
     const ProgramUniforms uniforms(state);
     _isMarked = uniforms.has("occupancy");
     if (!_isMarked) return;

@@ -9,33 +9,34 @@
 namespace osgLego
 {
 
-/** Which cells of a slab are covered, in a buffer on the GPU: a bit each, block by block, so that extraction need not
- * look at every cell. shaders/passes/occupancy.glsl says where the bit of a cell is.
+/** A buffer on the GPU with one bit for each cell of a slab, set if the cell is covered, so that extraction need not
+ * examine every cell. shaders/passes/occupancy.glsl defines the position of each bit.
  *
- * Blocks are as large as those of BrickBlock, and lie where these lie; a slab may begin and end inside of them.
+ * The bits are stored block by block. Blocks have the size and the positions of those of BrickBlock; a slab may begin
+ * or end inside a block.
  *
- * Every function but the constructor needs the context current in which the slab is voxelized.
+ * Every function except the constructor needs the context current in which the slab is voxelized.
  */
 class Occupancy
 {
 public:
     static constexpr int WORDS_PER_BLOCK = 16;
 
-    /** How many blocks a slab reaches into. */
+    /** The number of blocks that a slab reaches into. */
     static int countBlocks(const BrickGrid& grid, const Slab& slab);
 
-    /** Make room for so many blocks, all of their cells empty. Drivers that run out of memory say so by GL's error. */
+    /** Allocate `numBlocks` blocks, with all cells empty. If memory runs out, GL reports an error. */
     void clear(const osg::State& state, int numBlocks);
 
-    /** Have the program that is applied mark what it covers, as shaders/passes/occupancy_marking.glsl does, until the
-     * end. */
+    /** Let the applied program mark the cells that it covers, by shaders/passes/occupancy_marking.glsl, until
+     * endMarking(). */
     void beginMarking(osg::State& state);
     void endMarking(osg::State& state) const;
-    /** Whether it could: OpenGL 4.2, or the extension, is needed for it. */
+    /** Whether the program could mark cells, which takes OpenGL 4.2 or GL_ARB_shader_image_load_store. */
     bool isMarked() const { return _isMarked; }
 
     GLuint getBuffer() const { return _buffer.get(); }
-    /** The same as a buffer texture, a word in a texel. */
+    /** The same buffer as a buffer texture, one word per texel. */
     GLuint getTexture() const { return _texture.get(); }
 
 private:

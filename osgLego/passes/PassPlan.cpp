@@ -8,7 +8,8 @@ namespace osgLego
 namespace
 {
 
-/** A triangle with edges of at most `edgeLimit` reaches across so many cells of an axis, and one more. */
+/** The largest number of cells that a triangle meets if its edges have at most `edgeLimit` cells: along each axis it
+ * spans that many cells, rounded up, and one more. */
 int cellsMetAtMost(double edgeLimit)
 {
     const int along = static_cast<int>(std::ceil(edgeLimit)) + 1;
@@ -36,7 +37,7 @@ std::string PassPlan::findObstacle(const LegoSource& source)
     const std::size_t numCells = source.triangles->getGrid().getNumCells();
     if (source.settings.getTarget() != VoxelizationTarget::PROJECTED || numCells <= MAXIMUM_PROJECTED_CELLS) return {};
     return "a projected target holds at most 16777216 cells (256 x 256 x 256), and this grid has " +
-           std::to_string(numCells) + "; allowed: a lower resolution, or target=addressed";
+           std::to_string(numCells) + "; expected a lower resolution, or target=addressed";
 }
 
 } // namespace osgLego

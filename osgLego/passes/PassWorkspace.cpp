@@ -50,7 +50,7 @@ void PassWorkspace::releaseTextures() const
 
 void PassWorkspace::releaseGLObjects(osg::State* state) const
 {
-    // Copies, since a pass locks its context first, and then the workspace.
+    // The map is copied to avoid a deadlock: a pass locks its context first, then the workspace.
     std::map<unsigned int, osg::ref_ptr<PassContext>> contexts;
     {
         const std::lock_guard lock(_mutex);

@@ -21,28 +21,28 @@
 namespace osgLego
 {
 
-/** Triangles of a source on the GPU, as they came and as subdivision left them. */
+/** Triangles of a source on the GPU, before and after subdivision. */
 struct WorkingBatch
 {
     const GridBatch* batch = nullptr;
     GlBuffer source;
     GlTexture lookup; //!< the source as a buffer texture
-    GlBuffer fine;    //!< empty: no edge was too long, and the source is fine as it is
+    GlBuffer fine;    //!< the subdivided triangles; empty if no edge of the source was too long
     GLsizei numFineTriangles = 0;
 
     GLuint getFineBuffer() const { return fine.get() != 0 ? fine.get() : source.get(); }
 };
 
-/** A legolization under way in one context: what one pass leaves to the next. */
+/** A legolization in progress in one context, which each pass hands on to the next. */
 struct Legolization
 {
     osg::ref_ptr<const LegoSource> source;
     osg::ref_ptr<const BrickSet> bricks;
-    const osg::GraphicsContext* owner = nullptr; //!< of contexts that share objects, the one whose passes do the work
-    unsigned int nextStep = 0;                   //!< the number of the pass whose turn it is
+    const osg::GraphicsContext* owner = nullptr; //!< the context that does the work, of those that share GL objects
+    unsigned int nextStep = 0;                   //!< the number of the next pass
     bool isComplete = false;
     std::vector<WorkingBatch> batches;
-    Occupancy occupancy; //!< of the slab voxelized last
+    Occupancy occupancy; //!< of the last slab voxelized
     GlBuffer buffer;     //!< of BrickPoint
     std::size_t brickCapacity = 0;
     std::size_t numBricks = 0;
@@ -50,15 +50,15 @@ struct Legolization
     LegoStatistics statistics;
 };
 
-/** What the passes of a node have under way in one context. */
+/** The work in progress of a node's passes in one context. */
 struct PassContext : public osg::Referenced
 {
-    std::mutex mutex; //!< hold it for every use of the work
+    std::mutex mutex; //!< held for every use of `work`
     std::unique_ptr<Legolization> work;
 };
 
-/** What the passes of a node share: the source that is wanted, what is under way in each context, the textures of
- * surfaces, and the store that the bricks are delivered to.
+/** The data that the passes of a node share: the wanted source, the work in progress in each context, the textures of
+ * surfaces, and the store to which bricks are delivered.
  *
  * Every function may be called from any thread.
  */
@@ -69,22 +69,22 @@ public:
 
     BrickStore& getStore() const { return *_store; }
 
-    /** Want the bricks of a source from now on. @param bricks the set that stands for them once they are made. */
+    /** Set the wanted source. @param bricks the set to deliver once its bricks are made. */
     void setSource(const LegoSource& source, const BrickSet& bricks);
-    /** The source that is wanted; null at first. */
+    /** The wanted source; null initially. */
     osg::ref_ptr<const LegoSource> getSource() const;
-    /** The set of that source. */
+    /** The brick set of the wanted source. */
     osg::ref_ptr<const BrickSet> getBricks() const;
 
-    /** The work of a context ID; none at first. */
+    /** The work of a context ID; initially none. */
     osg::ref_ptr<PassContext> getContext(unsigned int contextID) const;
 
-    /** The texture of a surface, for any context; one and the same until releaseTextures(), or another source. */
+    /** The texture of a surface, for any context; kept until releaseTextures() or setSource(). */
     osg::ref_ptr<osg::Texture2D> getTexture(const SurfaceTexture& surface) const;
-    /** Let go of the textures of surfaces, which are needed only to make bricks. */
+    /** Release the textures of surfaces, which are only needed to make bricks. */
     void releaseTextures() const;
 
-    /** Let go of the GL objects of one context, or of all when `state` is null. */
+    /** Release the GL objects of one context, or of all contexts if `state` is null. */
     void releaseGLObjects(osg::State* state) const;
 
 private:

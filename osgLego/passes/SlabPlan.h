@@ -11,15 +11,15 @@ namespace osgLego
 /** Layers (z) of a grid that are voxelized together. */
 struct Slab
 {
-    int begin = 0;      //!< the first layer whose bricks it yields
-    int end = 0;        //!< the one after the last
-    int imageBegin = 0; //!< the first layer in the voxel image: the layer below, where there is one, and
-    int imageEnd = 0;   //!< the layer above are there too, since they decide which sides are open
+    int begin = 0;      //!< the first layer
+    int end = 0;        //!< the layer after the last
+    int imageBegin = 0; //!< the first layer in the voxel image, which also holds the layers just below and above the
+    int imageEnd = 0;   //!< slab, if the grid has them, since they determine its open sides; and the end of the image
 };
 
-/** How a grid is cut into slabs, so that the voxel image of one fits into a texture of bounded size.
+/** The division of a grid into slabs, so that the voxel image of each fits into a texture of limited size.
  *
- * A grid of up to MAXIMUM_TEXELS cells is one slab; beyond that, memory no longer grows with the grid.
+ * A grid of up to MAXIMUM_TEXELS cells is one slab; for larger grids, the size of the image stops growing.
  */
 struct SlabPlan
 {

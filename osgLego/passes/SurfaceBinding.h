@@ -9,14 +9,13 @@
 namespace osgLego
 {
 
-/** The texture of a surface as shaders/passes/surface_color.glsl wants it, with all of its mipmaps. Needs no context.
- */
+/** Create the texture of a surface for shaders/passes/surface_color.glsl, with all its mipmaps. Needs no context. */
 osg::ref_ptr<osg::Texture2D> createSurfaceTexture(const SurfaceTexture& surface);
 
-/** Binds what shaders/passes/surface_color.glsl needs for a batch: its texture to unit 0, its environment to the
- * uniform.
+/** Bind the texture of a batch to unit 0, and set the uniform for its environment, for
+ * shaders/passes/surface_color.glsl.
  *
- * Needs the context current and the program applied. @param texture that of the batch; null where it has none. */
+ * Needs the context current and the program applied. @param texture the batch's texture; null if it has none. */
 void bindSurface(osg::State& state, const GridBatch& batch, osg::Texture2D* texture);
 
 } // namespace osgLego

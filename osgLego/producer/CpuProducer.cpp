@@ -16,7 +16,7 @@ namespace osgLego
 namespace
 {
 
-/** @return null when the task that this is called in is given up. */
+/** @return null if the task that calls this has been cancelled. */
 osg::ref_ptr<const BrickSet> makeSet(const LegoSource& source)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
@@ -32,13 +32,13 @@ osg::ref_ptr<const BrickSet> makeSet(const LegoSource& source)
 
 } // namespace
 
-/** The making of one set: a task that runs by itself, may be given up, and may be waited for. */
+/** A background task that makes one set. It can be cancelled and waited for. */
 class CpuProducer::Job
 {
 public:
     Job(const LegoSource& source, const std::function<void()>& announce) : _source(&source), _announce(announce)
     {
-        // Enqueued, so that a worker takes it even on a machine of one core, and even when nobody ever waits.
+        // Enqueued, so that a worker runs it even on a machine with one core, and even if no thread ever waits for it.
         _arena.enqueue(_group.defer([this] { run(); }));
     }
     ~Job()
@@ -50,14 +50,14 @@ public:
     Job& operator=(const Job&) = delete;
 
     bool isOf(const LegoSource& source) const { return _source->revision == source.revision; }
-    /** Whether the task has ended, with a set or without one. */
+    /** Whether the task has ended, with or without a set. */
     bool hasEnded() const { return _hasEnded; }
-    /** The set; null until the task has ended, and if it was given up or ran out of memory. */
+    /** The set; null until the task has ended, and also if it was cancelled or ran out of memory. */
     osg::ref_ptr<const BrickSet> getBricks() const { return _hasEnded ? _bricks : nullptr; }
 
     void cancel() { _group.cancel(); }
 
-    /** Wait until the task has ended, lending it this thread meanwhile. */
+    /** Wait until the task has ended; this thread may work on it meanwhile. */
     void wait()
     {
         const std::lock_guard lock(_waitMutex);
@@ -73,7 +73,7 @@ private:
         }
         catch (const std::bad_alloc&)
         {
-            // Without a set the job has failed; see produce().
+            // produce() reports the failure of a job that has ended without a set.
         }
         const bool isMade = _bricks.valid();
         _hasEnded = true;
@@ -104,12 +104,12 @@ void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
     const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
     if (!bricks)
         _store->getContext(visitor.getState()->getContextID())
-            ->fail(source.revision, "there is no memory for so many bricks; expected a lower resolution");
+            ->fail(source.revision, "there is not enough memory for the bricks; expected a lower resolution");
     else if (waits)
         _store->deliver(*bricks);
 }
 
-/** The job of a source: the one there is, or a new one in place of that of another source. */
+/** The job of a source: the current job if it has the same source, otherwise a new one that replaces it. */
 std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source)
 {
     const std::lock_guard lock(_mutex);
@@ -133,7 +133,7 @@ void CpuProducer::cancel()
     retire();
 }
 
-/** Give up the job, without waiting for its end. */
+/** Cancel the current job, without waiting for it to end. */
 void CpuProducer::retire()
 {
     if (!_job) return;

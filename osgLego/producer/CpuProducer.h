@@ -14,13 +14,13 @@
 namespace osgLego
 {
 
-/** Makes brick sets on the CPU (voxelizeOnCpu), on threads of oneTBB: no context is locked and no frame waits, unless
+/** Makes brick sets on the CPU (voxelizeOnCpu), in threads of oneTBB. It locks no context, and no frame waits unless
  * the caller asks for it. One set serves all contexts.
  */
 class CpuProducer : public BrickProducer
 {
 public:
-    /** @param announce called after each set is finished, by the thread that finished it. */
+    /** @param announce called when a set is finished, in the thread that made it. */
     CpuProducer(BrickStore& store, std::function<void()> announce);
 
     void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits) override;
@@ -29,7 +29,7 @@ public:
     void resizeGLObjectBuffers(unsigned int) override {}
     void releaseGLObjects(osg::State*) override {}
 
-    /** The model of a source, for which this waits. Work on another source is given up. */
+    /** Wait for the model of a source, and return it; null if it could not be made. Cancels work on another source. */
     osg::ref_ptr<const BrickModel> getModel(const LegoSource& source);
 
 private:
@@ -43,8 +43,8 @@ private:
     osg::ref_ptr<BrickStore> _store;
     std::function<void()> _announce;
     std::mutex _mutex;
-    std::shared_ptr<Job> _job;                  // of the source asked for last
-    std::vector<std::shared_ptr<Job>> _retired; // given up, and perhaps still running
+    std::shared_ptr<Job> _job;                  // of the last source requested
+    std::vector<std::shared_ptr<Job>> _retired; // cancelled, but possibly still running
 };
 
 } // namespace osgLego

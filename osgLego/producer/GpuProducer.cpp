@@ -11,8 +11,8 @@ namespace osgLego
 namespace
 {
 
-// After so many frames without work the passes are let go, and with them their textures; a frame that is still being
-// drawn is never that far behind.
+// After this many frames without work, the passes and their textures are released. A frame that is still being drawn is
+// never that far behind.
 constexpr unsigned int IDLE_FRAMES = 8;
 
 } // namespace
@@ -34,7 +34,8 @@ void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
     _idleFrames = 0;
 }
 
-/** Whether a visitor has not been here before in its frame, as it is with a node of several parents. */
+/** Whether this is the first cull of a source by a visitor in its frame; a node with several parents is culled several
+ * times. */
 bool GpuProducer::isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source)
 {
     std::erase_if(_lastCulls, [](const LastCull& cull) { return !cull.visitor.valid(); });
@@ -51,7 +52,7 @@ bool GpuProducer::isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSo
 void GpuProducer::update(unsigned int frame)
 {
     const std::lock_guard lock(_mutex);
-    // With several parents there are several updates in a frame.
+    // A node with several parents is updated several times in a frame.
     if (frame == std::exchange(_lastUpdate, frame)) return;
     if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
     _passes = nullptr;

@@ -14,12 +14,12 @@
 namespace osgLego
 {
 
-/** The set that stands for the bricks of a source where their points are not on the CPU: its model, if it is ever asked
- * for, is made by voxelizeOnCpu(). */
+/** Create the brick set of a source whose points are not on the CPU. Its model is computed on demand, by
+ * voxelizeOnCpu(). */
 osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source);
 
-/** Makes brick sets by the passes on the GPU, in each context that draws them: in the frame that is being culled, ahead
- * of what is drawn in it, so that there is never anything to wait for.
+/** Makes brick sets with the passes on the GPU, separately in each context that draws them. The passes are drawn in the
+ * frame being culled, before its bricks, so that no frame ever has to wait.
  */
 class GpuProducer : public BrickProducer
 {
@@ -33,10 +33,10 @@ public:
     void releaseGLObjects(osg::State* state) override;
 
 private:
-    /** When a visitor queued the passes last. */
+    /** The last time that a visitor queued the passes. */
     struct LastCull
     {
-        osg::observer_ptr<osgUtil::CullVisitor> visitor; // to tell it from a later one at the same address
+        osg::observer_ptr<osgUtil::CullVisitor> visitor; // detects a later visitor at the same address
         std::uint64_t revision = 0;
         unsigned int frame = 0;
     };

@@ -14,8 +14,8 @@
 namespace osgLego
 {
 
-/** The passes of a plan in their order: subdivision, the picture of a projected target, and for each slab of the grid
- * voxelization and extraction, all slabs sharing one voxel image. */
+/** The passes of a plan, in order: subdivision, the picture of a projected target, then voxelization and extraction for
+ * each slab of the grid. All slabs share one voxel image. */
 class LegolizationPasses : public osg::Referenced
 {
 public:
@@ -23,8 +23,8 @@ public:
 
     const PassPlan& getPlan() const { return _plan; }
 
-    /** Queue every pass to be drawn before the stage that the visitor is filling.
-     * Once for each visitor and frame; one thread at a time. */
+    /** Queue all passes before the render stage that the visitor is filling. Call it once for each visitor and frame;
+     * one thread at a time. */
     void cull(osgUtil::CullVisitor& visitor) const;
 
     void releaseGLObjects(osg::State* state) const;

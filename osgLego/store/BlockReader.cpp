@@ -8,7 +8,7 @@ namespace osgLego
 void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBricks)
 {
     stop();
-    // OpenGL 3.1, but not among OSG's extensions.
+    // In OpenGL 3.1, but missing from osg::GLExtensions.
     using CopyBuffer = void(GL_APIENTRY*)(GLenum, GLenum, GLintptr, GLintptr, GLsizeiptr);
     CopyBuffer copyBuffer = nullptr;
     if (numBricks == 0 || !osg::setGLExtensionFuncPtr(copyBuffer, "glCopyBufferSubData")) return;
@@ -34,7 +34,7 @@ void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
     extensions.glDeleteSync(_fence);
     extensions.glBindBuffer(GL_COPY_READ_BUFFER, _copy.get());
     const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(_numBricks) * sizeof(BrickPoint));
-    // A copy that there was no memory for leaves the bricks in one piece, which is drawn as a whole.
+    // If there was not enough memory for the copy, the bricks stay without blocks, and all of them are drawn.
     if (const void* points = extensions.glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, GL_MAP_READ_BIT))
     {
         blocks = findBlocks({static_cast<const BrickPoint*>(points), static_cast<std::size_t>(_numBricks)});
@@ -48,7 +48,7 @@ void BlockReader::stop()
 {
     _copy = GlBuffer();
     _numBricks = 0;
-    // A fence of a copy that was never complete goes with its context: it can only be deleted where that is current.
+    // The fence of an incomplete copy is left to the context, since it can only be deleted while that is current.
     _fence = nullptr;
 }
 

@@ -11,23 +11,23 @@
 namespace osgLego
 {
 
-/** Learns the blocks of bricks that the passes wrote into a buffer, without ever waiting for the GPU: the points are
- * copied on the GPU, and looked at on the CPU in the first frame that finds the copy complete.
+/** Finds the blocks of bricks that the passes wrote into a buffer, without ever waiting for the GPU: the points are
+ * copied on the GPU, and read on the CPU in the first frame in which the copy is complete.
  *
- * Every function but stop() needs the context of the state current; one thread at a time.
+ * Every function except stop() needs the context of the state current; one thread at a time.
  */
 class BlockReader
 {
 public:
-    /** Begin for so many points (BrickPoint) at the start of a buffer, in place of any copy that is under way. */
+    /** Start to copy the first `numBricks` points (BrickPoint) of a buffer, and drop any copy in progress. */
     void start(const osg::State& state, GLuint buffer, GLsizei numBricks);
-    /** Fill in the blocks once the copy is complete; leave them alone before, after, and where nothing was started. */
+    /** Set `blocks` in the first call that finds the copy complete; other calls leave them unchanged. */
     void poll(const osg::State& state, std::vector<BrickBlock>& blocks);
-    /** Forget a copy that is under way. */
+    /** Drop any copy in progress. */
     void stop();
 
 private:
-    GlBuffer _copy; // there is one while a copy is under way
+    GlBuffer _copy; // exists while a copy is in progress
     GLsizei _numBricks = 0;
     GLsync _fence = nullptr;
 };

@@ -14,7 +14,7 @@ void BrickStore::deliver(const BrickSet& bricks)
 {
     const std::lock_guard lock(_mutex);
     if (_bricks && _bricks->getRevision() > bricks.getRevision()) return;
-    // Of one source there may be a set for every context that can upload it, and one that lies on a GPU.
+    // A source may have two sets: one that every context can upload, and one whose points are on a GPU.
     if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
     _bricks = &bricks;
 }

@@ -15,32 +15,32 @@
 namespace osgLego
 {
 
-/** The bricks that a LegoNode shows: where producers deliver, and what drawing, picking, bounds and export read.
+/** The bricks that a LegoNode shows. Producers deliver them; drawing, picking, bounds and export read them.
  *
  * Every function may be called from any thread.
  */
 class BrickStore : public osg::Referenced
 {
 public:
-    /** Say which source bricks are being made of, by its revision, and what grid they will be in. */
+    /** Announce the bricks that are being made: the revision of their source, and their grid. */
     void expect(std::uint64_t revision, const BrickGrid& grid);
-    /** Show a set from now on, unless a newer one is there already. */
+    /** Show a set from now on, unless a newer one has been delivered. */
     void deliver(const BrickSet& bricks);
     /** Show no bricks: the source has no triangles. */
     void clear();
-    /** The newest set delivered; null when there is none. */
+    /** The newest set delivered; null if there is none. */
     osg::ref_ptr<const BrickSet> getBricks() const;
 
-    /** Where bricks are: those of the newest set and, until that is the expected one, the expected ones. In model
-     * units, studs included; invalid when there are none. */
+    /** The bounds of the newest set and, until it is the expected one, of the expected bricks. In model units, studs
+     * included; invalid if there are no bricks. */
     osg::BoundingBoxd getBounds() const;
-    /** The width of the bricks of the newest set, or of the expected one while there is none; in model units. */
+    /** The width of a brick in the newest set, or of an expected brick while there is no set; in model units. */
     double getPitch() const;
 
-    /** The bricks of a context ID; empty at first. */
+    /** The bricks of a context ID; initially empty. */
     osg::ref_ptr<ContextBricks> getContext(unsigned int contextID) const;
 
-    /** Let go of the GL objects of one context, or of all when `state` is null. */
+    /** Release the GL objects of one context, or of all contexts if `state` is null. */
     void releaseGLObjects(osg::State* state) const;
 
 private:

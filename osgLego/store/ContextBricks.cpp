@@ -59,7 +59,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
     if (takeOutOfMemoryError())
     {
-        setFailure(wanted.getRevision(), "there is no room on the GPU for " + std::to_string(points.size()) +
+        setFailure(wanted.getRevision(), "there is not enough memory on the GPU for " + std::to_string(points.size()) +
                                              " bricks; expected a lower resolution");
         return;
     }
@@ -92,7 +92,7 @@ void ContextBricks::setFailure(std::uint64_t revision, const std::string& why)
 {
     _failure = why;
     if (_failedRevision.exchange(revision) != revision)
-        OSG_WARN << "osgLego: " << why << "; the source is drawn as it is, not in bricks" << std::endl;
+        OSG_WARN << "osgLego: " << why << "; the source is drawn instead of bricks" << std::endl;
 }
 
 void ContextBricks::despair(unsigned int contextID, const std::string& why)
@@ -102,12 +102,12 @@ void ContextBricks::despair(unsigned int contextID, const std::string& why)
         _failure = why;
         _isHopeless = true;
     }
-    // Of all the nodes in a context one speaks.
+    // Only one of the nodes in a context prints the warning.
     static std::mutex mutex;
     static std::map<unsigned int, std::string> said;
     const std::lock_guard lock(mutex);
     if (std::exchange(said[contextID], why) != why)
-        OSG_WARN << "osgLego: " << why << "; sources are drawn as they are, not in bricks" << std::endl;
+        OSG_WARN << "osgLego: " << why << "; sources are drawn instead of bricks" << std::endl;
 }
 
 void ContextBricks::hide()
@@ -116,7 +116,7 @@ void ContextBricks::hide()
     clear();
 }
 
-/** Let go of the bricks. */
+/** Drop the bricks. */
 void ContextBricks::clear()
 {
     bricks = nullptr;

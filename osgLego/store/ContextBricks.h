@@ -20,58 +20,59 @@
 namespace osgLego
 {
 
-/** Bricks that the passes made in a context, to be shown there. */
+/** Bricks that the passes made in a context, ready to be shown there. */
 struct GpuBricks
 {
     osg::ref_ptr<const BrickSet> bricks;
-    GlBuffer buffer; //!< of BrickPoint; those of a block follow each other
+    GlBuffer buffer; //!< of BrickPoint; the bricks of a block are consecutive
     GLsizei numBricks = 0;
-    osg::ref_ptr<const BrickModel> model; //!< every covered cell, where a read-back was asked for
+    osg::ref_ptr<const BrickModel> model; //!< every covered cell, if a read-back was requested
     LegoStatistics statistics;
 };
 
-/** The bricks of a node in one context, or in several that share objects: a brick set and its points in a buffer. */
+/** The bricks of a node in one context, or in several contexts that share GL objects: a brick set, and its points in a
+ * buffer. */
 class ContextBricks : public osg::Referenced
 {
 public:
-    /** Hold this for every use of the members that are not atomic. */
+    /** The mutex to hold for every use of the members that are not atomic. */
     std::mutex& getMutex() const { return _mutex; }
 
-    // These may be called from any thread, without the mutex.
-    /** Whether these are the bricks of a source, by its revision. */
+    // These functions may be called from any thread, without the mutex.
+    /** Whether these are the bricks of the source with this revision. */
     bool isOf(std::uint64_t revision) const { return _revision == revision; }
     /** Whether there are no bricks to show. */
     bool isEmpty() const { return _revision == 0; }
-    /** The revision of the last source that could not be shown; 0 when there is none. */
+    /** The revision of the last source that could not be shown; 0 if there is none. */
     std::uint64_t getFailedRevision() const { return _failedRevision; }
-    /** Whether the context lacks the GL that bricks need. */
+    /** Whether the context lacks GL features that bricks need. */
     bool isHopeless() const { return _isHopeless; }
     std::string getFailure() const;
     LegoStatistics getStatistics() const;
     osg::ref_ptr<const BrickModel> getModel() const;
 
-    /** Show bricks that the passes made in this context, which must be current. Takes the mutex. */
+    /** Show bricks that the passes made in this context, which must be current. Locks the mutex. */
     void show(const osg::State& state, GpuBricks&& made);
-    /** Show bricks made on the CPU, unless newer ones are shown: upload their points. Needs the mutex, and the context
-     * current. */
+    /** Upload the points of bricks made on the CPU, and show them, unless newer ones are shown. The caller holds the
+     * mutex, and the context is current. */
     void upload(const osg::State& state, const BrickSet& wanted);
-    /** Look whether the blocks of bricks made by the GPU have arrived. Needs the mutex, and the context current. */
+    /** Check for the blocks of bricks made on the GPU. The caller holds the mutex, and the context is current. */
     void pollBlocks(const osg::State& state);
 
-    /** Report that a source can't be shown, and why, once. Takes the mutex. */
+    /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
-    /** Give up on the context, and say why, once for all nodes in it. Takes the mutex. */
+    /** Give up on the context, and report the reason once for all nodes in it. Locks the mutex. */
     void despair(unsigned int contextID, const std::string& why);
-    /** Show no bricks any more. Takes the mutex. */
+    /** Stop showing bricks. Locks the mutex. */
     void hide();
-    /** Forget everything; the GL objects go through OSG's deferred deletion. Takes the mutex. */
+    /** Reset everything, and release the GL objects through OSG's deferred deletion. Locks the mutex. */
     void release();
 
-    // Of the bricks that are shown; these need the mutex.
+    // The bricks that are shown. The caller holds the mutex.
     osg::ref_ptr<const BrickSet> bricks;
     GlBuffer buffer;
     GLsizei numBricks = 0;
-    std::vector<BrickBlock> blocks; //!< of all bricks, block by block; empty while they are not known
+    std::vector<BrickBlock> blocks; //!< all bricks, block by block; empty while the blocks are unknown
 
 private:
     ~ContextBricks() override = default;

@@ -21,17 +21,18 @@ namespace
 
 static_assert(6 * GridBatch::MAXIMUM_TRIANGLES <= GlRequirements::BUFFER_TEXELS);
 
-// One buffer of fine triangles; beyond this, drivers fail in ways of their own.
+// The size limit of a buffer of fine triangles; with larger buffers, drivers fail in different ways.
 constexpr double MAXIMUM_BYTES = 3.0 * (1u << 30);
 constexpr std::size_t TRIANGLE_BYTES = 3 * sizeof(GridVertex);
-// Every pass halves what is too long; an edge that is still there after these comes from numbers too large to halve.
+// Every pass halves edges that are too long; if one is still too long after this many passes, single precision can't
+// halve its coordinates.
 constexpr std::size_t MAXIMUM_PASSES = 64;
 
 std::string outOfMemory(double bytes)
 {
     std::ostringstream text;
-    text << "there is no room for " << std::ceil(bytes / (1 << 20))
-         << " MiB of subdivided triangles; allowed: a lower resolution, or a larger edge limit";
+    text << "there is not enough memory on the GPU for " << std::ceil(bytes / (1 << 20))
+         << " MiB of subdivided triangles; expected a lower resolution or a larger edge limit";
     return text.str();
 }
 
@@ -44,7 +45,7 @@ public:
     {
     }
 
-    /** @return why it failed; empty when it did not. */
+    /** @return the reason for a failure; empty on success. */
     std::string run()
     {
         const std::size_t estimate = _batch.batch->estimateFineTriangles(_edgeLimit);
@@ -60,7 +61,7 @@ public:
                 _batch.numFineTriangles = static_cast<GLsizei>(_count);
                 return {};
             case Outcome::ENDLESS:
-                return "subdivision comes to no end; allowed: coordinates that floats can halve";
+                return "subdivision does not end; expected coordinates that single precision can halve";
             case Outcome::TOO_SMALL:
                 capacity = std::max<std::size_t>(2 * capacity, _count + _count / 4);
                 break;
@@ -91,7 +92,7 @@ private:
         return !takeOutOfMemoryError();
     }
 
-    /** Algorithm 1: pass after pass while the count changes. */
+    /** Algorithm 1: run passes as long as they change the number of triangles. */
     Outcome subdivide()
     {
         const double halvings = std::log2(static_cast<double>(_batch.batch->longestEdge) / _edgeLimit);
@@ -119,7 +120,7 @@ private:
         return Outcome::ENDLESS;
     }
 
-    /** Draw what the pass before the last one captured, or the source, into the last one. */
+    /** Capture the last pass from the output of the one before it, or from the source. */
     void draw(const std::vector<std::unique_ptr<TransformFeedback>>& passes)
     {
         const GridVertexArrays arrays(_extensions);
@@ -140,12 +141,12 @@ private:
     double _edgeLimit;
     std::array<GlBuffer, 2> _buffers;
     GLsizeiptr _bytes = 0;
-    std::size_t _last = 0; // the buffer captured into last
+    std::size_t _last = 0; // the index of the last buffer captured into
     GLuint _count = 0;
     std::size_t _numPasses = 0;
 };
 
-/** The source's vertices in a buffer, and the same buffer as a texture that shaders look triangles up in. */
+/** Upload the source's vertices into a buffer, and create a buffer texture from which shaders read its triangles. */
 WorkingBatch upload(osg::State& state, const GridBatch& batch)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
@@ -191,7 +192,7 @@ bool SubdivisionPass::begin(osg::State& state, PassContext& context) const
 
 std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
 {
-    // Here, in the first pass, and not where it would show: work that leads nowhere is not begun.
+    // Checked here, in the first pass, so that no work is done in vain.
     if (std::string obstacle = PassPlan::findObstacle(*work.source); !obstacle.empty()) return obstacle;
     const double edgeLimit = work.source->settings.getEdgeLimit();
     ProgramUniforms(state).set("edgeLimit", static_cast<float>(edgeLimit));
@@ -208,7 +209,8 @@ std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
         }
         work.statistics.numFineTriangles += static_cast<std::size_t>(working.numFineTriangles);
     }
-    return takeOutOfMemoryError() ? "the source does not fit into the memory of the GPU" : std::string();
+    return takeOutOfMemoryError() ? "there is not enough memory on the GPU for the source; expected a smaller mesh"
+                                  : std::string();
 }
 
 } // namespace osgLego

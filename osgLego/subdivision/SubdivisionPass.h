@@ -6,13 +6,13 @@
 namespace osgLego
 {
 
-/** The first pass: uploads a source and cuts its triangles until no edge is beyond the limit (the paper, section III-A,
+/** The first pass: uploads a source and cuts its triangles until no edge exceeds the limit (the paper, section III-A,
  * Algorithms 1 and 2, Figure 3).
  *
- * Two vertex buffers in ping-pong: each pass reads one and captures into the other by transform feedback, until a pass
- * makes no more triangles than it was given. The counts of several passes are asked for together, after the last of
- * them; the triangles themselves never leave the GPU. A buffer that was too small is made larger and the batch done
- * again from its start, so that no triangle is lost.
+ * It uses two vertex buffers in ping-pong: each pass reads one and captures into the other by transform feedback, until
+ * a pass outputs as many triangles as it reads. The counts of several passes are read back together, after the last of
+ * them; the triangles themselves never leave the GPU. If a buffer is too small, it is enlarged and the batch restarted,
+ * so that no triangle is lost.
  */
 class SubdivisionPass : public LegolizationPass
 {

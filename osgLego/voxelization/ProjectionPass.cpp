@@ -16,11 +16,11 @@ namespace osgLego
 namespace
 {
 
-// Away from the axes and from their diagonals.
+// Parallel neither to an axis nor to a diagonal of the axes.
 const glm::vec3 DIRECTION(0.48f, 0.62f, 0.37f);
 const glm::vec3 UPWARD(0.0f, 0.0f, 1.0f);
 
-/** From cell units to a picture that holds the whole grid. */
+/** The projection from cell units to a picture that contains the whole grid. */
 glm::mat4 projectionOf(const BrickGrid& grid)
 {
     const glm::vec3 size(grid.dimensions);
@@ -45,7 +45,7 @@ ProjectionPass::ProjectionPass(PassWorkspace& workspace, unsigned int step, osg:
 {
     setStateSet(createPassState(
         *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"})));
-    // Alpha below 0 stands for nothing, as 0 is the number of a cell.
+    // Alpha below 0 marks empty pixels, because 0 is the number of a cell.
     setCamera(new PassCamera(*this, picture, osg::Vec4(0.0f, 0.0f, 0.0f, -1.0f)));
 }
 
@@ -57,7 +57,7 @@ float ProjectionPass::getNumberScale(const BrickGrid& grid)
 std::string ProjectionPass::run(osg::State& state, Legolization& work) const
 {
     if (!isTargetThere(state))
-        return "there is no memory on the GPU for the picture of the projected target; allowed: a smaller fbo";
+        return "there is not enough memory on the GPU for the picture of the projected target; expected a smaller fbo";
     const BrickGrid& grid = work.source->triangles->getGrid();
     const ProgramUniforms uniforms(state);
     uniforms.set("projection", projectionOf(grid));

@@ -7,19 +7,19 @@
 namespace osgLego
 {
 
-/** Draws the vertices of the fine triangles into a square picture by orthographic projection, each pixel telling the
- * cell that its vertex lies in (the paper, section III-B, Algorithms 3 and 4).
+/** Draws the vertices of the fine triangles into a square picture by orthographic projection. Each pixel contains the
+ * number of the cell of its vertex (the paper, section III-B, Algorithms 3 and 4).
  *
- * Vertices that fall on the same pixel collide, and the last one stays: the larger the picture, the fewer cells are
- * lost. The picture looks along a direction in which no axis of the grid is seen end on, so that no wall of an upright
- * model shrinks to a line.
+ * If several vertices fall on the same pixel, only the last one is kept: the larger the picture, the fewer cells are
+ * lost. The direction of projection is parallel to no coordinate plane, so that no wall of an upright model is
+ * projected to a line.
  */
 class ProjectionPass : public LegolizationPass
 {
 public:
     ProjectionPass(PassWorkspace& workspace, unsigned int step, osg::Texture2D& picture);
 
-    /** The power of two by which cell numbers are divided in the picture's alpha. */
+    /** The power of two by which cell numbers are divided to store them in alpha. */
     static float getNumberScale(const BrickGrid& grid);
 
     bool isSameKindAs(const osg::Object* object) const override

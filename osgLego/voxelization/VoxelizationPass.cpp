@@ -53,8 +53,8 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
 std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
 {
     if (!isTargetThere(state))
-        return "there is no room for a voxel image of " + std::to_string(_plan.imageSize.x) + " x " +
-               std::to_string(_plan.imageSize.y) + " texels; allowed: a lower resolution";
+        return "there is not enough memory on the GPU for a voxel image of " + std::to_string(_plan.imageSize.x) +
+               " x " + std::to_string(_plan.imageSize.y) + " texels; expected a lower resolution";
 
     const BrickGrid& grid = work.source->triangles->getGrid();
     const Slab slab = SlabPlan::create(grid).slabs[_slab];
@@ -62,7 +62,8 @@ std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
     setAddressing(uniforms, grid, slab, _plan.imageSize);
 
     work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
-    if (takeOutOfMemoryError()) return "there is no room for the occupancy of the grid; allowed: a lower resolution";
+    if (takeOutOfMemoryError())
+        return "there is not enough memory on the GPU for the occupancy of the grid; expected a lower resolution";
     work.occupancy.beginMarking(state);
     if (_plan.method == VoxelizationMethod::EXACT)
         drawExact(state, work);

@@ -8,17 +8,17 @@
 namespace osgLego
 {
 
-/** Marks the covered cells of one slab in the voxel image, a texel each (the paper, section III-B).
+/** Marks the covered cells of one slab in the voxel image, which has one texel per cell (the paper, section III-B).
  *
- * What it draws depends on the method: a point for every cell that a fine triangle overlaps (exact), for every vertex
- * (points, addressed), or for every pixel of the picture that ProjectionPass made (points, projected). Colours times
- * weights add up in the texel by blending, and weights in its alpha: GL blends in the order of the primitives, so that
- * the sums are the same on every run.
+ * It draws a point for every cell that a fine triangle overlaps (exact), for every vertex (points, addressed), or for
+ * every pixel of the picture made by ProjectionPass (points, projected). Blending sums up weighted colours in each
+ * texel, and weights in its alpha. GL blends in the order of the primitives, so the sums are the same on every run.
  */
 class VoxelizationPass : public LegolizationPass
 {
 public:
-    /** @param slab the number of the slab; @param picture of ProjectionPass, null for an addressed target. */
+    /** @param slab the number of the slab.
+     * @param picture the picture of ProjectionPass; null for an addressed target. */
     VoxelizationPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
                      osg::Texture2D& voxelImage, osg::Texture2D* picture);
 

@@ -1,4 +1,4 @@
-// Extraction: the covered cells of a word that have an empty neighbour become a point each.
+// Extraction: emits a point for each covered cell of a word that has an empty neighbour.
 
 layout(points) in;
 layout(points, max_vertices = 32) out;
@@ -7,7 +7,7 @@ flat in int word[];
 
 uniform sampler2D voxelImage; // weighted colours, and the sum of weights in alpha
 uniform usamplerBuffer occupancy;
-uniform ivec2 layers; // the first (z) to find bricks in, and the one after the last; the image holds those beside as well
+uniform ivec2 layers; // (z) the first to extract, and the one after the last; the image also has their neighbours
 
 // Captured by transform feedback: x | y << 16, z | open sides << 16, colour.
 flat out uvec3 brick;
@@ -21,7 +21,7 @@ uint wordAt(ivec3 cell)
     return isInside ? texelFetch(occupancy, wordOfCell(cell)).r : 0u;
 }
 
-// The cells of a word that lie in the wanted layers.
+// A mask of the cells of a word in the layers to extract.
 uint wantedCells(int z)
 {
     uint lower = z >= layers.x && z < layers.y ? 0x0000ffffu : 0u;
@@ -31,7 +31,7 @@ uint wantedCells(int z)
 
 void main()
 {
-    // Cells by where they lie in their word.
+    // Masks of the cells on each side of their word.
     const uint LEFT = 0x11111111u;
     const uint RIGHT = 0x88888888u;
     const uint FRONT = 0x000f000fu;
@@ -39,7 +39,7 @@ void main()
 
     ivec3 corner = cornerOfWord(word[0]);
     uint covered = texelFetch(occupancy, word[0]).r;
-    // Which cells have a neighbour on each side: within the word, or in the next.
+    // Masks of the cells that have a covered neighbour on each side, in the same word or in the next.
     uint left = (covered << 1 & ~LEFT) | (wordAt(corner - ivec3(1, 0, 0)) >> 3 & LEFT);
     uint right = (covered >> 1 & ~RIGHT) | (wordAt(corner + ivec3(4, 0, 0)) << 3 & RIGHT);
     uint front = (covered << 4 & ~FRONT) | (wordAt(corner - ivec3(0, 1, 0)) >> 12 & FRONT);

@@ -1,4 +1,4 @@
-// Extraction, the vertices: one for a word of the occupancy that is not empty.
+// Extraction, vertex shader: one vertex for each non-empty word of the occupancy.
 
 layout(location = 0) in uint vertexWord;
 

@@ -1,5 +1,5 @@
-// Extraction, where voxelization could not mark what it covers: a vertex for each word of the occupancy asks the voxel
-// image for each of its cells.
+// Extraction, used if voxelization could not mark covered cells: a vertex for each word of the occupancy reads the
+// texels of its cells in the voxel image.
 
 uniform sampler2D voxelImage;
 

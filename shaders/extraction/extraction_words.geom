@@ -1,4 +1,4 @@
-// Extraction, the words of the occupancy that are not empty: each becomes a point.
+// Extraction, the words: emits a point for each non-empty word of a block of the occupancy.
 
 layout(points) in;
 layout(points, max_vertices = 16) out;
@@ -9,7 +9,7 @@ in Block
     flat uvec4 words[4];
 } blocks[];
 
-flat out int word; // its number; captured by transform feedback
+flat out int word; // the number of the word; captured by transform feedback
 
 void main()
 {

@@ -1,4 +1,4 @@
-// Extraction, the blocks: one vertex each, with the sixteen words of its occupancy.
+// Extraction, the blocks: one vertex for each block, with its sixteen words of occupancy.
 
 layout(location = 0) in uvec4 blockWords0;
 layout(location = 1) in uvec4 blockWords1;

@@ -1,9 +1,9 @@
-// Where the cells of a slab (whole layers of the grid) lie in the voxel image: one texel each, row by row.
+// The texels of the cells of a slab (whole layers of the grid) in the voxel image: one texel per cell, row by row.
 
 uniform ivec3 gridSize;       // cells along x, y and z
-uniform ivec2 slab;           // the first layer (z) that the image holds, and the one after the last
+uniform ivec2 slab;           // the first layer (z) in the image, and the one after the last
 uniform ivec2 voxelImageSize; // texels; the width is a power of two
-uniform int voxelImageShift;  // its logarithm
+uniform int voxelImageShift;  // the binary logarithm of the width
 
 ivec2 texelOfCell(ivec3 cell)
 {
@@ -11,11 +11,11 @@ ivec2 texelOfCell(ivec3 cell)
     return ivec2(number & (voxelImageSize.x - 1), number >> voxelImageShift);
 }
 
-// The clip coordinates of a point that falls on a texel of an image.
+// The clip coordinates of the centre of a texel.
 vec4 positionOfTexel(ivec2 texel, ivec2 imageSize)
 {
     return vec4((vec2(texel) + 0.5) / vec2(imageSize) * 2.0 - 1.0, 0.0, 1.0);
 }
 
-// Clip coordinates that no fragment comes of.
+// Clip coordinates that produce no fragment.
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,5 +1,5 @@
-// Which cells of a slab are covered, in a bit each: a word is for 4 x 4 x 2 cells, and the 16 words of a block of
-// 8 x 8 x 8 cells lie together.
+// The covered cells of a slab, one bit per cell: a word holds 4 x 4 x 2 cells, and the 16 words of a block of 8 x 8 x 8
+// cells are consecutive.
 
 #include "passes/addressing.glsl"
 
@@ -20,7 +20,7 @@ uint bitOfCell(ivec3 cell)
     return 1u << ((cell.z & 1) << 4 | (cell.y & 3) << 2 | (cell.x & 3));
 }
 
-// The lowest cell of a word.
+// The cell with the lowest coordinates in a word.
 ivec3 cornerOfWord(int word)
 {
     int row = (word >> 4) / countBlocks(gridSize.x);

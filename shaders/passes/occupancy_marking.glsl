@@ -1,5 +1,5 @@
-// Says of a cell that it is covered, where fragments can write anywhere; elsewhere extraction_occupancy.vert finds out.
-// To be included before anything else, as extensions are.
+// Marks a cell as covered, if image stores are available; otherwise extraction_occupancy.vert finds the covered cells.
+// Include this file first, since extensions must come before other code.
 
 #ifdef GL_ARB_shader_image_load_store
 #extension GL_ARB_shader_image_load_store : enable

@@ -1,4 +1,4 @@
-// The colour of a surface: what its vertices say, joined with its texture as glTexEnv does.
+// The colour of a surface: its vertex colour combined with its texture, as with glTexEnv.
 
 #include "passes/vertex_packing.glsl"
 

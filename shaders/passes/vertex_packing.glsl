@@ -1,8 +1,8 @@
-// What the passes keep in a vertex: its colour, and the mipmap to look its texture up in.
+// The packed colour of a vertex and the mipmap level of its texture.
 
 #include "osgLego/data/PassConstants.h"
 
-// Colour and texture level as they are packed in a vertex: red, green | blue, level.
+// Two words: red, green | blue, level.
 vec4 unpackColorAndLevel(uvec2 words)
 {
     vec4 fractions = vec4(unpackUnorm2x16(words.x), unpackUnorm2x16(words.y));

@@ -1,5 +1,5 @@
-// Subdivision (the paper, section III-A, Algorithm 2 and Figure 3): a triangle with edges beyond the limit is cut at
-// their midpoints, into two, three or four triangles by how many there are. The winding is kept.
+// Subdivision (the paper, section III-A, Algorithm 2 and Figure 3): a triangle with one, two or three edges longer than
+// the limit is cut at their midpoints into two, three or four triangles. The winding is kept.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 12) out;
@@ -14,7 +14,7 @@ in Corner
     flat uint triangle;
 } corners[];
 
-// Captured by transform feedback, in the order and layout of the vertices that came in.
+// Captured by transform feedback, in the order and layout of the input vertices.
 out vec3 finePosition;
 flat out uint fineTriangle;
 out vec2 fineCoordinate;
@@ -71,7 +71,7 @@ void cutOneEdge(Vertex a, Vertex b, Vertex c)
     emitTriangle(ab, b, c);
 }
 
-// ab and bc are too long; the four-sided rest is cut along its shorter diagonal.
+// ab and bc are too long; the remaining quadrilateral is cut along its shorter diagonal.
 void cutTwoEdges(Vertex a, Vertex b, Vertex c)
 {
     Vertex ab = midpoint(a, b);

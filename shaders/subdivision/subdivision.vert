@@ -1,4 +1,4 @@
-// Subdivision, the vertices: handed on as they are.
+// Subdivision, vertex shader: passes the vertices through.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 1) in uint vertexTriangle;

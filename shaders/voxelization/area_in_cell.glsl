@@ -1,14 +1,14 @@
-// The area of the part of a triangle that lies in the unit cell. TriangleSlicer finds it on the CPU, by cutting a triangle
-// once for all of its cells; here every cell is computed alone, without arrays. Tests compare both with clipping.
+// The area of the part of a triangle inside the unit cell. TriangleSlicer computes it on the CPU, where it cuts a triangle
+// once for all its cells; here every cell is computed separately, without arrays. Tests compare both with clipping.
 //
-// The planes z = 0 and z = 1 cut the triangle to a polygon, whose sides are pieces of its edges and its chords with the two
-// planes. The polygon is projected along z. Its area in the unit square is the sum of the areas below its sides, with x and
-// y clamped to the square. Each of these depends continuously on the corners, so that rounding changes the area no more than
-// it moves the corners, also where a corner, an edge or a chord lies on a face or an edge of the cell. (Stokes' theorem over
-// the outline of the part does not: a chord along an edge of the cell lies on two faces, and rounding decides whether it
-// counts for none, one or both.)
+// The planes z = 0 and z = 1 cut a polygon out of the triangle. Its sides are pieces of the triangle's edges, and the
+// chords in the two planes. The polygon is projected along z. Its area in the unit square is the sum of the areas below
+// its sides, with x and y clamped to the square. Each of these is a continuous function of the corners, so that rounding
+// changes the area no more than it moves the corners, even if a corner, an edge or a chord is on a face or an edge of
+// the cell. (Stokes' theorem over the outline of the part would not do: a chord along an edge of the cell is on two
+// faces, and rounding decides whether it counts for none, one or both.)
 
-// The area in the unit square below a segment; negative where it runs to the left.
+// The area in the unit square below a segment; negative if the segment runs to the left.
 float areaBelow(vec2 from, vec2 to)
 {
     float begin = clamp(from.x, 0.0, 1.0);
@@ -21,13 +21,14 @@ float areaBelow(vec2 from, vec2 to)
     float highest = max(first, last);
     float lower = clamp(lowest, 0.0, 1.0);
     float upper = clamp(highest, 0.0, 1.0);
-    // The integral of the clamped height, over the height that the segment climbs.
+    // The integral of the clamped height, with respect to the height of the segment.
     float sum = 0.5 * (upper - lower) * (upper + lower) + max(highest - max(lowest, 1.0), 0.0);
     return (end - begin) * (highest > lowest ? sum / (highest - lowest) : lower);
 }
 
-// Cut an edge pq by a plane, given the heights of its ends above the plane, and keep the piece above it from `begin` to
-// `end`. The chord runs from where the outline of the triangle leaves the upper side (xy) to where it comes back (zw).
+// Cut an edge pq by a plane, given the heights of its ends above the plane (on its inner side), and keep the piece above
+// it, from `begin` to `end`. The chord runs from the point where the triangle's outline goes below the plane (xy) to the
+// point where it comes back (zw).
 void cut(vec3 p, vec3 q, float heightOfP, float heightOfQ, inout vec2 begin, inout vec2 end, inout vec4 chord)
 {
     if ((heightOfP < 0.0) == (heightOfQ < 0.0)) return;
@@ -54,7 +55,7 @@ float areaBelowEdge(vec3 p, vec3 q, inout vec4 lowerChord, inout vec4 upperChord
     return isOutside ? 0.0 : areaBelow(begin, end);
 }
 
-// perProjected: the triangle's area over that of its projection along z.
+// perProjected: the triangle's area, divided by the area of its projection along z.
 float areaInCell(vec3 a, vec3 b, vec3 c, float perProjected)
 {
     vec4 lowerChord = vec4(0.0);

@@ -1,9 +1,9 @@
 // The barycentric coordinates of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-// Corners may coincide, once they are rounded to floats: no edge is asked that has no length.
+// Corners may coincide after rounding to single precision; the conditions then prevent a division by zero.
 //
-// The class NearestPoint does the same on the CPU by another algorithm: it finds four points of one triangle at once, so
-// divisions are done once for the triangle and there are no branches. Here every fragment has a triangle of its own, and
-// most return early. A test compares the two.
+// The class NearestPoint does the same on the CPU with another algorithm: it finds four points of one triangle at once,
+// so it divides once per triangle and avoids branches. Here every fragment has its own triangle, and most fragments
+// return early. A test compares the two.
 vec3 nearestPoint(vec3 p, vec3 a, vec3 b, vec3 c)
 {
     vec3 ab = b - a;

@@ -1,5 +1,5 @@
-// Voxelization by points, projected (the paper, Algorithm 4): a pixel tells one cell, by its number over how many there
-// are, in alpha.
+// Voxelization by points, projected (the paper, Algorithm 4): the alpha of a pixel is the number of its cell, divided
+// by numberScale.
 
 uniform float numberScale; // a power of two no smaller than the number of cells, so that dividing by it is exact
 

@@ -19,5 +19,5 @@ void main()
     ivec3 cell = ivec3(vertexPosition);
     cellNumber = cell.x + gridSize.x * (cell.y + gridSize.y * cell.z);
     gl_Position = projection * vec4(vertexPosition, 1.0);
-    gl_Position.z = 0.0; // nothing is clipped by depth, whatever its range
+    gl_Position.z = 0.0; // nothing is clipped by depth, whatever the depth range is
 }

@@ -1,6 +1,6 @@
-// Exact voxelization, the colours: every covering triangle speaks for the point of it nearest the cell's centre, with
-// the weight of its area inside the cell. The source triangle is asked, not the fine one, so that subdivision leaves no
-// trace. Blending adds up weighted colours, and weights in alpha; extraction divides.
+// Exact voxelization, the colours: every covering triangle contributes the colour of its point nearest the cell's
+// centre, weighted by its area inside the cell. The point is found on the source triangle, not on the fine one, so that
+// subdivision does not affect the colours. Blending sums up weighted colours, and weights in alpha; extraction divides.
 
 #include "passes/occupancy_marking.glsl"
 
@@ -8,7 +8,7 @@ flat in float weight;
 flat in uint sourceTriangle;
 flat in uvec2 packedCell;
 
-uniform usamplerBuffer sourceVertices; // two texels a vertex: position, triangle | coordinate, colour and level
+uniform usamplerBuffer sourceVertices; // two texels per vertex: position, triangle | coordinate, colour and level
 
 #include "passes/surface_color.glsl"
 #include "voxelization/nearest_point.glsl"

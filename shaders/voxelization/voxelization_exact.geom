@@ -1,10 +1,10 @@
 // Exact voxelization: a fine triangle emits a point for each cell that it overlaps.
 //
-// The test is Akenine-Moller's (Fast 3D Triangle-Box Overlap Testing, 2001) with half-open cells: a cell holds its
-// lower faces and not its upper ones. TriangleOverlap is the same on the CPU, in double precision.
+// The test is Akenine-Moller's (Fast 3D Triangle-Box Overlap Testing, 2001) with half-open cells: the lower faces of a
+// cell belong to it, its upper faces do not. TriangleOverlap is the counterpart on the CPU, in double precision.
 
 layout(triangles) in;
-// As many as an edge of the longest length allowed may meet, along all three axes.
+// The largest number of cells that a triangle within the edge limit meets.
 layout(points, max_vertices = MAXIMUM_CELLS) out;
 
 in vec3 position[];
@@ -12,14 +12,14 @@ flat in uint triangle[];
 
 flat out float weight;        // the fine triangle's area inside the cell
 flat out uint sourceTriangle; // the triangle that it was cut from
-flat out uvec2 packedCell;    // x | y << 16, z; finding it by the texel would take divisions
+flat out uvec2 packedCell;    // x | y << 16, z; computing the cell from the texel would take divisions
 
 #include "osgLego/data/PassConstants.h"
 #include "passes/addressing.glsl"
 #include "voxelization/area_in_cell.glsl"
 
-// An axis in a coordinate plane: a cell is apart when its corner's place on the axis leaves the bounds, or is one of
-// them that is open.
+// A separating axis in a coordinate plane: it separates a cell from the triangle if the projection of the cell's corner
+// on the axis is outside the bounds, or equal to an open bound.
 struct PlaneAxis
 {
     vec2 direction;
@@ -58,7 +58,7 @@ bool planeIsApart(vec3 normal, float offset, vec3 corner)
            (place == upper && any(lessThan(normal, vec3(0.0))));
 }
 
-// The axis that a vector is nearest to.
+// The axis along which a vector is longest.
 int longestAxis(vec3 vector)
 {
     vec3 size = abs(vector);
@@ -66,7 +66,7 @@ int longestAxis(vec3 vector)
     return size.x >= size.y ? 0 : 1;
 }
 
-// The axes in another order, of which `last` is the last.
+// The components in cyclic order, ending with that of the axis `last`.
 vec3 reordered(vec3 vector, int last)
 {
     return last == 2 ? vector : last == 0 ? vector.yzx : vector.zxy;
@@ -82,7 +82,7 @@ void main()
     int lastInSlab = min(last.z, slab.y - 1);
     if (firstInSlab > lastInSlab) return;
 
-    // Near the origin, so that no digits are lost.
+    // Moved near the origin, to avoid cancellation.
     vec3 origin = vec3(first);
     vec3 a = position[0] - origin;
     vec3 b = position[1] - origin;
@@ -94,7 +94,7 @@ void main()
     float offset = dot(normal, a);
     float area = 0.5 * length(normal);
     int projection = longestAxis(normal);
-    // Of a triangle that has come to nothing, 0.
+    // 0 for a triangle without area.
     float perProjected = area > 0.0 ? 2.0 * area / abs(normal[projection]) : 0.0;
     vec3 projected[3] = vec3[](reordered(a, projection), reordered(b, projection), reordered(c, projection));
     PlaneAxis axes[9];

@@ -1,4 +1,4 @@
-// Exact voxelization, the vertices: handed on as they are.
+// Exact voxelization, vertex shader: passes the vertices through.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 1) in uint vertexTriangle;

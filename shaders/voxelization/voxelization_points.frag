@@ -1,5 +1,5 @@
-// Voxelization by points: every point has the same say in the colour of its cell. Blending adds them up; extraction
-// divides by the sum of weights in alpha.
+// Voxelization by points: all points in a cell contribute equally to its colour. Blending sums up the colours;
+// extraction divides by the sum of weights in alpha.
 
 #include "passes/occupancy_marking.glsl"
 

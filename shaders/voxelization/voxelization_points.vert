@@ -1,4 +1,4 @@
-// Voxelization by points, addressed (the paper's future work): each vertex falls on the texel of its cell.
+// Voxelization by points, addressed (the paper's future work): each vertex is drawn on the texel of its cell.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 2) in vec2 vertexCoordinate;
