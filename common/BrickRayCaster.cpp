@@ -22,12 +22,12 @@ namespace
 using BrickDimensions::STUD_HEIGHT;
 using BrickDimensions::STUD_RADIUS;
 using BrickDimensions::STUD_SIDES;
-// The cells along a block's edge are 2 to the power of this.
+// The base-2 logarithm of the number of cells along a block's edge.
 constexpr int BLOCK_SHIFT = 2;
 constexpr int BLOCK_MASK = (1 << BLOCK_SHIFT) - 1;
-// Stands for a slope of 0, so that nothing divides by that: no ray is long enough to tell.
+// Replaces a slope of 0, to avoid dividing by zero: no ray is long enough for the difference to show.
 constexpr double LEAST_SLOPE = 1e-200;
-// In pitches, between a surface and the rays that leave it.
+// The distance between a surface and the rays that leave it, in pitches.
 constexpr double SURFACE_OFFSET = 1e-4;
 
 std::uint64_t bitOf(const glm::ivec3& cell)
@@ -38,13 +38,13 @@ std::uint64_t bitOf(const glm::ivec3& cell)
     return std::uint64_t{1} << (x | y << BLOCK_SHIFT | z << (2 * BLOCK_SHIFT));
 }
 
-/** A stretch of a ray, by distances. */
+/** A segment of a ray: distances from the ray's origin. */
 struct Stretch
 {
     double begin = 0.0;
     double end = 0.0;
 
-    /** Keep what lies between -half and half, of a coordinate that starts at `place` and grows by `slope`. */
+    /** Clip the segment to where a coordinate, `place` at the origin and rising by `slope`, is from -half to half. */
     void clip(double place, double slope, double half)
     {
         if (slope == 0.0)
@@ -59,7 +59,7 @@ struct Stretch
     }
 };
 
-/** The normals of one side of a stud of each opposite pair. */
+/** The normals of one side of each pair of opposite sides of a stud. */
 const std::array<glm::dvec2, STUD_SIDES / 2> STUD_NORMALS = []
 {
     std::array<glm::dvec2, STUD_SIDES / 2> normals{};
@@ -70,11 +70,11 @@ const std::array<glm::dvec2, STUD_SIDES / 2> STUD_NORMALS = []
     }
     return normals;
 }();
-/** From a stud's axis to its sides. */
+/** The distance from a stud's axis to its sides. */
 const double STUD_APOTHEM = STUD_RADIUS * std::cos(std::numbers::pi / STUD_SIDES);
 
-/** A ray's way through the cells of a grid, in cell units (Amanatides and Woo, A Fast Voxel Traversal Algorithm for Ray
- * Tracing, 1987), with a stride for empty blocks. */
+/** The path of a ray through the cells of a grid, in cell units (Amanatides and Woo, A Fast Voxel Traversal Algorithm
+ * for Ray Tracing, 1987). It can skip empty blocks. */
 class GridWalk
 {
 public:
@@ -92,10 +92,10 @@ public:
     }
 
     const glm::ivec3& getCell() const { return _cell; }
-    /** Where the ray enters the cell. */
+    /** The distance at which the ray enters the cell. */
     double getDistance() const { return _distance; }
 
-    /** Go to the first cell on the way. @return false when there is none up to the maximum distance. */
+    /** Go to the first cell on the path. @return false if there is none up to the maximum distance. */
     bool enterGrid()
     {
         double leave = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ public:
         return true;
     }
 
-    /** Go to the next cell. @return false when there is none up to the maximum distance. */
+    /** Go to the next cell. @return false if there is none up to the maximum distance. */
     bool leaveCell()
     {
         const int axis = findLeast(_next);
@@ -125,7 +125,7 @@ public:
         return isOnTheWay(axis);
     }
 
-    /** Go to the next cell outside of this one's block. @return as above. */
+    /** Go to the next cell outside the current block. @return false if there is none up to the maximum distance. */
     bool leaveBlock()
     {
         glm::ivec3 last;
@@ -139,7 +139,7 @@ public:
         _distance = ends[through];
         for (int axis = 0; axis < 3; ++axis)
         {
-            // Never backwards, and never into a block that shares but an edge, whatever is rounded.
+            // Despite rounding, never step backwards or into a block that shares only an edge.
             const int low = std::min(_cell[axis], last[axis]);
             const int high = std::max(_cell[axis], last[axis]);
             _cell[axis] = axis == through ? last[axis] + 2 * _forward[axis] - 1 : findPlace(axis, low, high);
@@ -159,7 +159,7 @@ private:
 
     int findPlace(int axis, int low, int high) const
     {
-        // What is cut off here is not below 0, except by rounding.
+        // Truncation rounds down: only rounding errors make the coordinate negative.
         const double place = _origin[axis] + _distance * _direction[axis];
         return static_cast<int>(std::clamp(place, static_cast<double>(low), static_cast<double>(high)));
     }
@@ -172,15 +172,15 @@ private:
     glm::dvec3 _origin;
     glm::dvec3 _direction;
     glm::dvec3 _inverse;
-    glm::ivec3 _forward{0}; // 1 along axes on which the ray goes up
+    glm::ivec3 _forward{0}; // 1 along axes on which the ray ascends
     glm::ivec3 _dimensions;
     double _maximumDistance;
     glm::ivec3 _cell{0};
-    glm::dvec3 _next{0.0}; // where the ray leaves the cell's slab along each axis
+    glm::dvec3 _next{0.0}; // the distance at which the ray leaves the cell along each axis
     double _distance = 0.0;
 };
 
-/** Two rotations of the unit square's torus, 0 to 1, that look random from seed to seed. */
+/** A pseudo-random offset for each seed, 0 to 1 in both coordinates. */
 glm::dvec2 rotationOf(std::uint32_t seed)
 {
     // The steps of splitmix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
@@ -192,8 +192,8 @@ glm::dvec2 rotationOf(std::uint32_t seed)
     return {static_cast<double>(bits >> 32) * UNIT, static_cast<double>(bits & 0xffffffffu) * UNIT};
 }
 
-/** One of `numRays` directions around +z, as dense as the cosine to it: the golden lattice, rotated, on a disk, raised
- * to the hemisphere. */
+/** One of `numRays` cosine-weighted directions around +z: a rotated golden-ratio lattice on a disk, projected up to the
+ * hemisphere. */
 glm::dvec3 directionOf(int ray, int numRays, const glm::dvec2& rotation)
 {
     const double share = glm::fract((ray + 0.5) / numRays + rotation.x);
@@ -284,7 +284,7 @@ std::optional<double> BrickRayCaster::findStud(const glm::ivec3& cell, const glm
     const int v = (_up + 2) % 3;
     const glm::dvec2 place(origin[u] - cell[u] - 0.5, origin[v] - cell[v] - 0.5);
     const glm::dvec2 slope(direction[u], direction[v]);
-    // Most rays miss even the circle around the stud, which takes no division to tell.
+    // Most rays miss even the circle around the stud, a test that needs no division.
     const double moment = place.x * slope.y - place.y * slope.x;
     constexpr double SQUARED_RADIUS = STUD_RADIUS * STUD_RADIUS;
     if (moment * moment > SQUARED_RADIUS * glm::dot(slope, slope)) return std::nullopt;

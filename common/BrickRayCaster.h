@@ -13,11 +13,11 @@
 namespace osgLego
 {
 
-/** Casts rays at bricks as they are drawn, boxes and sixteen-sided studs: for ambient occlusion and other light that
- * is worked out on the CPU.
+/** Casts rays at bricks as they are drawn, boxes with sixteen-sided studs: for ambient occlusion and other lighting
+ * that is computed on the CPU.
  *
- * Points and distances are in pitches from the origin of the grid (toCaster): along the model's axes, a cell is 1 wide,
- * 1 deep, and as high as its proportions say. Directions are those of the model.
+ * Points and distances are in pitches from the origin of the grid (see toCaster): along the model's axes, a cell is 1
+ * wide, 1 deep, and 1, 1.2 or 0.4 high, depending on its Proportions. Directions are in model coordinates.
  *
  * Usage:
  *
@@ -27,12 +27,12 @@ namespace osgLego
  *     if (const auto distance = caster.findNearest(point + 1e-4 * normal, toLight, 100.0)) ... // in the shade
  *
  * Preconditions:
- * 1. A cell of the model is at least as high as a stud, as the cells of all Proportions are.
- * 2. Directions and normals have length 1, points are finite.
+ * 1. Cells of the model are at least as high as a stud. All Proportions satisfy this.
+ * 2. Directions and normals have length 1; points are finite.
  *
- * Free of GL, immutable once created; every function may be called from any thread. Besides 16 bytes for each block of
- * 4 x 4 x 4 cells with a brick or a stud in it, it keeps 4 bytes for every block of the grid: 64 MiB at 1024 cells a
- * side.
+ * Needs no GL context. Immutable once created; every function may be called from any thread. Uses 16 bytes for each
+ * block of 4 x 4 x 4 cells that contains a brick or a stud, and 4 bytes for every block of the grid: 64 MiB at 1024
+ * cells along each side.
  */
 class BrickRayCaster
 {
@@ -40,40 +40,40 @@ public:
     /** How much of the hemisphere above a point is open. */
     struct Occlusion
     {
-        double visibility = 1.0;    //!< its cosine-weighted open share, 0 to 1
-        glm::dvec3 bentNormal{0.0}; //!< the mean, cosine-weighted, open direction, of length 1
+        double visibility = 1.0;    //!< its cosine-weighted open fraction, 0 to 1
+        glm::dvec3 bentNormal{0.0}; //!< the cosine-weighted mean of the open directions, of length 1
     };
 
     explicit BrickRayCaster(const BrickModel& model);
 
     const BrickModel& getModel() const { return *_model; }
-    /** The length of a pitch: a distance of the caster times this is one in model units. */
+    /** The length of a pitch, in model units. */
     double getPitch() const { return _model->getGrid().getPitch(); }
     /** From model units to pitches. */
     glm::dvec3 toCaster(const osg::Vec3d& point) const;
 
-    /** How far along a ray the first brick or stud is; 0 for a ray that starts inside of one.
+    /** The distance along a ray to the first brick or stud; 0 for a ray that starts inside one.
      *
-     * Cells are half-open, as in BrickGrid: to leave a surface, start a little above it.
-     * @param maximumDistance 0 to infinity, itself included.
-     * @return nothing when there is none up to `maximumDistance`. */
+     * Cells are half-open, as in BrickGrid: a ray that leaves a surface must start slightly above it.
+     * @param maximumDistance 0 to infinity, inclusive.
+     * @return empty if the ray hits nothing up to `maximumDistance`. */
     std::optional<double> findNearest(const glm::dvec3& origin, const glm::dvec3& direction,
                                       double maximumDistance) const;
 
-    /** Cast rays from a point of a surface, spread evenly over the cosine-weighted hemisphere.
+    /** Cast rays from a point on a surface, distributed evenly over the cosine-weighted hemisphere.
      *
-     * A hit at distance t shuts off clamp((radius - t) / (radius * falloff), 0, 1) of its ray. Starts 1e-4 above the
-     * surface; the same arguments give the same result.
-     * @param radius above 0; nothing farther away counts.
-     * @param falloff above 0, up to 1: the outer part of the radius over which hits fade.
+     * A hit at distance t blocks the fraction clamp((radius - t) / (radius * falloff), 0, 1) of its ray. Rays start
+     * 1e-4 above the surface. The same arguments give the same result.
+     * @param radius above 0; hits farther away are ignored.
+     * @param falloff above 0, up to 1: the outer fraction of the radius over which hits fade.
      * @param numRays at least 1.
-     * @param seed turns the set of rays; give neighbouring points different ones.
-     * @return the normal itself as bent normal where everything is shut. */
+     * @param seed rotates the set of rays; give neighbouring points different seeds.
+     * @return if every ray is blocked, the bent normal is the normal itself. */
     Occlusion sampleOcclusion(const glm::dvec3& point, const glm::dvec3& normal, double radius, double falloff,
                               int numRays, std::uint32_t seed) const;
 
 private:
-    /** 4 x 4 x 4 cells, a bit each: those covered, and those empty but for a stud on their bottom. */
+    /** 4 x 4 x 4 cells, one bit each: covered cells, and cells that contain only the stud of the brick below. */
     struct Block
     {
         std::uint64_t covered = 0;
@@ -87,11 +87,11 @@ private:
 
     osg::ref_ptr<const BrickModel> _model;
     int _up;
-    glm::dvec3 _cellExtent;                   // of a cell, in pitches
+    glm::dvec3 _cellExtent;                   // the size of a cell, in pitches
     glm::ivec3 _dimensions;                   // in cells, with a layer for the studs on the topmost bricks
     glm::ivec3 _blockCounts;                  // along each axis
-    std::vector<std::uint32_t> _blockNumbers; // of every block of the grid, its place in _blocks
-    std::vector<Block> _blocks;               // the first is empty, and stands for all empty ones
+    std::vector<std::uint32_t> _blockNumbers; // for every block of the grid, its index into _blocks
+    std::vector<Block> _blocks;               // the first is empty and shared by all empty blocks
 };
 
 } // namespace osgLego

@@ -22,7 +22,7 @@ fs::path temporaryPathOf(const fs::path& path)
     return path.parent_path() / name;
 }
 
-/** What a writer says, with the name of the file instead of the temporary one. */
+/** A writer's message, with the file's own name in place of the temporary one. */
 std::string renamed(std::string text, const std::string& from, const std::string& to)
 {
     for (auto place = text.find(from); place != std::string::npos; place = text.find(from, place + to.size()))
@@ -30,7 +30,7 @@ std::string renamed(std::string text, const std::string& from, const std::string
     return text;
 }
 
-/** Whether a name is that of a device or a pipe, which is written as it is. */
+/** Whether a name is that of a device or a pipe, which is written directly. */
 bool isSpecial(const fs::path& path)
 {
     std::error_code ignored;
@@ -62,7 +62,7 @@ std::string writeCompleteFile(const std::string& fileName, const std::function<s
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
     std::error_code ignored;
-    // What a link leads to is written, not the link.
+    // Replace the target of a link, not the link.
     const fs::path path =
         fs::is_symlink(fileName, ignored) ? fs::weakly_canonical(fileName, ignored) : fs::path(fileName);
     if (isSpecial(path)) return write(fileName);

@@ -56,14 +56,14 @@ Ring ringOf(const Section& section, std::size_t corners)
     return ring;
 }
 
-/** Whether a surface through rings is open at its first and last one, or closed by fans. */
+/** Whether a surface through rings is open at the first and last ring, or closed by triangle fans. */
 enum class Ends
 {
     OPEN,
     CLOSED
 };
 
-/** A surface through rings of equally many corners. */
+/** A surface through rings that have the same number of corners. */
 osg::ref_ptr<osg::Geometry> createLoft(const std::vector<Ring>& rings, const ColorOf& colorOf, Ends ends = Ends::CLOSED)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -193,7 +193,7 @@ osg::ref_ptr<osg::Node> createCockpit()
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->setName("cockpit");
 
-    // A dark opening, a screen in front of it, a fairing behind it, and a helmet that looks out.
+    // A dark opening, a windscreen in front of it, a fairing behind it, and the driver's helmet.
     const auto ring = [](double x, double halfWidth, double bottom, double top) {
         return ringOf({x, halfWidth, bottom, top, 2.4}, CORNERS);
     };

@@ -6,11 +6,11 @@
 namespace osgLego
 {
 
-/** The built-in model, for trying things out without a file: a racing car as they were in the nineteen-sixties.
+/** Create the built-in model, a racing car of the nineteen-sixties, for demonstrations that need no file.
  *
- * Made by code, the same on every call: about 4.2 units long (metres), Z up, its nose towards -X, standing on z = 0.
- * The body carries a texture, the tyres vertex colours, rims, wings and pipes Materials; the four wheels share their
- * subgraphs. `sample.legolize` is this one in bricks.
+ * Every call creates the same model: about 4.2 units (metres) long, Z up, standing on z = 0 with its nose towards -X.
+ * The body has a texture, the tyres have vertex colours, and the rims, wings and pipes have Materials; the four wheels
+ * share their subgraphs. `sample.legolize` shows it in bricks.
  *
  * May be called from any thread; the caller owns the result. */
 osg::ref_ptr<osg::Node> createRacingCar();

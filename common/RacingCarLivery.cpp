@@ -37,7 +37,7 @@ osg::ref_ptr<osg::Image> createImage(int width, int height, const ColorAt& color
     return image;
 }
 
-/** Whether a point of a roundel, its radius 1, lies on the number in it, which is read from in front of the car. */
+/** Whether a point of a roundel of radius 1 lies on its number, which is legible from the front of the car. */
 bool isOnNumber(const osg::Vec2d& point)
 {
     const int column = static_cast<int>(std::floor((0.5 - point.y() / 1.1) * 5.0));
@@ -48,7 +48,7 @@ bool isOnNumber(const osg::Vec2d& point)
 
 osg::Vec3ub liveryAt(double along, double across)
 {
-    constexpr double LENGTH_OVER_WIDTH = 4.4; // of the body, so that the roundels are round
+    constexpr double LENGTH_OVER_WIDTH = 4.4; // of the body; makes the roundels round
     const double fromMiddle = std::abs(across - 0.5);
     for (const double center : {0.27, 0.82})
     {

@@ -25,7 +25,7 @@ bool isSoftware(EGLDeviceEXT device)
     return extensions && std::strstr(extensions, "EGL_MESA_device_software");
 }
 
-/** The displays worth trying: those of GPUs, Mesa's without a surface, software devices, the default one. */
+/** The displays to try, in order: GPUs, Mesa's surfaceless platform, software devices, the default display. */
 std::vector<EGLDisplay> findDisplays()
 {
     std::vector<EGLDisplay> displays;
@@ -83,12 +83,12 @@ EglContext::~EglContext()
 
 bool EglContext::realizeImplementation()
 {
-    // A viewer realizes its contexts again.
+    // osgViewer realizes its contexts more than once.
     if (isRealizedImplementation()) return true;
     _error = "there is no EGL display that gives an OpenGL context";
     const std::vector<EGLDisplay> displays = findDisplays();
-    // What is older still has a context to give, of whose version the library can complain better than EGL does; but
-    // not while another has what is wanted.
+    // Accept an older version only after every display has been tried: the library's message about the version of such
+    // a context is clearer than EGL's.
     for (const EGLint* attributes : {COMPATIBLE.data(), ANY.data()})
         for (EGLDisplay display : displays)
             if (display != EGL_NO_DISPLAY && realizeOn(display, attributes)) return true;
@@ -137,7 +137,7 @@ void EglContext::closeImplementation()
 
 bool EglContext::makeCurrentImplementation()
 {
-    // The API is chosen for each thread.
+    // EGL binds an API per thread.
     return isRealizedImplementation() && eglBindAPI(EGL_OPENGL_API) &&
            eglMakeCurrent(_display, _surface, _surface, _context);
 }

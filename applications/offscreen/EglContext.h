@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** A graphics context with a pixel buffer of EGL for a frame buffer; neither display nor window system is needed. */
+/** A graphics context that draws into an EGL pixel buffer; it needs neither a display nor a window system. */
 class EglContext : public osg::GraphicsContext
 {
 public:
@@ -37,7 +37,7 @@ public:
 private:
     ~EglContext() override;
 
-    /** @param attributes of the context, as eglCreateContext takes them. */
+    /** @param attributes as for eglCreateContext. */
     bool realizeOn(EGLDisplay display, const EGLint* attributes);
 
     EGLDisplay _display = EGL_NO_DISPLAY;

@@ -20,8 +20,9 @@ using OffscreenContext = EglContext;
 namespace
 {
 
-/** OSG takes a function for supported when a library exports its name, which libGL and libOSMesa do for all; this one
- * it would use for every multisampled frame buffer object, and it does nothing where the extension is missing. */
+/** OSG assumes that a GL function is supported if a library exports its name, but libGL and libOSMesa export all names.
+ * OSG would call this function for every multisampled frame buffer object; without the extension the function does
+ * nothing. */
 void forgetDeadFunctions(osg::GraphicsContext& context)
 {
     if (!context.makeCurrent()) return;

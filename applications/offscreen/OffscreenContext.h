@@ -8,12 +8,12 @@
 namespace osgLego
 {
 
-/** Make a GL context that needs no display: compatibility profile, RGBA of 8 bits, depth of 24, stencil of 8.
+/** Create a GL context that needs no display: compatibility profile, 8-bit RGBA, 24-bit depth, 8-bit stencil.
  *
- * Through EGL (a GPU's device if there is one, Mesa's surfaceless platform otherwise), or, in a program that is linked
- * with osgLegoOsMesa, through OSMesa. It is realized and not current when this returns.
- * @param width, height of its own frame buffer, in pixels, at least 1.
- * @return null, with the reason in `error`, when there is none to be had. */
+ * Programs linked with osgLegoOsMesa use OSMesa; all others use EGL, on a GPU if there is one, otherwise on Mesa's
+ * surfaceless platform. The context is realized but not current when this function returns.
+ * @param width, height of the context's own frame buffer, in pixels, at least 1.
+ * @return null, with the reason in `error`, if no context can be created. */
 osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error);
 
 } // namespace osgLego

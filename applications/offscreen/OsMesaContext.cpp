@@ -20,9 +20,9 @@ OsMesaContext::~OsMesaContext()
 
 bool OsMesaContext::realizeImplementation()
 {
-    // A viewer realizes its contexts again.
+    // osgViewer realizes its contexts more than once.
     if (isRealizedImplementation()) return true;
-    // Without a version the context is one of OpenGL 1.
+    // Without a version, OSMesa creates a context of OpenGL 1.
     // clang-format off
     const std::array attributes{OSMESA_FORMAT,                OSMESA_RGBA,
                                 OSMESA_DEPTH_BITS,            static_cast<int>(_traits->depth),

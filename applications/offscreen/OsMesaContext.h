@@ -9,10 +9,11 @@
 namespace osgLego
 {
 
-/** A graphics context of Mesa's off-screen library: software, in memory, the same pictures on every run.
+/** A graphics context of Mesa's off-screen library: it draws in software, in memory, and produces the same pictures on
+ * every run.
  *
- * About 150 of GL's functions are known to OSMesa only by OSMesaGetProcAddress; OSG looks for them elsewhere and finds
- * ones that do nothing. Neither osgLego nor what OSG does for it calls any of those.
+ * OSMesa provides about 150 GL functions through OSMesaGetProcAddress only. OSG looks them up elsewhere and finds stubs
+ * that do nothing. Neither osgLego nor OSG on its behalf calls any of these functions.
  */
 class OsMesaContext : public osg::GraphicsContext
 {

@@ -17,10 +17,10 @@ namespace
 constexpr int MAXIMUM_CHANNELS = 4;
 // OSG's images hold colours that are not multiplied by alpha.
 constexpr const char* STRAIGHT_ALPHA = "oiio:UnassociatedAlpha";
-// More than any texture, and so little that a header of lies does no harm.
+// Larger than any texture, yet small enough that a corrupt header does no harm.
 constexpr double MAXIMUM_BYTES = 4.0 * (1u << 30);
 
-/** How a channel is kept in an osg::Image. */
+/** The representation of a channel in an osg::Image. */
 struct ChannelType
 {
     OIIO::TypeDesc oiio;
@@ -52,12 +52,13 @@ const ChannelType& typeFor(const OIIO::TypeDesc& format)
 std::string findFault(const OIIO::ImageSpec& spec, int channels, const ChannelType& type)
 {
     const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
-    if (spec.depth > 1) return "it has " + std::to_string(spec.depth) + " layers; allowed: flat images";
-    if (spec.deep) return "deep images can't be shown; allowed: flat ones";
-    if (spec.width < 1 || spec.height < 1 || channels < 1) return "it has no pixels (" + size + ")";
+    if (spec.depth > 1) return "it has " + std::to_string(spec.depth) + " layers; expected one";
+    if (spec.deep) return "it is a deep image; expected a flat one";
+    if (spec.width < 1 || spec.height < 1 || channels < 1)
+        return "it has no pixels (" + size + "); expected at least 1 x 1";
     const double bytes =
         static_cast<double>(spec.width) * spec.height * channels * static_cast<double>(type.oiio.size());
-    if (bytes > MAXIMUM_BYTES) return "it claims " + size + " pixels; allowed: up to 4 GiB of them";
+    if (bytes > MAXIMUM_BYTES) return "its header announces " + size + " pixels; expected up to 4 GiB of them";
     return {};
 }
 
@@ -80,7 +81,7 @@ osg::ref_ptr<osg::Image> readPixels(OIIO::ImageInput& input, std::string& error)
     return nullptr;
 }
 
-/** The channels of an OSG pixel format, in the order that files have them; empty for formats without colours. */
+/** The channels of an OSG pixel format, in the order of image files; empty for formats without colours. */
 std::vector<int> channelOrder(GLenum pixelFormat)
 {
     switch (pixelFormat)
@@ -107,7 +108,7 @@ std::vector<int> channelOrder(GLenum pixelFormat)
     }
 }
 
-/** The image's rows from the top down, its channels in the order of files. */
+/** The image's rows from top to bottom, its channels in the order of image files. */
 std::vector<unsigned char> collectPixels(const osg::Image& image, const std::vector<int>& order,
                                          std::size_t channelBytes)
 {
@@ -157,20 +158,20 @@ osg::ref_ptr<osg::Image> readWithOiio(const std::string& fileName, std::string& 
     }
     catch (const std::bad_alloc&)
     {
-        error = "there is no memory for it";
+        error = "there is not enough memory for its pixels";
         return nullptr;
     }
 }
 
 std::string writeWithOiio(const osg::Image& image, const std::string& fileName)
 {
-    if (image.r() != 1) return "it has " + std::to_string(image.r()) + " layers; allowed: flat images";
+    if (image.r() != 1) return "it has " + std::to_string(image.r()) + " layers; expected one";
     const std::vector<int> order = channelOrder(image.getPixelFormat());
     const ChannelType* type = nullptr;
     for (const ChannelType* candidate : {&BYTES, &SHORTS, &FLOATS})
         if (candidate->gl == image.getDataType()) type = candidate;
     if (!image.data() || order.empty() || !type)
-        return "its pixels are of another kind; allowed: one to four channels of unsigned bytes, unsigned shorts or "
+        return "its pixel format is not supported; expected one to four channels of unsigned bytes, unsigned shorts or "
                "floats";
 
     OIIO::ImageSpec spec(image.s(), image.t(), static_cast<int>(order.size()), type->oiio);

@@ -5,14 +5,14 @@
 #include <osg/Image>
 #include <osg/ref_ptr>
 
-/** Read an image by OpenImageIO: its first part, one to four channels, 8 or 16 bits unsigned or 32 bits float a
- * channel, whatever more the file has being brought to the nearest of these. The first row is the bottom one, as in
- * OSG.
+/** Read the first part of an image file with OpenImageIO. The image has one to four channels, each of 8 or 16 bits
+ * unsigned or 32 bits float; further channels are dropped, and other types are converted to the nearest of these. The
+ * first row is the bottom row, as in OSG.
  *
- * What a header claims is checked before any memory is taken.
- * @return null, with the reason in `error`. */
+ * The header is checked before any memory is allocated.
+ * @return null, with the reason in `error`, on failure. */
 osg::ref_ptr<osg::Image> readWithOiio(const std::string& fileName, std::string& error);
 
-/** Write an image by OpenImageIO, in the format of the name's extension, complete or not at all.
- * @return the reason why not; empty when it is written. */
+/** Write an image with OpenImageIO, atomically, in the format of the file name's extension.
+ * @return the reason for a failure; empty if the file is written. */
 std::string writeWithOiio(const osg::Image& image, const std::string& fileName);

@@ -8,16 +8,17 @@
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
 
-/** Images through OpenImageIO, floats kept as floats: .exr, .hdr, .tif and whatever else it knows.
+/** Reads and writes images through OpenImageIO: .exr, .hdr, .tif and every other format that it supports.
+ * Floating-point pixels keep their precision.
  *
- * OSG finds this plugin by itself for .exr. For formats that OSG has a plugin of its own for, put `.oiio` behind the
- * name (`probe.hdr.oiio`), or load this one first (`osgviewer -e oiio ...`). */
+ * OSG finds this plugin automatically for .exr. For formats that OSG has its own plugin for, append `.oiio` to the file
+ * name (`probe.hdr.oiio`), or load this plugin first (`osgviewer -e oiio ...`). */
 class ReaderWriterOiio : public osgDB::ReaderWriter
 {
 public:
     ReaderWriterOiio()
     {
-        supportsExtension("oiio", "Pseudo-loader: the file before it, by OpenImageIO");
+        supportsExtension("oiio", "Pseudo-loader: reads the file named before it with OpenImageIO");
         // "tiff:tif,tiff,tx;openexr:exr,sxr" and so on.
         std::istringstream formats(OIIO::get_string_attribute("extension_list"));
         for (std::string format; std::getline(formats, format, ';');)
@@ -26,7 +27,7 @@ public:
             if (colon == std::string::npos) continue;
             std::istringstream extensions(format.substr(colon + 1));
             for (std::string extension; std::getline(extensions, extension, ',');)
-                supportsExtension(extension, format.substr(0, colon) + " by OpenImageIO");
+                supportsExtension(extension, format.substr(0, colon) + " through OpenImageIO");
         }
     }
 

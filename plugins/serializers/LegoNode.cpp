@@ -4,7 +4,8 @@
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 
-// In OSG's own formats a LegoNode is its settings, as text, and its source; bricks are made anew when it is read.
+// OSG's own formats store a LegoNode's settings, as text, its appearance, its light and its source. The bricks are made
+// again after reading.
 
 static bool checkSettings(const osgLego::LegoNode&)
 {

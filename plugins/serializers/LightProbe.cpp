@@ -4,7 +4,7 @@
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 
-// A light probe is its picture, by file name where it has one, and how that is laid around the scene.
+// OSG's own formats store a light probe's picture, by file name if it has one, and its mapping onto the scene.
 
 static bool checkPicture(const osgLego::LightProbe& probe)
 {
@@ -20,7 +20,7 @@ static bool readPicture(osgDB::InputStream& stream, osgLego::LightProbe& probe)
     std::string error = "its picture can't be read";
     if (image && isKnown && probe.setImage(image, static_cast<osgLego::LightProbe::Mapping>(mapping), error))
         return true;
-    OSG_WARN << "osgLego: a light probe is the built-in sky instead: " << error << std::endl;
+    OSG_WARN << "osgLego: a light probe falls back to the built-in sky: " << error << std::endl;
     return true;
 }
 
