@@ -21,13 +21,13 @@ namespace
 constexpr double FAR = std::numeric_limits<double>::infinity();
 constexpr double PI = std::numbers::pi;
 
-/** The part of a ray inside half-spaces: an independent way to meet boxes and studs. */
+/** The part of a ray inside half-spaces: an independent way to intersect boxes and studs. */
 struct ConvexHit
 {
     double begin = 0.0;
     double end = FAR;
 
-    /** Cut off where dot(normal, origin + t * direction) > limit. */
+    /** Remove the part where dot(normal, origin + t * direction) > limit. */
     void cut(double place, double slope, double limit)
     {
         if (slope == 0.0)
@@ -43,7 +43,7 @@ struct ConvexHit
     }
 };
 
-/** What findNearest should find: asks every brick. */
+/** The expected result of findNearest, by testing every brick. */
 std::optional<double> askEveryBrick(const BrickModel& model, const glm::dvec3& origin, const glm::dvec3& direction)
 {
     const glm::dvec3 extent = model.getGrid().cellSize / model.getGrid().getPitch();
@@ -95,7 +95,7 @@ osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::fun
     return BrickModel::create(grid, bricks);
 }
 
-/** Cubes, studs towards +z. */
+/** A model of cubes with studs towards +z. */
 osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& dimensions,
                                            const std::function<bool(const glm::ivec3&)>& covers)
 {
@@ -161,7 +161,7 @@ void expectSame(const std::optional<double>& found, const std::optional<double>&
     ASSERT_NEAR(found.value_or(0.0), expected.value_or(0.0), 1e-9);
 }
 
-TEST(BrickRayCaster, FindsWhatEveryBrickSays)
+TEST(BrickRayCaster, FindsTheNearestOfAllBricks)
 {
     forEachCar(
         [](const BrickModel& model)
@@ -204,7 +204,7 @@ TEST(BrickRayCaster, FollowsRaysAlongTheAxes)
 
 TEST(BrickRayCaster, StridesOverEmptyBlocks)
 {
-    // Few bricks, far apart, in a grid that ends inside a block.
+    // A few bricks, far apart, in a grid that ends inside a block.
     std::mt19937 engine(4);
     const auto model = createModel(glm::ivec3(61, 50, 43), [&](const glm::ivec3&) { return engine() % 400 == 0; });
     const BrickRayCaster caster(*model);
@@ -235,7 +235,7 @@ TEST(BrickRayCaster, AStudIsHitFromAboveAndFromTheSideAndMissedBesideIt)
                 1e-12);
     EXPECT_FALSE(caster.findNearest({-1.0, 1.81, 2.1}, right, FAR));
     EXPECT_FALSE(caster.findNearest({-1.0, 1.5, 2.0 + BrickDimensions::STUD_HEIGHT + 1e-6}, right, FAR));
-    // From inside, a stud is as solid as a brick.
+    // A ray that starts inside a stud hits it at once, as in a brick.
     EXPECT_EQ(caster.findNearest({1.5, 1.5, 2.1}, right, FAR), 0.0);
     EXPECT_EQ(caster.findNearest({1.5, 1.5, 1.1}, right, FAR), 0.0);
 }
@@ -256,9 +256,9 @@ TEST(BrickRayCaster, StudsOnTheTopmostBricksStandOutOfTheGrid)
     }
 }
 
-TEST(BrickRayCaster, NoStudStandsUnderABrickNorInOne)
+TEST(BrickRayCaster, AStudIsHitOnlyWhereTheCellAboveIsEmpty)
 {
-    // A brick, and another one above a gap of one cell: a stud in the gap, none between two bricks, none below.
+    // Two stacked bricks, a gap of one cell, and a third brick: studs in the gap and on top, none between or below.
     const auto model =
         createModel(glm::ivec3(1, 1, 5), [](const glm::ivec3& cell) { return cell.z != 0 && cell.z != 3; });
     const BrickRayCaster caster(*model);
@@ -281,7 +281,7 @@ TEST(BrickRayCaster, RaysFromFarOutsideMeetTheGridOrMissIt)
     EXPECT_FALSE(caster.findNearest({-1e6, 2.5, 2.5}, {-1.0, 0.0, 0.0}, FAR));
     EXPECT_FALSE(caster.findNearest({-1.0, 5.5, 2.5}, {1.0, 0.0, 0.0}, FAR));
     EXPECT_FALSE(caster.findNearest({-9.0, 2.5, 2.5}, {1.0, 0.0, 0.0}, 8.9));
-    // On the faces of the grid: cells have their lower ones.
+    // On the faces of the grid: cells include their lower faces only.
     EXPECT_TRUE(caster.findNearest({-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, FAR));
     EXPECT_FALSE(caster.findNearest({-1.0, 5.0, 2.5}, {1.0, 0.0, 0.0}, FAR));
     EXPECT_EQ(caster.findNearest({5.0, 2.5, 2.5}, {-1.0, 0.0, 0.0}, FAR), 0.0);
@@ -333,8 +333,8 @@ TEST(BrickRayCaster, AnInnerEdgeOfTwoWallsHidesHalf)
     const auto onY = caster.sampleOcclusion({1.0005, 1.0, 40.3}, {0.0, 1.0, 0.0}, 20.0, 0.01, 4096, 6);
     EXPECT_NEAR(onX.visibility, 0.5, 0.01);
     EXPECT_NEAR(onY.visibility, 0.5, 0.01);
-    // Of a quarter sphere weighted by the cosine, the mean direction leans from the normal by atan(2 / pi); the two
-    // walls' own lean by as much towards each other.
+    // The cosine-weighted mean direction of a quarter sphere leans from the normal by atan(2 / pi), and the two walls'
+    // bent normals lean towards each other by the same angle.
     const double lean = std::atan(2.0 / PI);
     EXPECT_NEAR(glm::distance(onX.bentNormal, glm::dvec3(std::cos(lean), std::sin(lean), 0.0)), 0.0, 0.02);
     EXPECT_NEAR(glm::distance(onY.bentNormal, glm::dvec3(std::sin(lean), std::cos(lean), 0.0)), 0.0, 0.02);
@@ -344,7 +344,7 @@ TEST(BrickRayCaster, AnInnerEdgeOfTwoWallsHidesHalf)
 
 TEST(BrickRayCaster, VisibilityFollowsTheFormFactorOfAWall)
 {
-    // A wall d away that ends at height h above the floor hides (1 - d / sqrt(d^2 + h^2)) / 2 when it is long.
+    // A long wall at distance d that rises to height h above the floor hides (1 - d / sqrt(d^2 + h^2)) / 2.
     const auto model =
         createModel(glm::ivec3(8, 400, 8), [](const glm::ivec3& cell) { return cell.x == 0 || cell.z == 7; });
     const BrickRayCaster caster(*model);
@@ -370,7 +370,7 @@ TEST(BrickRayCaster, AClosedHoleIsDark)
 
 TEST(BrickRayCaster, HitsFadeTowardsTheRadius)
 {
-    // Down from the underside of a ceiling to a floor two cells lower.
+    // From the underside of a ceiling down to a floor two cells below.
     const auto model = createModel(glm::ivec3(101, 101, 4), [](const glm::ivec3& cell) { return cell.z % 3 == 0; });
     const BrickRayCaster caster(*model);
     const glm::dvec3 point(50.02, 50.03, 3.0);
@@ -384,7 +384,7 @@ TEST(BrickRayCaster, HitsFadeTowardsTheRadius)
     EXPECT_LT(visibilityOf(40.0, 0.01), 0.01);
 }
 
-TEST(BrickRayCaster, TheSameSeedGivesTheSameAnotherSeedAnother)
+TEST(BrickRayCaster, EqualSeedsGiveEqualResultsAndOtherSeedsDiffer)
 {
     const auto model = createCar(Proportions::BRICK, UpAxis::Z);
     const BrickRayCaster caster(*model);

@@ -23,7 +23,7 @@ std::string writeHalf(const std::string& name)
     return "the disk is full, says " + name;
 }
 
-TEST_F(CompleteFile, IsThereWhenItIsComplete)
+TEST_F(CompleteFile, ExistsOnceItIsComplete)
 {
     const std::string name = pathOf("a.txt");
     EXPECT_EQ(writeCompleteFile(name,
@@ -40,7 +40,7 @@ TEST_F(CompleteFile, IsThereWhenItIsComplete)
     EXPECT_EQ(countFiles(), 1u);
 }
 
-TEST_F(CompleteFile, LeavesTheOldOneWhenItFails)
+TEST_F(CompleteFile, KeepsTheOldFileWhenWritingFails)
 {
     const std::string name = pathOf("a.txt");
     std::ofstream(name) << "old";
@@ -51,7 +51,7 @@ TEST_F(CompleteFile, LeavesTheOldOneWhenItFails)
     EXPECT_EQ(countFiles(), 1u);
 }
 
-TEST_F(CompleteFile, SaysWhatIsWrongWithItsPlace)
+TEST_F(CompleteFile, NamesTheProblemWithItsFolder)
 {
     EXPECT_EQ(writeCompleteFile(_folder.string(), writeHalf), "it is a folder");
     EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf), "there is no folder '" + pathOf("none") + "'");

@@ -49,7 +49,7 @@ protected:
         return text.str();
     }
 
-    /** What reading a file is answered with: one line that names the file. */
+    /** The error of reading a file: one line that contains the file's name. */
     static std::string errorOf(const std::string& fileName)
     {
         std::string error;
@@ -87,7 +87,7 @@ TEST_F(LightProbeRead, ReadsAngularMaps)
 
 TEST_F(LightProbeRead, TruncatedFilesAreErrors)
 {
-    // A pattern that run lengths can't shorten.
+    // A pattern that run-length encoding can't compress.
     const auto pattern = [](const osg::Vec3d& d) { return osg::Vec3d(2.0 + d.x(), 2.0 + d.y(), 2.0 + d.z()); };
     for (const std::string extension : {".exr", ".hdr"})
     {
@@ -98,13 +98,13 @@ TEST_F(LightProbeRead, TruncatedFilesAreErrors)
     }
 }
 
-TEST_F(LightProbeRead, AHeaderThatLiesDoesNoHarm)
+TEST_F(LightProbeRead, ACorruptHeaderDoesNoHarm)
 {
     const std::string fileName = writeText("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40000 +X 40000\n");
     EXPECT_NE(errorOf(fileName).find("40000 x 40000"), std::string::npos);
 }
 
-TEST_F(LightProbeRead, SaysWhatIsWrong)
+TEST_F(LightProbeRead, ReportsTheReasonForAFailure)
 {
     EXPECT_NE(errorOf(pathOf("none.exr")).find("was not found"), std::string::npos);
     EXPECT_NE(errorOf(writeText("text.txt", "light\n")).find("can't be read: "), std::string::npos);
@@ -121,12 +121,12 @@ TEST_F(LightProbeRead, SaysWhatIsWrong)
     EXPECT_NE(errorOf(writeProbe("wide.exr", *image)).find("9 x 3 pixels; allowed"), std::string::npos);
 }
 
-/** Probes that were photographed; scripts/fetch-models brings them. */
+/** Photographed probes, which scripts/fetch-models downloads. */
 class PhotographedProbe : public ::testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(PhotographedProbe, IrradianceIsThatOfTheSumOverAllPixels)
+TEST_P(PhotographedProbe, IrradianceEqualsTheSumOverAllPixels)
 {
     const char* folder = std::getenv("OSGLEGO_TEST_MODELS");
     const std::string fileName = std::string(folder ? folder : ".") + "/" + GetParam();
@@ -149,7 +149,7 @@ TEST_P(PhotographedProbe, IrradianceIsThatOfTheSumOverAllPixels)
         squares += osg::componentMultiply(difference, difference);
         EXPECT_GE(std::min({irradiance.x(), irradiance.y(), irradiance.z()}), 0.0);
     }
-    // The root mean square, over the mean.
+    // The root mean square error, relative to the mean.
     const auto count = static_cast<double>(normals.size());
     for (unsigned int channel = 0; channel < 3; ++channel)
         EXPECT_LT(std::sqrt(squares[channel] / count), 0.02 * sum[channel] / count) << "channel " << channel;

@@ -23,7 +23,7 @@ namespace
 class Oiio : public TemporaryFolderTest
 {
 protected:
-    /** An image of 5 x 3 pixels, each another. */
+    /** An image of 5 x 3 different pixels. */
     static osg::ref_ptr<osg::Image> createImage(GLenum format, GLenum type)
     {
         osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -96,7 +96,7 @@ TEST_F(Oiio, EveryTypeAndNumberOfChannelsGoesThroughTiff)
         }
 }
 
-TEST_F(Oiio, HdrKeepsWhatItsFormatCan)
+TEST_F(Oiio, HdrKeepsThePrecisionOfItsFormat)
 {
     const osg::ref_ptr<osg::Image> image = createImage(GL_RGB, GL_FLOAT);
     const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.hdr.oiio");
@@ -107,7 +107,7 @@ TEST_F(Oiio, HdrKeepsWhatItsFormatCan)
             EXPECT_NEAR(back->getColor(column, row).g(), image->getColor(column, row).g(), 0.1f);
 }
 
-TEST_F(Oiio, AlphaLeavesTheColoursAsTheyAre)
+TEST_F(Oiio, AlphaDoesNotChangeTheColours)
 {
     const osg::ref_ptr<osg::Image> image = createImage(GL_RGBA, GL_UNSIGNED_BYTE);
     ASSERT_TRUE(osgDB::writeImageFile(*image, pathOf("image.png")));
@@ -121,7 +121,7 @@ TEST_F(Oiio, AlphaLeavesTheColoursAsTheyAre)
 
 TEST_F(Oiio, ImagesOfSeveralLayersAreRefused)
 {
-    // A DirectDraw surface of 4 x 4 x 4 pixels: the header's words, and 256 bytes.
+    // A DirectDraw surface of 4 x 4 x 4 pixels: the words of the header, and 256 bytes.
     std::vector<std::uint32_t> words(32 + 64, 0x80808080u);
     std::fill(words.begin(), words.begin() + 32, 0u);
     words[0] = 0x20534444; // "DDS "
@@ -144,7 +144,7 @@ TEST_F(Oiio, ImagesOfSeveralLayersAreRefused)
     EXPECT_NE(result.message().find("4 layers; expected one"), std::string::npos) << result.message();
 }
 
-TEST_F(Oiio, BlueFirstIsWrittenInTheRightOrder)
+TEST_F(Oiio, BgrIsWrittenAsRgb)
 {
     const osg::ref_ptr<osg::Image> image = createImage(GL_BGR, GL_UNSIGNED_BYTE);
     const osg::ref_ptr<osg::Image> back = throughFile(*image, "image.png.oiio");
@@ -153,7 +153,7 @@ TEST_F(Oiio, BlueFirstIsWrittenInTheRightOrder)
     EXPECT_EQ(back->data(2, 1)[2], image->data(2, 1)[0]);
 }
 
-TEST_F(Oiio, AgreesWithOsgsOwnPluginWhichRowIsFirst)
+TEST_F(Oiio, AgreesWithOsgsPluginOnTheOrderOfRows)
 {
     const osg::ref_ptr<osg::Image> image = createImage(GL_RGB, GL_UNSIGNED_BYTE);
     ASSERT_TRUE(osgDB::writeImageFile(*image, pathOf("image.png")));
@@ -162,7 +162,7 @@ TEST_F(Oiio, AgreesWithOsgsOwnPluginWhichRowIsFirst)
     expectSamePixels(*image, *back);
 }
 
-TEST_F(Oiio, AHeaderThatLiesDoesNoHarm)
+TEST_F(Oiio, ACorruptHeaderDoesNoHarm)
 {
     std::ofstream(pathOf("huge.hdr"), std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40000 +X 40000\n";
     EXPECT_NE(errorOf(pathOf("huge.hdr.oiio")).find("40000 x 40000"), std::string::npos);
@@ -181,7 +181,7 @@ TEST_F(Oiio, ATruncatedFileIsAnError)
     }
 }
 
-TEST_F(Oiio, SaysWhatIsWrong)
+TEST_F(Oiio, ReportsFailuresAndWritesNothing)
 {
     EXPECT_NE(errorOf(pathOf("none.exr")).find("not found"), std::string::npos);
     EXPECT_FALSE(osgDB::writeImageFile(*createImage(GL_RGB, GL_FLOAT), pathOf("no/such/folder.exr")));

@@ -21,7 +21,7 @@ class Serializer : public TemporaryFolderTest
 {
 };
 
-TEST_F(Serializer, SettingsAndSourceComeBackFromEveryFormOfOsgsFormat)
+TEST_F(Serializer, SettingsAndSourceSurviveEveryVariantOfOsgsFormat)
 {
     LegoSettings settings;
     std::string error;
@@ -36,13 +36,13 @@ TEST_F(Serializer, SettingsAndSourceComeBackFromEveryFormOfOsgsFormat)
         const auto* back = dynamic_cast<LegoNode*>(node.get());
         ASSERT_TRUE(back) << name;
         EXPECT_EQ(back->getSettings(), settings);
-        // The text forms round the coordinates.
+        // The text formats round the coordinates.
         EXPECT_NEAR(static_cast<double>(back->getBricks()->getBricks().size()),
                     static_cast<double>(lego->getBricks()->getBricks().size()), 20.0);
     }
 }
 
-TEST_F(Serializer, LooksAndLightComeBack)
+TEST_F(Serializer, AppearanceAndLightSurvive)
 {
     osg::ref_ptr<osg::Image> picture = new osg::Image;
     picture->allocateImage(4, 2, 1, GL_RGB, GL_FLOAT);
@@ -83,13 +83,13 @@ TEST_F(Serializer, LooksAndLightComeBack)
         const BrickAppearance backAppearance = backLego->getAppearance();
         EXPECT_FALSE(backAppearance.joints);
         EXPECT_DOUBLE_EQ(backAppearance.variation, 0.5);
-        EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text form rounds it
+        EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text format rounds it
         const osg::ref_ptr<const LightProbe> backProbe = backLego->getLightProbe();
         EXPECT_NEAR(backProbe->getIrradiance(osg::Vec3d(0, 0, 1)).x(), 1.0, 0.01);
     }
 }
 
-TEST_F(Serializer, BadSettingsInAFileAreSaidAndTheDefaultsTaken)
+TEST_F(Serializer, BadSettingsInAFileGiveAWarningAndTheDefaults)
 {
     osg::ref_ptr<LegoNode> lego = new LegoNode;
     lego->addChild(createSphere(4));
@@ -102,7 +102,7 @@ TEST_F(Serializer, BadSettingsInAFileAreSaidAndTheDefaultsTaken)
     content.replace(content.find("64", place), 2, "0");
     std::ofstream(pathOf("bad.osgt")) << content;
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf("bad.osgt"));
-    if (!node) return; // the reader may refuse the file instead
+    if (!node) return; // OSG's reader may reject the file instead
     const auto* back = dynamic_cast<LegoNode*>(node.get());
     ASSERT_TRUE(back);
     EXPECT_EQ(back->getSettings(), LegoSettings());

@@ -21,7 +21,8 @@ Polygon clipByCell(const Polygon& whole, const glm::ivec3& cell)
                 const double there = sign * (to[axis] - bound);
                 if (here >= 0.0) result.push_back(from);
                 if ((here >= 0.0) == (there >= 0.0)) continue;
-                // Exact along axes on which the two are in the same place: that may be another plane of the cell.
+                // Interpolation is exact along axes on which both ends agree; these may lie on another plane of the
+                // cell.
                 result.push_back(from + here / (here - there) * (to - from));
                 result.back()[axis] = bound;
             }

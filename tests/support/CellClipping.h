@@ -10,8 +10,8 @@ namespace osgLego::test
 
 using Polygon = std::vector<glm::dvec3>;
 
-/** The part of a convex polygon in a cell of the unit grid, faces included: the polygon is clipped by the cell's six
- * planes, one after the other. */
+/** The part of a convex polygon inside a cell of the unit grid, including its faces, by clipping with the cell's six
+ * planes in turn. */
 Polygon clipByCell(const Polygon& polygon, const glm::ivec3& cell);
 
 /** The area of a convex polygon. */

@@ -8,10 +8,10 @@
 namespace osgLego::test
 {
 
-/** Have GL report to this process what goes wrong in a context, which is made current and released. */
+/** Make GL report errors in a context to this process. The context is made current and released. */
 void watchGl(osg::GraphicsContext& context);
 
-/** The errors and messages of high severity since this was asked for last. */
+/** The errors and messages of high severity since the last call. */
 std::vector<std::string> takeGlMessages();
 
 } // namespace osgLego::test

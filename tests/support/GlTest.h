@@ -11,11 +11,11 @@
 namespace osgLego::test
 {
 
-/** A test with a GL context of its own, without a display. Fails on any GL error and message of high severity. */
+/** A test with its own GL context, without a display. Fails on any GL error or message of high severity. */
 class GlTest : public ::testing::Test
 {
 public:
-    // Of the contexts' own frame buffers, in pixels.
+    // The size of the contexts' own frame buffers, in pixels.
     static constexpr int WIDTH = 200;
     static constexpr int HEIGHT = 150;
 
@@ -23,27 +23,27 @@ protected:
     void SetUp() override;
     void TearDown() override;
 
-    /** A context that is watched, realized and not current. */
+    /** A context that is watched for errors, realized, and not current. */
     static osg::ref_ptr<osg::GraphicsContext> createContext();
 
-    /** Let a viewer draw a scene into a context, as far away as it all fits in. */
+    /** Let a viewer draw a scene into a context, from a distance at which all of it is visible. */
     static void setUpViewer(osgViewer::Viewer& viewer, osg::GraphicsContext& context, osg::Node& scene);
 
-    /** What a context's own frame buffer shows. */
+    /** The picture in a context's own frame buffer. */
     static osg::ref_ptr<osg::Image> readPixels(osg::GraphicsContext& context);
 
-    /** Legolize in a new context and bring the covered cells back. When that fails, fails the test and answers null. */
+    /** Legolize in a new context and read the covered cells back. @return null on failure, which fails the test. */
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,
                                                         LegoStatistics* statistics = nullptr);
 
-    /** By the passes of the GPU, a software renderer's too, unless the text names a device. */
+    /** Parse settings; unless the text names a device, the passes of the GPU run, even on a software renderer. */
     static LegoSettings parseSettings(const std::string& text);
 };
 
-/** How many pixels of a picture are not the background. */
+/** The number of pixels of a picture that differ from the background. */
 std::size_t countDrawn(const osg::Image& image);
 
-/** How many pixels of two pictures of one size differ by more than `tolerance` of 255 in some channel. */
+/** The number of pixels of two pictures of the same size that differ by more than `tolerance` of 255 in a channel. */
 std::size_t countDifferent(const osg::Image& a, const osg::Image& b, int tolerance);
 
 } // namespace osgLego::test

@@ -12,7 +12,7 @@
 namespace osgLego::test
 {
 
-/** A test of functions in files of shaders/: a vertex shader calls them, and its output is captured. */
+/** A test of GLSL functions in shaders/: a vertex shader calls them, and transform feedback captures its output. */
 class GlslFunctionTest : public GlTest
 {
 protected:
@@ -20,10 +20,10 @@ protected:
 
     void SetUp() override;
 
-    /** Run a shader for each of the arguments.
-     * @param name of the vertex shader, with the ending .vert; unlike that of any other test.
-     * @param text the shader, without a version, which may include files of shaders/ and outlives the program: it reads
-     * vec4 a, b, c and d, the arguments, and writes to vec4 result.
+    /** The value of `result` for each of the arguments.
+     * @param name the name of the vertex shader, ending in .vert; each test needs a different one.
+     * @param text the shader, without a version; it may include files of shaders/, reads the arguments vec4 a, b, c and
+     * d, and writes vec4 result. The text must outlive the program.
      * @param stateSet the shader's uniforms and textures. */
     std::vector<glm::vec4> evaluate(const char* name, const char* text, const std::vector<Arguments>& arguments,
                                     osg::StateSet& stateSet);

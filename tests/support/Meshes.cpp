@@ -33,7 +33,7 @@ void colorByPlace(osg::Geometry& geometry)
     geometry.setColorArray(colors, osg::Array::BIND_PER_VERTEX);
 }
 
-/** A grid of quads over the unit square, wrapped around by a function of its coordinates. */
+/** A grid of quads over the unit square, mapped to a surface by a function of its coordinates. */
 osg::ref_ptr<osg::Geometry> createWrapped(int columns, int rows, const std::function<osg::Vec3(double, double)>& place)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -144,7 +144,7 @@ osg::ref_ptr<osg::Node> createThinPlate()
 osg::ref_ptr<osg::Node> createSliverSoup(int count, std::uint32_t seed)
 {
     std::mt19937 engine(seed);
-    // The standard's distributions differ between libraries; this does not.
+    // Unlike the distributions of the standard library, this gives the same values everywhere.
     const auto random = [&] { return static_cast<double>(engine()) / 4294967296.0 * 2.0 - 1.0; };
     const auto randomVector = [&](double scale)
     {

@@ -59,7 +59,7 @@ osg::ref_ptr<osg::Image> createAngularMap(int size, const RadianceOf& radianceOf
             const double right = 2.0 * (column + 0.5) / size - 1.0;
             const double up = 2.0 * (row + 0.5) / size - 1.0;
             const double distance = std::hypot(right, up);
-            // A pixel on the rim has its middle outside, but part of it inside.
+            // The centre of a pixel on the rim is outside the circle, but part of the pixel is inside.
             const double angle = PI * std::min(distance, 1.0);
             const osg::Vec3d direction(right / distance * std::sin(angle), std::cos(angle),
                                        up / distance * std::sin(angle));

@@ -9,7 +9,7 @@
 namespace osgLego::test
 {
 
-/** A test with an empty folder of its own, removed afterwards. */
+/** A test with its own empty folder, which is removed afterwards. */
 class TemporaryFolderTest : public ::testing::Test
 {
 protected:

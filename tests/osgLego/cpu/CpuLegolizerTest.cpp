@@ -70,7 +70,7 @@ TEST(CpuLegolizer, ResolutionOneIsOneBrick)
 
 TEST(CpuLegolizer, ColoursAreWeightedByTheAreaInTheCell)
 {
-    // Red has twice the area of blue, in one and the same cell.
+    // Red has twice the area of blue in the same cell.
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(colored(createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {1, 0, 0, 1}));
     geode->addDrawable(colored(createTriangle({0, 0, 0.5}, {0.5, 0, 0.5}, {0, 1, 0.5}), {0, 0, 1, 1}));
@@ -79,9 +79,9 @@ TEST(CpuLegolizer, ColoursAreWeightedByTheAreaInTheCell)
     EXPECT_EQ(model->getBricks()[0].color, (std::array<std::uint8_t, 3>{170, 0, 85}));
 }
 
-TEST(CpuLegolizer, ATriangleSpeaksForItsPointNearestTheMiddleOfTheCell)
+TEST(CpuLegolizer, ATriangleContributesItsColourNearestTheCentreOfTheCell)
 {
-    // A wall across four cells, black on the left and white on the right: each cell shows the shade of its middle.
+    // A wall across four cells, from black on the left to white on the right: each cell has the shade at its centre.
     osg::ref_ptr<osg::Geometry> wall = new osg::Geometry;
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
@@ -100,7 +100,7 @@ TEST(CpuLegolizer, ATriangleSpeaksForItsPointNearestTheMiddleOfTheCell)
         EXPECT_NEAR(model->find({x, 0, 0})->color[0], 255.0 * (x + 0.5) / 4.0, 12.0);
 }
 
-TEST(CpuLegolizer, CornersThatFallTogetherLeaveTheColour)
+TEST(CpuLegolizer, CoincidingCornersKeepTheColour)
 {
     const osg::ref_ptr<osg::Node> node = test::createCoincidingCorners();
     const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*node, settingsOf(16));
@@ -110,7 +110,7 @@ TEST(CpuLegolizer, CornersThatFallTogetherLeaveTheColour)
 
 TEST(CpuLegolizer, ATextureIsFilteredToTheSizeOfACell)
 {
-    // A chessboard far finer than the cells is grey.
+    // A chessboard much finer than the cells averages to grey.
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(256, 256, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE);
     for (unsigned int row = 0; row < 256; ++row)
@@ -141,7 +141,7 @@ TEST(CpuLegolizer, IsTheSameWithAnyNumberOfThreads)
         EXPECT_EQ(legolize(numThreads)->getBricks(), expected->getBricks()) << numThreads;
 }
 
-TEST(CpuLegolizer, TellsWhichSidesAreOpen)
+TEST(CpuLegolizer, FindsTheOpenSides)
 {
     for (const unsigned int resolution : {7u, 63u, 64u, 65u, 130u})
     {
@@ -176,7 +176,7 @@ TEST(CpuLegolizer, FarFromTheOriginTheCellsAreTheSame)
     EXPECT_LE(different, near->getBricks().size() / 500);
 }
 
-TEST(CpuLegolizer, NothingToLegolizeIsNull)
+TEST(CpuLegolizer, ReturnsNullWithoutTrianglesOrWithBadSettings)
 {
     EXPECT_FALSE(legolizeOnCpu(*osg::ref_ptr<osg::Group>(new osg::Group), settingsOf(8)));
     EXPECT_FALSE(legolizeOnCpu(*createTriangle({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), settingsOf(8)));

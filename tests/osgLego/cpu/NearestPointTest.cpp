@@ -22,8 +22,8 @@ protected:
         return {anywhere(_generator), anywhere(_generator), anywhere(_generator)};
     }
 
-    /** Four points around a triangle. What is found must be in the triangle; and of a convex set, the point nearest to
-     * another is the one from which no corner lies further towards it. */
+    /** Test four points around a triangle. The point found must lie in the triangle; and it is the nearest point of a
+     * convex set if no corner of the set lies further towards the given point. */
     void expectNearest(const Corners& corners, float size)
     {
         std::array<glm::dvec3, NearestPoint::NUM_LANES> points;

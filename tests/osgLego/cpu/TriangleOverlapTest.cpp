@@ -108,7 +108,7 @@ TEST(TriangleOverlap, ASurfaceOnABoundaryFillsOneSideOfIt)
 
 TEST(TriangleOverlap, ADiagonalSurfaceThroughEdgesFillsOneSideOfThem)
 {
-    // The plane x + y = 4 runs through edges of the grid: of the cells that it only touches there, none counts.
+    // The plane x + y = 4 contains edges of the grid. It doesn't cover cells that it touches only along an edge.
     const TriangleOverlap overlap({4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, {0.0, 4.0, 4.0});
     std::vector<glm::ivec3> cells;
     overlap.findCells(glm::ivec3(10), cells);
@@ -117,7 +117,7 @@ TEST(TriangleOverlap, ADiagonalSurfaceThroughEdgesFillsOneSideOfThem)
     {
         const int sum = cell.x + cell.y;
         EXPECT_TRUE(sum == 3 || sum == 4) << cell.x << " " << cell.y;
-        // Cells with sum 4 hold the edge that the plane touches as their own lower corner; those with sum 2 do not.
+        // The edge that the plane touches is the lower edge of cells with sum 4, but not of cells with sum 2.
     }
 }
 

@@ -23,7 +23,7 @@ using Corners = std::array<glm::vec3, 3>;
 
 constexpr int SIZE = 1024;
 
-/** Makes triangles inside a grid of SIZE cells. */
+/** Creates triangles inside a grid of SIZE cells. */
 class Triangles
 {
 public:
@@ -43,7 +43,7 @@ public:
         return {first, inside(first + place(-size, size)), inside(first + place(-size, size))};
     }
 
-    /** Corners on multiples of a fraction of a cell, where cuts and corners meet the planes between cells. */
+    /** Corners at multiples of a fraction of a cell, where cuts and corners meet the planes between cells. */
     Corners onLattice(float size, float fraction)
     {
         Corners corners = anywhere(size);
@@ -66,8 +66,9 @@ bool isBefore(const CellPart& a, const CellPart& b)
     return std::tie(a.cell.z, a.cell.y, a.cell.x) < std::tie(b.cell.z, b.cell.y, b.cell.x);
 }
 
-/** Slices a triangle; if it decides, the parts must be those of TriangleOverlap, and otherwise all but a millionth of a
- * cell of its area must lie in cells that TriangleOverlap finds. @return whether it decided. */
+/** Slices a triangle. If the slicer decides, its parts must equal those of TriangleOverlap; otherwise all of the
+ * triangle's area, except a millionth of a cell, must lie in cells that TriangleOverlap finds. @return whether the
+ * slicer decided. */
 bool agrees(const Corners& corners, const glm::ivec3& minimum = glm::ivec3(0),
             const glm::ivec3& maximum = glm::ivec3(SIZE - 1))
 {
@@ -142,7 +143,7 @@ TEST(TriangleSlicer, DecidesNothingWronglyNearTheLatticeOrNearlyParallelToIt)
 
 TEST(TriangleSlicer, DecidesExtrudedWallsWhoseCornersAreRounded)
 {
-    // As of letters: upright but for the last digits of a float, along each of the axes.
+    // Walls such as those of extruded letters: parallel to each of the axes, except for the last digits of a float.
     Triangles triangles;
     int decided = 0;
     for (int number = 0; number < 3000; ++number)
@@ -171,7 +172,7 @@ TEST(TriangleSlicer, DecidesNothingWronglyForSlivers)
         }
 }
 
-TEST(TriangleSlicer, LeavesCellsOutsideOfTheBoxOut)
+TEST(TriangleSlicer, IgnoresCellsOutsideTheBox)
 {
     Triangles triangles;
     int decided = 0;
@@ -186,7 +187,7 @@ TEST(TriangleSlicer, LeavesCellsOutsideOfTheBoxOut)
 
 TEST(TriangleSlicer, DecidesFacesAlongTheAxesWhereverTheyLie)
 {
-    // Upright and flat faces, as of a box: on planes between cells, and with edges on them.
+    // Vertical and horizontal faces, such as those of a box: on planes between cells, or with edges on them.
     Triangles triangles;
     int decided = 0;
     for (int number = 0; number < 1000; ++number)
@@ -202,7 +203,7 @@ TEST(TriangleSlicer, DecidesFacesAlongTheAxesWhereverTheyLie)
     EXPECT_GT(decided, 300);
 }
 
-TEST(TriangleSlicer, DecidesWhateverLiesInOneRowOfCells)
+TEST(TriangleSlicer, DecidesEveryTriangleInsideOneRowOfCells)
 {
     Triangles triangles;
     for (int number = 0; number < 3000; ++number)
@@ -220,7 +221,8 @@ TEST(TriangleSlicer, DecidesWhateverLiesInOneRowOfCells)
 
 TEST(TriangleSlicer, LeavesTrianglesWithoutAreaToTheOverlapTest)
 {
-    EXPECT_TRUE(agrees({glm::vec3(1.5f), glm::vec3(1.5f), glm::vec3(1.5f)})) << "in one cell there is nothing to ask";
+    EXPECT_TRUE(agrees({glm::vec3(1.5f), glm::vec3(1.5f), glm::vec3(1.5f)}))
+        << "the overlap test is not needed for a triangle in one cell";
     EXPECT_FALSE(agrees({glm::vec3(1.5f), glm::vec3(2.7f), glm::vec3(3.9f)}));
 }
 

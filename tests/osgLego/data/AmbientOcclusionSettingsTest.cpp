@@ -42,7 +42,7 @@ TEST(AmbientOcclusionSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.output, AmbientOcclusionOutput::BENT_NORMALS);
 }
 
-TEST(AmbientOcclusionSettings, TheTextFormComesBackAsItWas)
+TEST(AmbientOcclusionSettings, TheTextFormRoundTrips)
 {
     for (const char* text : {"low", "medium", "high", "medium,radius=0.125", "low,show=occlusion",
                              "high,radius=1e-05,show=bent-normals", "medium,show=irradiance", "medium,show=normals"})
@@ -54,7 +54,7 @@ TEST(AmbientOcclusionSettings, TheTextFormComesBackAsItWas)
     EXPECT_EQ(parsed("medium,show=picture").toString(), "medium");
 }
 
-TEST(AmbientOcclusionSettings, KeysThatAreNotNamedKeepTheirValues)
+TEST(AmbientOcclusionSettings, AbsentKeysKeepTheirValues)
 {
     AmbientOcclusionSettings settings = parsed("high,radius=2");
     std::string error;
@@ -62,7 +62,7 @@ TEST(AmbientOcclusionSettings, KeysThatAreNotNamedKeepTheirValues)
     EXPECT_EQ(settings.toString(), "high,radius=2,show=normals");
 }
 
-TEST(AmbientOcclusionSettings, AMistakeIsNamedWithWhatIsExpected)
+TEST(AmbientOcclusionSettings, MistakesAreReportedWithTheExpectedValues)
 {
     EXPECT_EQ(errorOf("quality=best"), "bad value 'best' for quality; expected low, medium or high");
     EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; expected low, medium or high");
@@ -80,7 +80,7 @@ TEST(AmbientOcclusionSettings, AMistakeIsNamedWithWhatIsExpected)
                                                                 "the world");
 }
 
-TEST(AmbientOcclusionSettings, ARadiusThatIsNoneIsRefused)
+TEST(AmbientOcclusionSettings, InvalidRadiiAreRefused)
 {
     AmbientOcclusionSettings settings;
     EXPECT_TRUE(settings.check().empty());

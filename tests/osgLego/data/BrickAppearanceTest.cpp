@@ -46,7 +46,7 @@ TEST(BrickAppearance, NumbersHaveRanges)
     }
 }
 
-TEST(BrickAppearance, AReliefIsOnePictureThatIsNotTooLarge)
+TEST(BrickAppearance, AReliefIsAFlatImageOfLimitedSize)
 {
     const auto errorOf = [](const osg::ref_ptr<osg::Image>& image)
     {

@@ -47,7 +47,7 @@ TEST(BrickGrid, CellsHaveTheHeightOfTheirKindAlongTheUpAxis)
     EXPECT_EQ(plate.dimensions, glm::ivec3(40, 50, 20));
 }
 
-TEST(BrickGrid, WhatIsLeftOverIsSharedAcrossAndLiesOnTop)
+TEST(BrickGrid, SpareSpaceIsSplitBetweenTheSidesAndLiesOnTop)
 {
     const BrickGrid grid = BrickGrid::fit({0, 0, 0, 10, 2.5, 3.5}, settingsOf(10));
     EXPECT_EQ(grid.dimensions, glm::ivec3(10, 3, 4));
@@ -56,7 +56,7 @@ TEST(BrickGrid, WhatIsLeftOverIsSharedAcrossAndLiesOnTop)
     EXPECT_DOUBLE_EQ(grid.origin.z, 0.0);
 }
 
-TEST(BrickGrid, TheBoundsLieInTheGrid)
+TEST(BrickGrid, TheGridContainsTheBounds)
 {
     const osg::BoundingBoxd bounds(-1.37, 0.2, 5.0, 0.91, 1.77, 5.6);
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
@@ -73,7 +73,7 @@ TEST(BrickGrid, TheBoundsLieInTheGrid)
         }
 }
 
-TEST(BrickGrid, StudsCountAmongTheBounds)
+TEST(BrickGrid, TheBoundsIncludeTheStuds)
 {
     const BrickGrid grid = BrickGrid::fit({0, 0, 0, 10, 10, 5}, settingsOf(10, Proportions::PLATE));
     EXPECT_NEAR(grid.getBrickBounds().zMax(), 0.4 * grid.dimensions.z + 0.2125, 1e-12);
@@ -87,7 +87,7 @@ TEST(BrickGrid, AFlatMeshHasOneLayer)
     EXPECT_EQ(BrickGrid::fit({0, 0, 3, 4, 2, 3}, settingsOf(8)).dimensions, glm::ivec3(8, 4, 1));
 }
 
-TEST(BrickGrid, ThereAreNoCellsAroundNothing)
+TEST(BrickGrid, EmptyAndInfiniteBoundsHaveNoCells)
 {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(BrickGrid::fit({}, settingsOf(8)).getNumCells(), 0u);
@@ -95,7 +95,7 @@ TEST(BrickGrid, ThereAreNoCellsAroundNothing)
     EXPECT_EQ(BrickGrid::fit({0, 0, 0, infinity, 1, 1}, settingsOf(8)).getNumCells(), 0u);
 }
 
-TEST(BrickGrid, CellsToModelUndoesToCells)
+TEST(BrickGrid, CellsToModelIsTheInverseOfToCells)
 {
     const BrickGrid grid = BrickGrid::fit({-3, 2, 1, 5, 4, 9}, settingsOf(33, Proportions::BRICK));
     const osg::Vec3d point(0.3, 3.1, 7.7);

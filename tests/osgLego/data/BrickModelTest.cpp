@@ -12,7 +12,7 @@ namespace osgLego
 namespace
 {
 
-TEST(BrickModel, OpenSidesAreThoseOfEmptyNeighbours)
+TEST(BrickModel, SidesTowardsEmptyNeighboursAreOpen)
 {
     BrickGrid grid;
     grid.dimensions = glm::ivec3(9, 7, 8);

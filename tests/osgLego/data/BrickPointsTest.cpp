@@ -27,7 +27,7 @@ glm::ivec3 cellOf(const BrickPoint& point)
     return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
 }
 
-TEST(BrickPoints, AreTheVisibleBricksEachOnce)
+TEST(BrickPoints, ContainEachVisibleBrickOnce)
 {
     for (const unsigned int resolution : {1u, 8u, 9u, 50u})
     {
@@ -48,7 +48,7 @@ TEST(BrickPoints, AreTheVisibleBricksEachOnce)
     }
 }
 
-TEST(BrickPoints, ABlockKnowsWhereItsBricksAreAndWhatIsOpen)
+TEST(BrickPoints, BlocksHoldTheBoundsAndOpenSidesOfTheirBricks)
 {
     const BrickPoints result = createBrickPoints(*createModel(50));
     int next = 0;
@@ -75,11 +75,11 @@ TEST(BrickPoints, ABlockKnowsWhereItsBricksAreAndWhatIsOpen)
     EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
 }
 
-TEST(BrickPoints, BlocksAreFoundAgainWhereverBricksOfAPlaceFollowEachOther)
+TEST(BrickPoints, FindBlocksMergesConsecutiveBricksOfTheSamePlace)
 {
     const BrickPoints made = createBrickPoints(*createModel(50));
     const std::vector<BrickBlock> found = findBlocks(made.points);
-    // Bricks with studs and without follow each other in some places: then they are one block.
+    // In some places, bricks with and without studs are consecutive and so become one block.
     ASSERT_LE(found.size(), made.blocks.size());
     ASSERT_GE(2 * found.size(), made.blocks.size());
     int next = 0;
@@ -103,7 +103,7 @@ TEST(BrickPoints, BlocksAreFoundAgainWhereverBricksOfAPlaceFollowEachOther)
     EXPECT_EQ(static_cast<std::size_t>(next), made.points.size());
 }
 
-TEST(BrickPoints, BricksWithStudsAreInBlocksOfTheirOwn)
+TEST(BrickPoints, BricksWithAndWithoutStudsAreInSeparateBlocks)
 {
     std::size_t numStudded = 0;
     const BrickPoints result = createBrickPoints(*createModel(50));

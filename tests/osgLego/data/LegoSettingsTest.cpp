@@ -51,7 +51,7 @@ TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
     EXPECT_EQ(parsed("64,method=points").getEdgeLimit(), 1.0);
 }
 
-TEST(LegoSettings, TheTextFormComesBackAsItWas)
+TEST(LegoSettings, TheTextFormRoundTrips)
 {
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
@@ -62,14 +62,14 @@ TEST(LegoSettings, TheTextFormComesBackAsItWas)
     }
 }
 
-TEST(LegoSettings, TheLookIsFullUnlessThePlainOneIsAskedFor)
+TEST(LegoSettings, TheLookIsFullByDefault)
 {
     EXPECT_EQ(parsed("64").look, Look::FULL);
     EXPECT_EQ(parsed("64,look=plain").look, Look::PLAIN);
     EXPECT_EQ(parsed("64,look=full").toString(), "64");
 }
 
-TEST(LegoSettings, OnlyTheLookHasNoPartInWhichBricksThereAre)
+TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
 {
     const LegoSettings settings = parsed("32,method=points");
     EXPECT_TRUE(settings.givesSameBricks(settings));
@@ -92,7 +92,7 @@ TEST(LegoSettings, KnowsTheKeysOfItsTextForm)
         EXPECT_FALSE(LegoSettings::isKey(other)) << other;
 }
 
-TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
+TEST(LegoSettings, AbsentKeysKeepTheirValues)
 {
     LegoSettings settings = parsed("32,up=y");
     std::string error;
@@ -100,7 +100,7 @@ TEST(LegoSettings, KeysThatAreNotNamedKeepTheirValues)
     EXPECT_EQ(settings.toString(), "32,proportions=brick,up=y");
 }
 
-TEST(LegoSettings, AMistakeIsNamedWithWhatIsExpected)
+TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
 {
     EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, "
                                         "target, fbo, edge, device, look, drawing");

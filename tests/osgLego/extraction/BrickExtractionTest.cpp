@@ -27,7 +27,7 @@ using GetVertexAttribute = void(GL_APIENTRY*)(GLuint, GLenum, GLint*);
 
 using Cells = std::vector<glm::ivec3>;
 
-/** A triangle inside of each cell, and of the first and the last one of a grid, which so gets its size. */
+/** A triangle inside each cell, and inside the first and last cell of a grid, to fix the grid's size. */
 osg::ref_ptr<osg::Node> createInCells(const glm::ivec3& size, const Cells& cells)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -67,8 +67,8 @@ Cells createRandomCells(const glm::ivec3& size, double share)
     return cells;
 }
 
-/** Pairs of neighbours, half of them on two sides of where blocks of 8 and words of 4 or 2 cells meet, along each axis.
- */
+/** Pairs of neighbours along each axis, half of them on either side of boundaries between blocks of 8 cells or words of
+ * 4 or 2 cells. */
 Cells createPairs(const glm::ivec3& size)
 {
     Cells cells;
@@ -92,11 +92,11 @@ struct Case
     std::function<osg::ref_ptr<osg::Node>()> create;
 };
 
-/** What is in the buffer that bricks are drawn from. */
+/** The contents of the buffer that bricks are drawn from. */
 class BrickExtraction : public GlTest, public ::testing::WithParamInterface<Case>
 {
 protected:
-    /** The bricks that were drawn last in the current context, in the order of their buffer. */
+    /** The bricks last drawn in the current context, in the order of their buffer. */
     static std::vector<Brick> readDrawn(osg::GraphicsContext& context, std::size_t count)
     {
         const auto getAttribute = reinterpret_cast<GetVertexAttribute>(eglGetProcAddress("glGetVertexAttribiv"));
@@ -165,7 +165,7 @@ TEST_P(BrickExtraction, DrawsEveryVisibleBrickOnceBlockByBlock)
         if (blocks.empty() || blocks.back() != blockOf(brick)) blocks.push_back(blockOf(brick));
     std::sort(blocks.begin(), blocks.end());
     const auto numRepeated = std::distance(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    // A layer of blocks that two slabs share comes twice; there are three slabs at the most.
+    // A layer of blocks that two slabs share appears twice; there are at most three slabs.
     const glm::ivec3& dimensions = lego->getBricks(contextID)->getGrid().dimensions;
     const bool hasSlabs = lego->getBricks(contextID)->getGrid().getNumCells() > std::size_t(1) << 24;
     EXPECT_LE(numRepeated, hasSlabs ? 2 * ((dimensions.x + 7) / 8) * ((dimensions.y + 7) / 8) : 0);
@@ -182,7 +182,7 @@ TEST_P(BrickExtraction, DrawsEveryVisibleBrickOnceBlockByBlock)
     EXPECT_TRUE(!isExact || expected.size() == getVisible(*lego->getBricks()).size());
 }
 
-/** So large a share of a grid's cells. */
+/** Random cells: the given share of a grid's cells. */
 std::function<osg::ref_ptr<osg::Node>()> random(const glm::ivec3& size, double share)
 {
     return [=] { return createInCells(size, createRandomCells(size, share)); };

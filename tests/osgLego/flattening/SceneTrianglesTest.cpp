@@ -109,7 +109,7 @@ TEST(SceneTriangles, EveryPrimitiveTypeOfTrianglesCounts)
     EXPECT_EQ(countTriangles(lengths), 4u);
 }
 
-TEST(SceneTriangles, LinesAndPointsArePassedOver)
+TEST(SceneTriangles, LinesAndPointsAreIgnored)
 {
     EXPECT_EQ(countTriangles(new osg::DrawArrays(GL_POINTS, 0, 8)), 0u);
     EXPECT_EQ(countTriangles(new osg::DrawArrays(GL_LINES, 0, 8)), 0u);
@@ -117,7 +117,7 @@ TEST(SceneTriangles, LinesAndPointsArePassedOver)
     EXPECT_EQ(countTriangles(new osg::DrawArrays(GL_LINE_LOOP, 0, 8)), 0u);
 }
 
-TEST(SceneTriangles, AnIndexOutsideTheArrayIsPassedOver)
+TEST(SceneTriangles, TrianglesWithIndicesOutsideTheArrayAreIgnored)
 {
     osg::ref_ptr<osg::DrawElementsUInt> elements = new osg::DrawElementsUInt(GL_TRIANGLES);
     for (const unsigned int index : {0u, 1u, 2u, 0u, 1u, 4000000000u})
@@ -176,14 +176,14 @@ TEST(SceneTriangles, TheFinestLevelOfDetailCounts)
         lod->setRangeMode(byDistance ? osg::LOD::DISTANCE_FROM_EYE_POINT : osg::LOD::PIXEL_SIZE_ON_SCREEN);
         osg::ref_ptr<osg::Node> coarse = createUnitTriangle();
         osg::ref_ptr<osg::Node> fine = createPolygon(8, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 8));
-        // A fine level that begins some way off is the finest all the same.
+        // A level counts as the finest even if its range starts at a distance.
         lod->addChild(coarse, byDistance ? 100.0f : 0.0f, byDistance ? 1e9f : 50.0f);
         lod->addChild(fine, byDistance ? 10.0f : 50.0f, byDistance ? 100.0f : 1e9f);
         EXPECT_EQ(SceneTriangles::create(*lod)->getNumTriangles(), 6u);
     }
 }
 
-TEST(SceneTriangles, ASequenceThatHasNotBegunCountsAsItsFirstChild)
+TEST(SceneTriangles, ASequenceThatHasNotStartedShowsItsFirstChild)
 {
     osg::ref_ptr<osg::Sequence> sequence = new osg::Sequence;
     sequence->addChild(createUnitTriangle(), 1.0);
@@ -210,7 +210,7 @@ TEST(SceneTriangles, CamerasThatDrawElsewhereDoNotCount)
     EXPECT_EQ(SceneTriangles::create(*root)->getNumTriangles(), 1u);
 }
 
-TEST(SceneTriangles, TrianglesWithoutAreaAreLeftOut)
+TEST(SceneTriangles, TrianglesWithoutAreaAreIgnored)
 {
     EXPECT_EQ(SceneTriangles::create(*createTriangle({0, 0, 0}, {1, 1, 1}, {2, 2, 2}))->getNumTriangles(), 0u);
     EXPECT_EQ(SceneTriangles::create(*createTriangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1}))->getNumTriangles(), 0u);
@@ -245,7 +245,7 @@ TEST(SceneTriangles, AVertexThatIsNotFiniteCountsOnceHoweverManyTrianglesShareIt
                        "with such vertices are ignored\n");
 }
 
-TEST(SceneTriangles, WhatIsTooSmallForOsgsBoundsIsLeftOut)
+TEST(SceneTriangles, TrianglesTooSmallForOsgsBoundsAreIgnored)
 {
     EXPECT_EQ(SceneTriangles::create(*createTriangle({0, 0, 0}, {1e-20f, 0, 0}, {0, 1e-20f, 0}))->getNumTriangles(),
               0u);
@@ -253,19 +253,19 @@ TEST(SceneTriangles, WhatIsTooSmallForOsgsBoundsIsLeftOut)
               1u);
 }
 
-TEST(SceneTriangles, WithoutColoursItIsWhite)
+TEST(SceneTriangles, GeometryWithoutColoursIsWhite)
 {
     expectColor(colorOfFirst(*createUnitTriangle()), 1, 1, 1);
 }
 
-TEST(SceneTriangles, ColourArraysThatAreOffAreNot)
+TEST(SceneTriangles, ColourArraysThatAreOffAreIgnored)
 {
     osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_OFF, 1);
     colors->front() = osg::Vec4(1, 0, 0, 1);
     expectColor(colorOfFirst(*createColored(colors.get(), osg::Array::BIND_OFF)), 1, 1, 1);
 }
 
-TEST(SceneTriangles, ATextureThatLetsGoOfItsImageKeepsItsColours)
+TEST(SceneTriangles, ATextureThatReleasesItsImageKeepsItsColours)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(1, 1, 1, GL_RGB, GL_UNSIGNED_BYTE);
@@ -327,7 +327,7 @@ TEST(SceneTriangles, ColoursBindToVerticesAndPrimitiveSets)
     EXPECT_EQ(perSet->getBatches().front().vertices[3].color.r, 0.5f);
 }
 
-TEST(SceneTriangles, AMaterialColoursWhatHasNoColoursOfItsOwn)
+TEST(SceneTriangles, AMaterialColoursGeometryWithoutColours)
 {
     osg::ref_ptr<osg::Geometry> plain = createUnitTriangle();
     plain->getOrCreateStateSet()->setAttribute(createMaterial({0.3f, 0.2f, 0.1f, 1}, osg::Material::OFF));
@@ -426,7 +426,7 @@ TEST(SceneTriangles, ALegoNodeInASourceCountsAsItsBricks)
     settings.resolution = 1;
     lego->setSettings(settings);
     lego->addChild(createUnitTriangle());
-    EXPECT_EQ(SceneTriangles::create(*lego)->getNumTriangles(), 1u) << "asked itself, it tells its source";
+    EXPECT_EQ(SceneTriangles::create(*lego)->getNumTriangles(), 1u) << "the node itself is flattened to its source";
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(lego);
     EXPECT_GT(SceneTriangles::create(*root)->getNumTriangles(), 12u);

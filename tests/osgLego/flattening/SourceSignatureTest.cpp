@@ -52,15 +52,15 @@ TEST_F(SourceSignatureTest, NoticesSwitches)
     EXPECT_TRUE(notices([&] { _switch->setAllChildrenOff(); }));
 }
 
-TEST_F(SourceSignatureTest, NoticesNodesThatComeAndGo)
+TEST_F(SourceSignatureTest, NoticesAddedAndRemovedNodes)
 {
     EXPECT_TRUE(notices([&] { _switch->addChild(test::createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})); }));
     EXPECT_TRUE(notices([&] { _switch->removeChild(0u, 1u); }));
 }
 
-TEST_F(SourceSignatureTest, NoticesANodeThatTakesThePlaceOfAnother)
+TEST_F(SourceSignatureTest, NoticesANodeThatReplacesAnother)
 {
-    // Many, since memory that was given back is soon given out again.
+    // Many, so that some new nodes reuse the address of a deleted one.
     for (int repeat = 0; repeat < 100; ++repeat)
         EXPECT_TRUE(notices(
             [&]
@@ -72,7 +72,7 @@ TEST_F(SourceSignatureTest, NoticesANodeThatTakesThePlaceOfAnother)
             }));
 }
 
-TEST_F(SourceSignatureTest, NoticesArraysThatAreSaidToBeDirty)
+TEST_F(SourceSignatureTest, NoticesArraysMarkedDirty)
 {
     EXPECT_TRUE(notices(
         [&]
@@ -82,7 +82,7 @@ TEST_F(SourceSignatureTest, NoticesArraysThatAreSaidToBeDirty)
         }));
 }
 
-TEST_F(SourceSignatureTest, NoticesArraysOfADynamicGeometryByThemselves)
+TEST_F(SourceSignatureTest, NoticesArraysOfADynamicGeometryWithoutDirty)
 {
     EXPECT_FALSE(notices([&] { getVertices()[0].z() = 1.0f; }));
     _geometry->setDataVariance(osg::Object::DYNAMIC);

@@ -27,7 +27,7 @@ double redAt(osg::Texture::WrapMode wrap, double s, double level = 0.0)
     return SurfaceTexture::create(*createBlackAndWhite(wrap))->sample({s, 0.5}, level).r;
 }
 
-TEST(SurfaceTexture, InterpolatesBetweenTheMiddlesOfTexels)
+TEST(SurfaceTexture, InterpolatesBetweenTheCentresOfTexels)
 {
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 0.25), 0.0, 1e-9);
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 0.5), 0.5, 1e-9);
@@ -35,7 +35,7 @@ TEST(SurfaceTexture, InterpolatesBetweenTheMiddlesOfTexels)
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 0.75), 1.0, 1e-9);
 }
 
-TEST(SurfaceTexture, WrapsAsItsModeSays)
+TEST(SurfaceTexture, FollowsTheWrapMode)
 {
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 1.25), 1.0, 1e-9);
     EXPECT_NEAR(redAt(osg::Texture::CLAMP, 1.25), 1.0, 1e-9);
@@ -49,7 +49,7 @@ TEST(SurfaceTexture, WrapsAsItsModeSays)
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_BORDER, 1e300), 0.25, 1e-9);
 }
 
-TEST(SurfaceTexture, LevelsAreAveragesAndHaveSomethingBetweenThem)
+TEST(SurfaceTexture, LevelsAreAveragesAndAreInterpolated)
 {
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 0.75, 1.0), 128.0 / 255.0, 1e-9);
     EXPECT_NEAR(redAt(osg::Texture::CLAMP_TO_EDGE, 0.75, 0.5), 0.5 + 64.0 / 255.0, 1e-9);
@@ -73,7 +73,7 @@ TEST(SurfaceTexture, AnOddSizeKeepsItsMean)
                 0.51 / 255.0);
 }
 
-TEST(SurfaceTexture, WhatCannotBeReadIsNone)
+TEST(SurfaceTexture, UnreadableImagesGiveNoTexture)
 {
     EXPECT_FALSE(SurfaceTexture::create(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D)));
     osg::ref_ptr<osg::Image> compressed = new osg::Image;

@@ -30,7 +30,7 @@ protected:
         _extensions->glGenBuffers(1, &_buffer);
         _extensions->glBindBuffer(GL_ARRAY_BUFFER, _buffer);
         _extensions->glBufferData(GL_ARRAY_BUFFER, 10 * sizeof(float), nullptr, GL_DYNAMIC_COPY);
-        // A driver may count vertices by the stride of the first array.
+        // Some drivers derive the number of vertices from the stride of the first array.
         _extensions->glEnableVertexAttribArray(0);
         _extensions->glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
         _extensions->glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -57,7 +57,7 @@ protected:
     GLuint _buffer = 0;
 };
 
-TEST_F(TransformFeedbackTest, CountsWhatItWasGivenAndWhatFoundRoom)
+TEST_F(TransformFeedbackTest, CountsPrimitivesGeneratedAndWritten)
 {
     TransformFeedback feedback(*_extensions);
     const CapturedPrimitives enough = capture(feedback, 7, 10);
@@ -70,7 +70,7 @@ TEST_F(TransformFeedbackTest, CountsWhatItWasGivenAndWhatFoundRoom)
     EXPECT_FALSE(tooFew.isComplete());
 }
 
-TEST_F(TransformFeedbackTest, DrawsAsMuchAsItCaptured)
+TEST_F(TransformFeedbackTest, DrawsAllThatItCaptured)
 {
     TransformFeedback first(*_extensions);
     capture(first, 6, 10);

@@ -15,7 +15,7 @@ namespace
 class AmbientLight : public GlslFunctionTest
 {
 protected:
-    /** Compare the irradiance upon many surfaces in the shader with that of the probe. */
+    /** Compare the shader's irradiance with the probe's, for many surface normals. */
     void expectIrradiance(const LightProbe& probe, double tolerance)
     {
         std::vector<Arguments> arguments;
@@ -48,9 +48,9 @@ protected:
     }
 };
 
-TEST_F(AmbientLight, TheShadersHarmonicsAreThoseOfTheProbe)
+TEST_F(AmbientLight, TheShadersHarmonicsEqualTheProbes)
 {
-    // Something of every harmonic, and of each another share in every channel.
+    // Light that contains every harmonic, in a different proportion for each channel.
     const osg::ref_ptr<LightProbe> probe = createProbe(
         [](const osg::Vec3d& d)
         {
@@ -62,7 +62,7 @@ TEST_F(AmbientLight, TheShadersHarmonicsAreThoseOfTheProbe)
     expectIrradiance(*probe, 1e-5);
 }
 
-TEST_F(AmbientLight, TheShadersConvolvedMapIsThatOfTheProbe)
+TEST_F(AmbientLight, TheShadersConvolvedMapEqualsTheProbes)
 {
     const osg::ref_ptr<LightProbe> probe =
         createProbe([](const osg::Vec3d& d) { return d.x() > 0.97 ? osg::Vec3d(60, 50, 40) : osg::Vec3d(1, 1, 1); });

@@ -92,7 +92,7 @@ TEST(LightProbe, SolidAnglesMakeASphere)
 {
     for (const auto& probe : createProbes(constant(1.0)))
     {
-        // The first harmonic is 1 / sqrt(4 pi) everywhere: its coefficient is the sum of solid angles times that.
+        // The first harmonic is 1 / sqrt(4 pi) everywhere: its coefficient is that times the sum of the solid angles.
         EXPECT_NEAR(probe->getCoefficients()[0].x() * std::sqrt(4.0 * PI), 4.0 * PI, 1e-3);
         for (std::size_t index = 1; index < 9; ++index)
             EXPECT_NEAR(probe->getCoefficients()[index].x(), 0.0, 1e-3) << index;
@@ -106,7 +106,7 @@ TEST(LightProbe, AGradientKeepsTwoThirds)
             expectNear(probe->getIrradiance(normal), grey(1.0 + 2.0 / 3.0 * normal.z()), 2e-3);
 }
 
-TEST(LightProbe, ACosineLobeIsAsCalculated)
+TEST(LightProbe, ACosineLobeMatchesItsClosedForm)
 {
     for (const auto& probe : createProbes([](const osg::Vec3d& d) { return grey(std::max(d.z(), 0.0)); }))
     {
@@ -116,7 +116,7 @@ TEST(LightProbe, ACosineLobeIsAsCalculated)
     }
 }
 
-TEST(LightProbe, EachAxisIsWhereThePictureHasIt)
+TEST(LightProbe, EachAxisHasItsPlaceInThePicture)
 {
     struct Axis
     {
@@ -151,7 +151,7 @@ TEST(LightProbe, EachAxisIsWhereThePictureHasIt)
         }
 }
 
-TEST(LightProbe, HarmonicsAreThoseOfTheSumOverAllPixels)
+TEST(LightProbe, HarmonicsEqualTheSumOverAllPixels)
 {
     const auto smooth = [](const osg::Vec3d& d)
     {
@@ -172,7 +172,7 @@ TEST(LightProbe, ASmallLampIsConvolved)
 {
     osg::Vec3d lampDirection(0.5, 0.3, 0.6);
     lampDirection.normalize();
-    // Five degrees from its middle to its rim.
+    // A radius of five degrees.
     const auto lamp = [&](const osg::Vec3d& d)
     { return d * lampDirection > 0.9962 ? osg::Vec3d(400.0, 300.0, 200.0) : grey(0.05); };
     const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(512, lamp);
@@ -192,7 +192,7 @@ TEST(LightProbe, ASmallLampIsConvolved)
         const double difference = irradiance.x() - sums[index].x();
         EXPECT_GE(std::min({irradiance.x(), irradiance.y(), irradiance.z()}), 0.0);
         EXPECT_GE(probe->getHarmonicIrradiance(normal).x(), 0.0);
-        // Where the lamp sets, a line between two pixels cuts the corner.
+        // Linear interpolation between two pixels is off at the lamp's horizon, where irradiance has a kink.
         EXPECT_NEAR(difference, 0.0, (std::abs(normal * lampDirection) < 0.1 ? 0.03 : 0.01) * brightest);
         squares += difference * difference;
     }
@@ -226,7 +226,7 @@ TEST(LightProbe, RotationAndIntensityAct)
 {
     const osg::ref_ptr<LightProbe> probe =
         createProbe(createLatitudeLongitude(128, [](const osg::Vec3d& d) { return grey(1.0 + d.y()); }));
-    // A quarter of a turn to the left brings what is ahead (+Y) to -X.
+    // A quarter turn to the left moves light from ahead (+Y) to -X.
     probe->setRotation(osg::Quat(0.5 * PI, osg::Vec3d(0.0, 0.0, 1.0)));
     probe->setIntensity(3.0);
     expectNear(probe->getIrradiance({-1.0, 0.0, 0.0}), grey(5.0), 0.01);
@@ -239,7 +239,7 @@ TEST(LightProbe, RotationAndIntensityAct)
     EXPECT_EQ(probe->getIrradiance({0.0, 0.0, 1.0}), osg::Vec3d());
 }
 
-TEST(LightProbe, RefusesIntensitiesAndRotationsThatAreNone)
+TEST(LightProbe, RefusesInvalidIntensitiesAndRotations)
 {
     const osg::ref_ptr<LightProbe> probe = new LightProbe;
     probe->setIntensity(2.0);
@@ -266,7 +266,7 @@ TEST(LightProbe, TheFirstReflectionIsThePicture)
         const osg::Image& map = *probe->getReflectionMap(0);
         ASSERT_EQ(map.s(), 256);
         ASSERT_EQ(map.t(), 128);
-        // Not at the poles, where the mean of a pixel is not what is in its middle.
+        // Not at the poles, where the mean over a pixel differs from the value at its centre.
         for (int row = 8; row < 120; row += 9)
             for (int column = 3; column < 256; column += 7)
                 expectNear(pixelOf(map, column, row), pattern(latitudeLongitudeDirection(column, row, 256, 128)),
@@ -279,7 +279,7 @@ TEST(LightProbe, TheFirstReflectionIsThePicture)
             expectNear(pixelOf(*probe->getReflectionMap(0), column, row), pixelOf(*image, column, row), 1e-5);
 }
 
-TEST(LightProbe, ConstantLightIsReflectedTheSameFromEverySurface)
+TEST(LightProbe, EverySurfaceReflectsConstantLightUnchanged)
 {
     const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(64, constant(3.0)));
     for (int level = 0; level < LightProbe::REFLECTION_LEVELS; ++level)
@@ -295,7 +295,7 @@ TEST(LightProbe, ConstantLightIsReflectedTheSameFromEverySurface)
     EXPECT_EQ(probe->getReflectionMap(LightProbe::REFLECTION_LEVELS), nullptr);
 }
 
-TEST(LightProbe, RoughSurfacesReflectAsMuchLightSmoothly)
+TEST(LightProbe, RoughSurfacesBlurLightButKeepItsAmount)
 {
     osg::Vec3d lampDirection(0.6, -0.5, 0.4);
     lampDirection.normalize();
@@ -323,9 +323,9 @@ TEST(LightProbe, RoughSurfacesReflectAsMuchLightSmoothly)
     }
 }
 
-TEST(LightProbe, AnglesAreThoseOfTheDistribution)
+TEST(LightProbe, ReflectionFollowsTheDistribution)
 {
-    // A lamp of one cell shows the lobe itself: the half vector is half way to the lamp.
+    // The reflection of a one-pixel lamp is the lobe itself: the half vector is halfway to the lamp.
     const osg::ref_ptr<osg::Image> image = createEmptyImage(128, 64);
     reinterpret_cast<osg::Vec3f*>(image->data(64, 32))->set(1000.0f, 1000.0f, 1000.0f);
     const osg::ref_ptr<LightProbe> probe = createProbe(image);
@@ -342,7 +342,7 @@ TEST(LightProbe, AnglesAreThoseOfTheDistribution)
         EXPECT_NEAR(pixelOf(map, 64 + columns, 32).x() / pixelOf(map, 64, 32).x(), lobeAt(columns) / lobeAt(0), 1e-3);
 }
 
-TEST(LightProbe, PixelsThatAreNoLightAreMended)
+TEST(LightProbe, InvalidPixelsAreRepaired)
 {
     const float bad[]{std::numeric_limits<float>::quiet_NaN(), -5.0f, -std::numeric_limits<float>::infinity()};
     const osg::ref_ptr<osg::Image> image = createLatitudeLongitude(64, constant(1.0));
@@ -371,7 +371,7 @@ TEST(LightProbe, APictureWithoutLightIsRefused)
         EXPECT_NE(errorOf(createLatitudeLongitude(8, constant(value))).find(expected), std::string::npos) << value;
 }
 
-TEST(LightProbe, PicturesOfOtherKindsAreRefused)
+TEST(LightProbe, UnsupportedPicturesAreRefused)
 {
     EXPECT_NE(errorOf(new osg::Image).find("no pixels"), std::string::npos);
     EXPECT_NE(errorOf(createEmptyImage(300, 100)).find("300 x 100 pixels; allowed: twice as wide"), std::string::npos);
@@ -394,14 +394,14 @@ TEST(LightProbe, EveryKindOfPixelIsRead)
     for (const GLenum format : std::initializer_list<GLenum>{GL_LUMINANCE, GL_RED, GL_RGB, GL_RGBA, GL_BGR, GL_BGRA})
         for (const GLenum type : std::initializer_list<GLenum>{GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT})
         {
-            // Rows of 6 pixels have bytes of padding behind them.
+            // Rows of 6 pixels are followed by padding.
             const osg::ref_ptr<osg::Image> image = new osg::Image;
             image->allocateImage(6, 3, 1, format, type, 8);
             const unsigned int channels = osg::Image::computeNumComponents(format);
             for (unsigned int row = 0; row < 3; ++row)
                 for (unsigned int index = 0; index < 6 * channels; ++index)
                 {
-                    // The first channel is half of the second and third, as displays have it, the fourth nothing.
+                    // In display values, the first channel is half the second and third; the fourth is 0.
                     const double value = index % channels == 0 ? 0.5 : (index % channels == 3 ? 0.0 : 1.0);
                     unsigned char* data = image->data(0, row);
                     if (type == GL_UNSIGNED_BYTE) data[index] = static_cast<unsigned char>(255.0 * value + 0.5);
@@ -475,7 +475,7 @@ TEST(LightProbe, TheSkyIsMadeOnceForAllThreads)
         EXPECT_EQ(map, maps.front());
 }
 
-TEST(LightProbe, NoImageBringsTheSkyBack)
+TEST(LightProbe, ANullImageRestoresTheSky)
 {
     const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(8, constant(1.0)));
     std::string error;
@@ -496,7 +496,7 @@ TEST(LightProbe, AFailureChangesNothing)
     EXPECT_EQ(probe->getConvolvedMap(), map);
 }
 
-TEST(LightProbe, CopiesShareWhatFollowsFromThePicture)
+TEST(LightProbe, CopiesShareTheFilteredLight)
 {
     const osg::ref_ptr<LightProbe> probe = createProbe(createLatitudeLongitude(8, constant(1.0)));
     probe->setIntensity(2.0);

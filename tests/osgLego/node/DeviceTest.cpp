@@ -13,7 +13,7 @@ namespace osgLego::test
 namespace
 {
 
-/** A car in a viewer, whose bricks are found by one device or another. */
+/** A car in a viewer, whose bricks are found on the CPU or the GPU. */
 class DeviceTest : public GlTest
 {
 protected:
@@ -48,16 +48,16 @@ protected:
     osgViewer::Viewer _viewer;
 };
 
-TEST_F(DeviceTest, AutoIsTheCpuWhereSoftwareDraws)
+TEST_F(DeviceTest, AutoUsesTheCpuOnASoftwareRenderer)
 {
-    // The first frame, in which the renderer is not known before, and a later one.
+    // Before the first frame the renderer is unknown; test a later frame too.
     EXPECT_EQ(draw("24,device=auto").isFromCpu, isSoftware());
     const LegoStatistics again = draw("28,device=auto");
     EXPECT_EQ(again.isFromCpu, isSoftware());
     EXPECT_EQ(again.numLegolizations, 2u);
 }
 
-TEST_F(DeviceTest, AutoIsTheGpuForMethodsOfThePaper)
+TEST_F(DeviceTest, AutoUsesTheGpuForThePapersMethods)
 {
     EXPECT_FALSE(draw("16,method=points,device=auto").isFromCpu);
 }
@@ -72,7 +72,7 @@ TEST_F(DeviceTest, BothDrawTheSamePicture)
     EXPECT_EQ(countDifferent(*expected, *found, 3), 0u);
 }
 
-TEST_F(DeviceTest, OnTheCpuTheBricksAreMadeAnewOnlyWhenSomethingChanges)
+TEST_F(DeviceTest, OnTheCpuBricksAreMadeAgainOnlyAfterAChange)
 {
     EXPECT_EQ(draw("16,device=cpu").numLegolizations, 1u);
     for (int frame = 0; frame < 10; ++frame)
@@ -83,7 +83,7 @@ TEST_F(DeviceTest, OnTheCpuTheBricksAreMadeAnewOnlyWhenSomethingChanges)
     EXPECT_EQ(_lego->getStatistics(_contextID).numLegolizations, 2u);
 }
 
-TEST_F(DeviceTest, OnTheCpuThereIsOneModelForDrawingAndForEverythingElse)
+TEST_F(DeviceTest, OnTheCpuDrawingAndQueriesShareOneModel)
 {
     _lego->setReadBack(true);
     const LegoStatistics statistics = draw("30,device=cpu");
@@ -92,13 +92,13 @@ TEST_F(DeviceTest, OnTheCpuThereIsOneModelForDrawingAndForEverythingElse)
     EXPECT_EQ(statistics.numSubdivisionPasses, 0u);
 }
 
-TEST_F(DeviceTest, BackAndForthTheBricksAreThoseOfTheSettings)
+TEST_F(DeviceTest, BricksMatchTheSettingsAfterChangingTheDeviceBackAndForth)
 {
     for (const char* settings : {"20,device=cpu", "20,device=gpu", "33,device=cpu", "33,device=gpu", "20,device=auto"})
     {
         const LegoStatistics statistics = draw(settings);
         const auto expected = static_cast<double>(_lego->getBricks()->getNumVisible());
-        // The GPU reckons in floats: a cell that a triangle but touches may go the other way.
+        // The GPU works in single precision: cells that a triangle merely grazes may differ.
         const double margin = statistics.isFromCpu ? 0.0 : 2.0;
         EXPECT_NEAR(static_cast<double>(statistics.numDrawnBricks), expected, margin) << settings;
     }

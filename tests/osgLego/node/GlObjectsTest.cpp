@@ -15,10 +15,10 @@ namespace
 {
 
 constexpr GLuint MOST_NAMES = 5000;
-// What the full look keeps: the relief, and two maps of the light probe.
+// Textures of the full look: the relief, and two maps of the light probe.
 constexpr int LOOK_TEXTURES = 3;
 
-/** How many objects of each kind there are in a context. */
+/** The number of GL objects of each kind in a context. */
 struct GlObjects
 {
     int buffers = 0;
@@ -82,13 +82,14 @@ protected:
     osg::ref_ptr<LegoNode> _lego;
     osgViewer::Viewer _viewer;
     GlObjects _before;
-    bool _drawsSplats = false; // which keeps a frame buffer object with two textures
+    bool _drawsSplats = false; // splats keep a frame buffer object with two textures
 };
 
-TEST_F(GlObjectsTest, OnceTheBricksAreThereOnlyTheirBufferAndLookStay)
+TEST_F(GlObjectsTest, AfterLegolizationOnlyTheBricksAndTheirLookRemain)
 {
     drawFrames(1);
-    EXPECT_GT(GlObjects::count(*_context).framebuffers, _before.framebuffers) << "the passes draw into some";
+    EXPECT_GT(GlObjects::count(*_context).framebuffers, _before.framebuffers)
+        << "the passes should have some while they run";
     drawFrames(12);
     const GlObjects after = GlObjects::count(*_context);
     EXPECT_EQ(after.buffers, _before.buffers + 1);
@@ -117,7 +118,7 @@ TEST_F(GlObjectsTest, AnAmbientOcclusionSceneThatIsRemovedLeavesNothing)
     expectNoneLeft();
 }
 
-TEST_F(GlObjectsTest, AnAmbientOcclusionSceneThatIsOffMakesNothingOfItsOwn)
+TEST_F(GlObjectsTest, ADisabledAmbientOcclusionSceneCreatesNothing)
 {
     drawFrames(12);
     const GlObjects alone = GlObjects::count(*_context);

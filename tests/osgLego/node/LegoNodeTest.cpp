@@ -19,7 +19,7 @@ namespace osgLego::test
 namespace
 {
 
-/** A node of 16 cells around a sphere, in a viewer. */
+/** A sphere in a node of resolution 16, in a viewer. */
 class LegoNodeTest : public GlTest
 {
 protected:
@@ -41,7 +41,7 @@ protected:
 
     unsigned int countLegolizations() const { return _lego->getStatistics(_contextID).numLegolizations; }
 
-    /** How often the passes run in the frames after a change. */
+    /** The number of legolizations in the frames after a change. */
     template <typename Change>
     unsigned int countAfter(const Change& change)
     {
@@ -62,7 +62,7 @@ protected:
     osgViewer::Viewer _viewer;
 };
 
-TEST_F(LegoNodeTest, ThePassesRunOnceAndOnNoFrameThatChangesNothing)
+TEST_F(LegoNodeTest, ThePassesRunOnceAndNotInUnchangedFrames)
 {
     EXPECT_EQ(countAfter([] {}), 1u);
     EXPECT_EQ(countAfter([] {}), 0u);
@@ -124,17 +124,17 @@ TEST_F(LegoNodeTest, ADynamicGeometryIsFollowed)
     EXPECT_NEAR(_lego->getBricks()->getGrid().getBrickBounds().zMax(), 3.0, 0.3);
 }
 
-TEST_F(LegoNodeTest, BoundsAreThoseOfTheBricksStudsIncluded)
+TEST_F(LegoNodeTest, BoundsAreThoseOfTheBricksIncludingStuds)
 {
     const osg::BoundingBoxd bounds = _lego->getBricks()->getGrid().getBrickBounds();
     EXPECT_NEAR(bounds.zMax(), 1.0 + 0.2125 * 2.0 / 16.0, 1e-5);
     EXPECT_NEAR(_lego->getBound().radius(), bounds.radius(), 1e-5);
     EXPECT_NEAR((osg::Vec3d(_lego->getBound().center()) - bounds.center()).length(), 0.0, 1e-5);
     _transform->setMatrix(osg::Matrix::scale(3, 3, 3));
-    EXPECT_NEAR(_lego->getBound().radius(), 3.0 * bounds.radius(), 1e-4) << "a change is seen without a frame";
+    EXPECT_NEAR(_lego->getBound().radius(), 3.0 * bounds.radius(), 1e-4) << "a change must take effect without a frame";
 }
 
-TEST_F(LegoNodeTest, BoundsFollowAChangeThatWasAskedAboutBeforeTheFrame)
+TEST_F(LegoNodeTest, BoundsFollowAChangeThatIsQueriedBeforeTheFrame)
 {
     _viewer.frame();
     const float before = _root->getBound().radius();
@@ -148,9 +148,9 @@ TEST_F(LegoNodeTest, BoundsFollowAChangeThatWasAskedAboutBeforeTheFrame)
     EXPECT_NEAR(_root->getBound().radius(), 2.0f * before, 1e-3f);
 }
 
-TEST_F(LegoNodeTest, AnErrorOfGlWouldBeSeen)
+TEST_F(LegoNodeTest, GlErrorsAreDetected)
 {
-    // That the tests of this kind can fail.
+    // Shows that these tests can fail.
     _context->makeCurrent();
     glEnable(GL_RGBA);
     EXPECT_FALSE(takeGlMessages().empty());
@@ -222,7 +222,7 @@ TEST_F(LegoNodeTest, AContextThatIsClosedAndReopenedGetsItsBricksBack)
 
 TEST_F(LegoNodeTest, EveryNewViewerGetsItsBricksInItsFirstFrame)
 {
-    // Many, since their visitors come to lie where those of earlier ones lay only now and then.
+    // Many viewers, since a new visitor only sometimes gets the address of a deleted one.
     for (int repeat = 0; repeat < 40; ++repeat)
     {
         const osg::ref_ptr<osg::GraphicsContext> context = createContext();
@@ -288,7 +288,7 @@ TEST_F(LegoNodeTest, PickingHitsTheBricks)
         _root->accept(visitor);
         return intersector;
     };
-    // The sphere touches x = 1 in a point; its bricks have a flat side there.
+    // The sphere touches x = 1 in a single point; its bricks have a flat side there.
     const auto hit = pick({5, 0.06, 0.06}, {-5, 0.06, 0.06});
     ASSERT_TRUE(hit->containsIntersections());
     EXPECT_NEAR(hit->getFirstIntersection().getWorldIntersectPoint().x(), 1.0, 1e-5);
@@ -307,7 +307,7 @@ TEST_F(LegoNodeTest, ACloneHasItsOwnBricksOfTheSameSource)
     EXPECT_TRUE(copy->isLegolized(_contextID));
 }
 
-TEST_F(LegoNodeTest, TheReadBackIsTheWholeModel)
+TEST_F(LegoNodeTest, TheReadBackContainsTheWholeModel)
 {
     _lego->setReadBack(true);
     _viewer.frame();
@@ -319,7 +319,7 @@ TEST_F(LegoNodeTest, TheReadBackIsTheWholeModel)
     EXPECT_FALSE(_lego->getBricks(_contextID));
 }
 
-TEST_F(LegoNodeTest, TimesAreThereWhenTheyAreAskedFor)
+TEST_F(LegoNodeTest, TimesAreMeasuredOnRequest)
 {
     _lego->setTiming(true);
     _viewer.frame();
@@ -330,7 +330,7 @@ TEST_F(LegoNodeTest, TimesAreThereWhenTheyAreAskedFor)
     EXPECT_GT(statistics.extraction, 0.0);
 }
 
-TEST_F(LegoNodeTest, SubdivisionGoesOnUntilTheCountStays)
+TEST_F(LegoNodeTest, SubdivisionContinuesUntilTheCountIsStable)
 {
     _lego->setSettings(parseSettings("16,edge=0.5"));
     _viewer.frame();

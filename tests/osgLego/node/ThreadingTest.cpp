@@ -12,7 +12,7 @@ namespace osgLego::test
 namespace
 {
 
-/** Two contexts, a view in each, one scene in which a node has two parents and its source moves. */
+/** Two contexts with one view each, and a scene in which a node has two parents and its source moves. */
 class Threading : public GlTest, public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel>
 {
 protected:
@@ -92,7 +92,7 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
     expectLegolized();
 }
 
-TEST_P(Threading, ANodeMayComeAndGoWhileItRuns)
+TEST_P(Threading, ANodeMayBeAddedAndRemovedWhileItRuns)
 {
     for (int repeat = 0; repeat < 10; ++repeat)
     {

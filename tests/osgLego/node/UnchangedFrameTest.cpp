@@ -16,11 +16,11 @@ namespace
 class UnchangedFrame : public LookTest
 {
 protected:
-    /** Allocations of many frames, once all is there that is made once. */
+    /** The number of allocations in many frames, after everything that is created once exists. */
     std::size_t countInFrames(osg::Node& scene)
     {
         draw(scene, {osg::Vec3d(6, -12, 6), osg::Vec3d()});
-        for (int frame = 0; frame < 20; ++frame) // longer than idle passes are kept
+        for (int frame = 0; frame < 20; ++frame) // more frames than idle passes are kept for
             _viewer.frame();
         const std::size_t before = AllocationCount::getNumAllocations();
         for (int frame = 0; frame < 20; ++frame)
@@ -36,7 +36,7 @@ protected:
     }
 };
 
-TEST_F(UnchangedFrame, AllocatesNoMoreThanAnyNodeOfOsg)
+TEST_F(UnchangedFrame, AllocatesNoMoreThanAnOrdinaryNode)
 {
     osg::ref_ptr<osg::Geode> box = new osg::Geode;
     box->addDrawable(new osg::ShapeDrawable(new osg::Box));

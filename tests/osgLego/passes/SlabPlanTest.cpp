@@ -8,7 +8,7 @@ namespace osgLego
 namespace
 {
 
-TEST(SlabPlan, SlabsCoverEveryLayerOnceAndHoldTheirNeighbours)
+TEST(SlabPlan, SlabsCoverEveryLayerOnceAndIncludeTheirNeighbours)
 {
     for (const glm::ivec3& size : {glm::ivec3(1), glm::ivec3(64, 50, 30), glm::ivec3(256), glm::ivec3(257, 256, 256),
                                    glm::ivec3(1024), glm::ivec3(1024, 2560, 1024), glm::ivec3(1024, 1024, 2560)})
@@ -42,7 +42,7 @@ TEST(SlabPlan, ASmallGridIsOneSlab)
     EXPECT_EQ(SlabPlan::create(grid).slabs.size(), 1u);
 }
 
-TEST(SlabPlan, ThereAreNoSlabsOfNothing)
+TEST(SlabPlan, AnEmptyGridHasNoSlabs)
 {
     EXPECT_TRUE(SlabPlan::create(BrickGrid()).slabs.empty());
 }

@@ -14,7 +14,7 @@ namespace osgLego::test
 namespace
 {
 
-/** Counts what is announced, and lets a test wait for it. */
+/** Counts notifications, and lets a test wait for one. */
 class Announcements : public LegoNode::BricksCallback
 {
 public:
@@ -39,7 +39,7 @@ private:
     int _count = 0;
 };
 
-/** A node in a viewer whose bricks are made on the CPU while frames go on. */
+/** A node in a viewer, whose bricks are made on the CPU while frames are drawn. */
 class CpuProducerTest : public GlTest
 {
 protected:
@@ -91,7 +91,7 @@ TEST_F(CpuProducerTest, ANodeShowsItsBricksUntilTheNewOnesAreReady)
     EXPECT_EQ(countShown(), 2u);
 }
 
-TEST_F(CpuProducerTest, ANewerChangeTakesThePlaceOfAnOlderOne)
+TEST_F(CpuProducerTest, ANewerChangeReplacesAnOlderOne)
 {
     drawFrame();
     _lego->setSettings(parseSettings("512,device=cpu"));
@@ -105,7 +105,7 @@ TEST_F(CpuProducerTest, ANewerChangeTakesThePlaceOfAnOlderOne)
     EXPECT_EQ(_lego->getStatistics(_contextID).numDrawnBricks, _lego->getBricks()->getNumVisible());
 }
 
-TEST_F(CpuProducerTest, WhenItWaitsEachFrameShowsTheSourceAsItIs)
+TEST_F(CpuProducerTest, WithWaitingEachFrameShowsTheCurrentSource)
 {
     _lego->setWaiting(true);
     drawFrame();
@@ -118,7 +118,7 @@ TEST_F(CpuProducerTest, WhenItWaitsEachFrameShowsTheSourceAsItIs)
     EXPECT_EQ(countShown(), 4u);
 }
 
-TEST_F(CpuProducerTest, BoundsHoldTheBricksThatAreShownAndThoseOnTheirWay)
+TEST_F(CpuProducerTest, BoundsIncludeTheBricksShownAndTheBricksBeingMade)
 {
     drawFrame();
     const osg::BoundingSphere before = _lego->getBound();
@@ -132,17 +132,17 @@ TEST_F(CpuProducerTest, BoundsHoldTheBricksThatAreShownAndThoseOnTheirWay)
     EXPECT_NEAR(_lego->getBound().center().x(), before.center().x() + 5.0f, 1e-3f);
 }
 
-TEST_F(CpuProducerTest, WithoutTrianglesNothingIsShownAndNothingOldComesBack)
+TEST_F(CpuProducerTest, WithoutTrianglesNothingIsShownAndOldBricksDoNotReturn)
 {
     drawFrame();
     _lego->removeChild(_transform);
     EXPECT_EQ(countDrawn(*drawFrame()), 0u);
     _lego->addChild(createTorus());
     _viewer.frame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID)) << "there was nothing else to show";
+    EXPECT_TRUE(_lego->isLegolized(_contextID)) << "without older bricks to show, new ones are waited for";
 }
 
-TEST_F(CpuProducerTest, ANodeMayGoWhileItsBricksAreBeingMade)
+TEST_F(CpuProducerTest, ANodeMayBeDeletedWhileItsBricksAreBeingMade)
 {
     drawFrame();
     _lego->setSettings(parseSettings("512,device=cpu"));

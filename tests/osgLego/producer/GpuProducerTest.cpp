@@ -15,7 +15,7 @@ namespace osgLego::test
 namespace
 {
 
-/** Draws what a pipeline makes of a source, and nothing else. */
+/** Draws only the bricks that a pipeline makes of a source. */
 class PipelineNode : public osg::Node
 {
 public:
@@ -46,7 +46,7 @@ class GpuProducerTest : public GlTest
 {
 };
 
-TEST_F(GpuProducerTest, BlocksOfItsBricksArriveWithoutAReadBackThatWaits)
+TEST_F(GpuProducerTest, BlocksArriveWithoutABlockingReadBack)
 {
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
     const osg::ref_ptr<osg::Node> source = createSphere(20);
@@ -59,7 +59,7 @@ TEST_F(GpuProducerTest, BlocksOfItsBricksArriveWithoutAReadBackThatWaits)
     const osg::ref_ptr<ContextBricks> bricks = pipeline->getStore().getContext(context->getState()->getContextID());
     ASSERT_FALSE(bricks->isEmpty());
 
-    // By now all commands of the first frame are complete, since its pixels have been read.
+    // All commands of the first frame are complete now, since its pixels have been read.
     viewer.frame();
     std::set<std::tuple<int, int, int>> places;
     int next = 0;
@@ -68,8 +68,7 @@ TEST_F(GpuProducerTest, BlocksOfItsBricksArriveWithoutAReadBackThatWaits)
         EXPECT_EQ(block.first, next);
         next += block.count;
         const glm::ivec3 place = block.minimum / BrickPoints::BLOCK_SIDE;
-        EXPECT_TRUE(places.insert({place.x, place.y, place.z}).second)
-            << "the bricks of a block do not follow each other";
+        EXPECT_TRUE(places.insert({place.x, place.y, place.z}).second) << "the bricks of a block are not consecutive";
     }
     EXPECT_EQ(next, bricks->numBricks);
     EXPECT_EQ(countDifferent(*whole, *readPixels(*context), 0), 0u);

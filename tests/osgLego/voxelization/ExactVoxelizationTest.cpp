@@ -21,7 +21,7 @@ namespace osgLego::test
 namespace
 {
 
-// Cells that a triangle overlaps, or misses, by less than this may differ: floats can't tell.
+// Cells that a triangle overlaps or misses by less than this may differ: single precision can't decide them.
 constexpr double MARGIN = 1e-4;
 
 struct Differences
@@ -31,7 +31,7 @@ struct Differences
     std::size_t offColor = 0; //!< common cells whose colours are more than 2 apart
 };
 
-/** By how much the triangles cover a cell; negative when they do not. */
+/** The depth to which the triangles enter a cell; negative if they miss it. */
 double marginOf(const GridTriangles& triangles, const glm::ivec3& cell)
 {
     double margin = -std::numeric_limits<double>::max();
@@ -83,7 +83,7 @@ class ExactVoxelization : public GlTest, public ::testing::WithParamInterface<Mo
 {
 };
 
-/** Legolize on both sides; print and check. */
+/** Legolize on the CPU; print and check the differences from the GPU's result. */
 void expectSame(const char* name, osg::Node& node, const LegoSettings& settings, const BrickModel& gpu,
                 const LegoStatistics& statistics)
 {
@@ -167,7 +167,7 @@ TEST_F(ExactVoxelizationLimits, FarFromTheOriginTheCellsAreTheSame)
     expectSame("far", *node, settings, *gpu, statistics);
 }
 
-TEST_F(ExactVoxelizationLimits, CornersThatFallTogetherLeaveTheColour)
+TEST_F(ExactVoxelizationLimits, CoincidingCornersKeepTheColour)
 {
     const osg::ref_ptr<osg::Node> node = createCoincidingCorners();
     const LegoSettings settings = parseSettings("16");
@@ -179,8 +179,8 @@ TEST_F(ExactVoxelizationLimits, CornersThatFallTogetherLeaveTheColour)
         EXPECT_EQ(brick.color[1], 255);
 }
 
-/** Triangles of one colour each, whose corners are corners and middles of cells: their chords with the faces of cells
- * run along edges of cells, and across their corners, more often than not. */
+/** Triangles of one colour each, whose corners are corners and centres of cells, so that most of their chords with the
+ * faces of cells run along edges of cells or through their corners. */
 osg::ref_ptr<osg::Node> createLatticeTriangles(int count)
 {
     constexpr int SIZE = 16;
@@ -198,7 +198,7 @@ osg::ref_ptr<osg::Node> createLatticeTriangles(int count)
             colors->push_back(color);
         }
     };
-    add({glm::ivec3(0), glm::ivec3(2 * SIZE, 0, 0), glm::ivec3(2 * SIZE)}); // gives the grid its size
+    add({glm::ivec3(0), glm::ivec3(2 * SIZE, 0, 0), glm::ivec3(2 * SIZE)}); // fixes the size of the grid
     for (int triangle = 0; triangle < count; ++triangle)
     {
         const glm::ivec3 first(below(2 * SIZE - 8), below(2 * SIZE - 8), below(2 * SIZE - 8));
@@ -212,7 +212,7 @@ osg::ref_ptr<osg::Node> createLatticeTriangles(int count)
     return geometry;
 }
 
-/** The area of all triangles in a cell. */
+/** The total area of all triangles in a cell. */
 double areaIn(const GridTriangles& triangles, const glm::ivec3& cell)
 {
     double area = 0.0;
@@ -224,7 +224,7 @@ double areaIn(const GridTriangles& triangles, const glm::ivec3& cell)
     return area;
 }
 
-TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsWeighAsOnTheCpu)
+TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
 {
     const osg::ref_ptr<osg::Node> node = createLatticeTriangles(400);
     for (const char* text : {"16", "16,edge=0.5", "16,edge=4"})
@@ -243,7 +243,7 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsWeighAsOnTheCpu)
             const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
             const Brick* expected = cpu->find(cell);
             ASSERT_TRUE(expected);
-            // Where triangles only touch a cell, each weighs as much as the fine ones that it was cut into.
+            // In a cell that triangles only touch, the weights depend on the subdivision.
             if (areaIn(*triangles, cell) < 1e-3) continue;
             ++weighed;
             off += isColorOff(brick, *expected) ? 1 : 0;
@@ -253,12 +253,12 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsWeighAsOnTheCpu)
     }
 }
 
-/** Tiny triangles, each around a corner of the grid, so that it lies in up to eight cells: more than expected. */
+/** Tiny triangles, each around a corner of the grid and so in up to eight cells: more than the pass estimates. */
 osg::ref_ptr<osg::Node> createCornerTriangles()
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     const float reach = 0.02f;
-    // A little beside the corner, or rounding would decide which cells it touches.
+    // Slightly beside the corner, so that rounding doesn't decide which cells are touched.
     const osg::Vec3 beside(0.003f, 0.002f, 0.001f);
     const auto add = [&](const osg::Vec3& corner)
     {
@@ -271,7 +271,7 @@ osg::ref_ptr<osg::Node> createCornerTriangles()
         for (int y = 1; y < 32; y += 2)
             for (int z = 1; z < 32; z += 2)
                 add(osg::Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
-    // Two that give the grid its size.
+    // Two triangles that fix the size of the grid.
     for (const float far : {0.0f, 32.0f})
         for (const osg::Vec3& corner : {osg::Vec3(far, far, far), osg::Vec3(16, far, far), osg::Vec3(far, 16, far)})
             vertices->push_back(corner);
@@ -289,11 +289,12 @@ TEST_F(ExactVoxelizationLimits, ABrickBufferThatIsTooSmallGrows)
     LegoStatistics statistics;
     const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
     ASSERT_TRUE(gpu);
-    EXPECT_GT(statistics.numDrawnBricks, triangles->estimateCoveredCells() + 1024) << "the buffer need not have grown";
+    EXPECT_GT(statistics.numDrawnBricks, triangles->estimateCoveredCells() + 1024)
+        << "the buffer would not have to grow";
     expectSame("corners", *node, settings, *gpu, statistics);
 }
 
-/** Triangles whose edges are each just over a power of two times the limit: far more pieces than expected. */
+/** Triangles with every edge just above a power of two times the limit: many more pieces than the pass estimates. */
 osg::ref_ptr<osg::Node> createAwkwardTriangles(std::size_t count)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
@@ -319,7 +320,7 @@ TEST_F(ExactVoxelizationLimits, ABufferOfFineTrianglesThatIsTooSmallGrows)
     const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings, &statistics);
     ASSERT_TRUE(gpu);
     const std::size_t estimate = triangles->getBatches().front().estimateFineTriangles(2.0);
-    EXPECT_GT(statistics.numFineTriangles, estimate + estimate / 4 + 1024) << "the buffer need not have grown";
+    EXPECT_GT(statistics.numFineTriangles, estimate + estimate / 4 + 1024) << "the buffer would not have to grow";
     expectSame("awkward", *node, settings, *gpu, statistics);
 }
 

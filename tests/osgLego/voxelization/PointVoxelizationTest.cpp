@@ -27,7 +27,7 @@ osg::ref_ptr<const GridTriangles> toGrid(osg::Node& node, const LegoSettings& se
     return GridTriangles::create(*SceneTriangles::create(node), settings);
 }
 
-/** Cells that are filled though no triangle overlaps them, those that one touches within rounding apart. */
+/** The number of filled cells that no triangle overlaps, except cells that one touches within rounding. */
 std::size_t countUnsound(const GridTriangles& triangles, const BrickModel& truth, const BrickModel& found)
 {
     constexpr double MARGIN = 1e-4;
@@ -55,7 +55,7 @@ double recallOf(const BrickModel& truth, const BrickModel& found)
     return static_cast<double>(hits) / static_cast<double>(truth.getBricks().size());
 }
 
-/** Whether the segment between the centres of a cell and of its upper neighbour along an axis crosses a triangle, well
+/** Whether the segment between the centres of a cell and its upper neighbour along an axis crosses a triangle, well
  * inside both. */
 bool crosses(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::ivec3& cell, int axis)
 {
@@ -73,7 +73,7 @@ bool crosses(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
     return u > INSIDE && v > INSIDE && 1.0 - u - v > INSIDE;
 }
 
-/** Pairs of empty neighbours between whose centres a triangle passes. */
+/** The number of pairs of empty neighbours with a triangle between their centres. */
 std::size_t countTunnels(const GridTriangles& triangles, const BrickModel& found)
 {
     std::size_t tunnels = 0;
@@ -103,7 +103,7 @@ std::size_t countTunnels(const GridTriangles& triangles, const BrickModel& found
     return tunnels;
 }
 
-/** On each of the models; prints how many of the covered cells are found. */
+/** Runs on each model, and prints the share of covered cells that is found. */
 class PointVoxelizationOfModels : public GlTest, public ::testing::WithParamInterface<Model>
 {
 protected:
@@ -177,7 +177,7 @@ class PointVoxelization : public GlTest
 
 TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
 {
-    // What the tunnels are counted for: the same count must find some where there are some.
+    // Shows that the count of tunnels can fail: it must find tunnels where they exist.
     const osg::ref_ptr<osg::Node> node = createSphere();
     const LegoSettings settings = parseSettings("64,method=points,target=addressed,edge=3");
     const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*node, settings);
@@ -200,7 +200,7 @@ TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
 
 TEST_F(PointVoxelization, ProjectedNumbersTheLastCellsOfTheLargestGrid)
 {
-    // Beyond 2^23 every whole number is a float still, but no half is.
+    // Beyond 2^23, single precision still represents every integer, but no halves.
     osg::ref_ptr<osg::Group> node = new osg::Group;
     node->addChild(createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
     node->addChild(createTriangle({245, 250, 250}, {250, 245, 250}, {250, 250, 245}));

@@ -28,7 +28,7 @@ protected:
         return {between(lowest, highest), between(lowest, highest), between(lowest, highest)};
     }
 
-    /** Corners on multiples of a fraction of a cell, a little beside them where there is a distance. */
+    /** Corners at multiples of a fraction of a cell, displaced by up to a distance. */
     Corners onLattice(float fraction, float distance)
     {
         Corners corners;
@@ -37,7 +37,7 @@ protected:
         return corners;
     }
 
-    /** Compare the areas in the unit cell with those of the polygon that clipping leaves. */
+    /** Compare the areas in the unit cell with the areas of the clipped polygons. */
     void expectAreas(const std::vector<Corners>& triangles)
     {
         std::vector<Arguments> arguments;
@@ -46,7 +46,7 @@ protected:
         {
             const Polygon polygon(corners.begin(), corners.end());
             areas.push_back(areaOf(clipByCell(polygon, glm::ivec3(0))));
-            // As the pass does, the axis last that the normal is nearest to.
+            // As in the pass, the last axis is the one nearest to the normal.
             const glm::dvec3 normal = glm::cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
             const glm::dvec3 size = glm::abs(normal);
             const int last = size.z >= std::max(size.x, size.y) ? 2 : size.x >= size.y ? 0 : 1;
@@ -69,7 +69,7 @@ protected:
     std::mt19937 _engine{11};
 };
 
-TEST_F(TriangleFunctions, TheAreaInACellIsThatOfTheClippedTriangle)
+TEST_F(TriangleFunctions, TheAreaInACellEqualsTheClippedTriangles)
 {
     std::vector<Corners> triangles;
     for (const float size : {0.1f, 1.0f, 3.0f})
@@ -81,7 +81,7 @@ TEST_F(TriangleFunctions, TheAreaInACellIsThatOfTheClippedTriangle)
     expectAreas(triangles);
 }
 
-TEST_F(TriangleFunctions, TheAreaInACellIsThatOfTheClippedTriangleOnAndNearEdgesAndCorners)
+TEST_F(TriangleFunctions, TheAreaInACellEqualsTheClippedTrianglesOnAndNearEdgesAndCorners)
 {
     std::vector<Corners> triangles;
     for (const float fraction : {1.0f, 0.5f, 0.25f})
@@ -91,14 +91,14 @@ TEST_F(TriangleFunctions, TheAreaInACellIsThatOfTheClippedTriangleOnAndNearEdges
     expectAreas(triangles);
 }
 
-TEST_F(TriangleFunctions, TheNearestPointIsThatOfTheCpu)
+TEST_F(TriangleFunctions, TheNearestPointEqualsTheCpus)
 {
     std::vector<Arguments> arguments;
     for (const float size : {0.3f, 1.0f, 8.0f})
         for (int number = 0; number < 3000; ++number)
         {
             const glm::vec3 first = place(-size, size);
-            // Some without area, of coinciding corners.
+            // Includes triangles without area, whose corners coincide.
             const glm::vec3 second = number % 10 == 0 ? first : first + place(-size, size);
             const glm::vec3 third = number % 15 == 0 ? second : second + place(-size, size);
             arguments.push_back({glm::vec4(first, 0.0f), glm::vec4(second, 0.0f), glm::vec4(third, 0.0f),
