@@ -16,7 +16,7 @@ namespace
 
 using WriteResult = osgDB::ReaderWriter::WriteResult;
 
-/** Keeps what it is asked to write, and answers without writing. */
+/** Keeps the objects that it is asked to write, and returns a result without writing. */
 class Recorder : public osgDB::WriteFileCallback
 {
 public:
@@ -61,7 +61,7 @@ TEST_F(BrickFileWriterTest, TheFirstNodeInstallsOneInTheRegistry)
     EXPECT_TRUE(dynamic_cast<BrickFileWriter*>(osgDB::Registry::instance()->getWriteFileCallback()));
 }
 
-TEST_F(BrickFileWriterTest, TheCallbackBehindGetsTheNodeForOsgsOwnFormatsAndBricksForOthers)
+TEST_F(BrickFileWriterTest, TheNextCallbackGetsTheNodeForOsgsOwnFormatsAndBricksForOthers)
 {
     for (const char* name : {"lego.osgt", "lego.OSGB", "lego.osgx", "lego.osgt.gz"})
     {
@@ -79,7 +79,7 @@ TEST_F(BrickFileWriterTest, TheCallbackBehindGetsTheNodeForOsgsOwnFormatsAndBric
     }
 }
 
-TEST_F(BrickFileWriterTest, WhatIsNoSceneIsHandedOn)
+TEST_F(BrickFileWriterTest, ObjectsOtherThanScenesArePassedOn)
 {
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     _writer->writeImage(*image, "image.png", nullptr);
@@ -95,7 +95,8 @@ TEST_F(BrickFileWriterTest, AWriterThatReportsSuccessWithoutAFileIsAnError)
     const WriteResult result = _writer->writeNode(*_lego, "/none/lego.obj", nullptr);
     EXPECT_FALSE(result.success());
     EXPECT_NE(result.message().find("has written no file '/none/lego.obj'"), std::string::npos) << result.message();
-    EXPECT_TRUE(_writer->writeNode(*createSphere(4), "/none/sphere.obj", nullptr).success()) << "not our business";
+    EXPECT_TRUE(_writer->writeNode(*createSphere(4), "/none/sphere.obj", nullptr).success())
+        << "a scene without bricks is not checked";
 }
 
 } // namespace

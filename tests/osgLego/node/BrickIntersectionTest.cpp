@@ -51,7 +51,7 @@ std::optional<BrickIntersection> pickFirst(osg::Node& scene, const osg::Vec3d& f
     return hits.empty() ? std::nullopt : BrickIntersection::find(*hits.begin());
 }
 
-/** The middle of a side of a brick, moved outwards by so many cells, in model units. */
+/** The centre of a side of a brick, moved outwards by `distance` cells, in model units. */
 osg::Vec3d placeBefore(const BrickGrid& grid, const Brick& brick, int axis, bool isUpper, double distance)
 {
     glm::dvec3 place = glm::dvec3(brick.getCell()) + 0.5;
@@ -60,7 +60,7 @@ osg::Vec3d placeBefore(const BrickGrid& grid, const Brick& brick, int axis, bool
     return {point.x, point.y, point.z};
 }
 
-/** Shoot at every open side of every brick, and expect to be told that it was hit. */
+/** Shoot a ray at every open side of every brick, and expect to find that side. */
 void expectEverySideIsFound(osg::Node& scene, const BrickModel& model, const LegoNode* lego)
 {
     const BrickGrid& grid = model.getGrid();
@@ -101,7 +101,7 @@ TEST(BrickIntersection, EverySideAndStudOfBrickGeometryIsFoundWithOrWithoutAKdTr
     expectEverySideIsFound(*geode, *model, nullptr);
 }
 
-TEST(BrickIntersection, ColorAndCellAreThoseOfTheBrickWhereTheRayEnters)
+TEST(BrickIntersection, ColorAndCellAreThoseOfTheFirstBrickOnTheRay)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("16");
     osg::ref_ptr<osg::MatrixTransform> scene = new osg::MatrixTransform(osg::Matrix::translate(10, 0, 0));
@@ -110,20 +110,20 @@ TEST(BrickIntersection, ColorAndCellAreThoseOfTheBrickWhereTheRayEnters)
     ASSERT_FALSE(hits.empty());
     const auto hit = BrickIntersection::find(*hits.begin());
     ASSERT_TRUE(hit);
-    // The sphere touches x = 1, in the last of sixteen cells, and its colour is its place.
+    // The sphere touches x = 1, in the last of sixteen cells, and is coloured by position.
     EXPECT_EQ(hit->brick.getCell(), glm::ivec3(15, 8, 8));
     EXPECT_EQ(hit->side, SIDE_RIGHT);
     EXPECT_FALSE(hit->isStud);
     EXPECT_EQ(hit->brick, *lego->getBricks()->find({15, 8, 8}));
     EXPECT_GT(hit->brick.color[0], 200);
     EXPECT_EQ(hit->node, lego);
-    EXPECT_TRUE(hits.begin()->indexList.empty()) << "as the header says";
+    EXPECT_TRUE(hits.begin()->indexList.empty()) << "as the header documents";
 }
 
 TEST(BrickIntersection, AStudIsHitFromTheSide)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("16");
-    // Studs of the topmost bricks reach above z = 1, faces do not.
+    // The studs of the topmost bricks extend above z = 1, their faces do not.
     const double z = 1.0 + 0.5 * BrickDimensions::STUD_HEIGHT * lego->getBricks()->getGrid().getPitch();
     const auto hit = pickFirst(*lego, {5, 0.06, z}, {-5, 0.06, z});
     ASSERT_TRUE(hit);
@@ -144,7 +144,7 @@ TEST(BrickIntersection, TheIndexListOfBrickGeometryNamesTheCornersOfTheTriangle)
         EXPECT_EQ(hit.indexList[corner], geometry.getPrimitiveSet(0)->index(3 * hit.primitiveIndex + corner));
 }
 
-TEST(BrickIntersection, BrickGeometryIsKnownAfterTheDefaultOptimizations)
+TEST(BrickIntersection, BrickGeometryIsFoundAfterTheDefaultOptimizations)
 {
     const osg::ref_ptr<const BrickModel> model = createLego("12")->getBricks();
     osg::ref_ptr<osg::Group> scene = new osg::Group;
@@ -158,7 +158,7 @@ TEST(BrickIntersection, BrickGeometryIsKnownAfterTheDefaultOptimizations)
     EXPECT_EQ(hit->brick.getCell(), glm::ivec3(11, 6, 6));
 }
 
-TEST(BrickIntersection, OtherThingsAreNoBricks)
+TEST(BrickIntersection, OtherGeometryGivesNoBrick)
 {
     const auto hits = pick(*createSphere(12), {5, 0.06, 0.06}, {-5, 0.06, 0.06});
     ASSERT_FALSE(hits.empty());

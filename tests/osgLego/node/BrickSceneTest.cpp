@@ -33,7 +33,7 @@ osg::ref_ptr<LegoNode> createLego()
     return lego;
 }
 
-/** The geode that stands for a node of bricks, of which the scene is nothing but the path down. */
+/** The geode that replaces a LegoNode, in a scene that consists only of the path to it. */
 const osg::Geode* findGeode(const osg::Node* node)
 {
     while (const osg::Group* group = node->asGroup())
@@ -92,7 +92,7 @@ TEST(BrickScene, EachColorHasOneGeometryAndItsMaterial)
     }
 }
 
-TEST(BrickScene, OnlyWhatIsAboveBricksIsCopied)
+TEST(BrickScene, OnlyNodesAboveBricksAreCopied)
 {
     osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(osg::Matrix::translate(1, 2, 3));
     transform->addChild(createLego());
@@ -113,10 +113,10 @@ TEST(BrickScene, OnlyWhatIsAboveBricksIsCopied)
     EXPECT_NE(group.getChild(0), transform);
     EXPECT_EQ(group.getChild(0)->asTransform()->asMatrixTransform()->getMatrix(), transform->getMatrix());
     EXPECT_TRUE(findGeode(group.getChild(0)));
-    EXPECT_TRUE(dynamic_cast<LegoNode*>(transform->getChild(0))) << "the original is as it was";
+    EXPECT_TRUE(dynamic_cast<LegoNode*>(transform->getChild(0))) << "the original must not change";
 }
 
-TEST(BrickScene, ANodeOfSeveralParentsStaysOne)
+TEST(BrickScene, ANodeWithSeveralParentsStaysShared)
 {
     const osg::ref_ptr<LegoNode> lego = createLego();
     osg::ref_ptr<osg::Group> scene = new osg::Group;
