@@ -5,8 +5,8 @@
 namespace osgLego
 {
 
-/** Why a file can't be read, as far as the file system tells before it is read: there is none, it is a folder, or it
- * may not be opened. Empty when it can.
+/** Why a file can't be read, as far as can be checked beforehand: it does not exist, is a folder, or lacks permission.
+ * Empty if nothing prevents it.
  *
  * May be called from any thread. */
 std::string findObstacleToReading(const std::string& fileName);

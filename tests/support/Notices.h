@@ -6,7 +6,7 @@
 namespace osgLego::test
 {
 
-/** The text that OSG's notify handler is given while a function runs. */
+/** The text that OSG's notify handler receives while a function runs. */
 std::string noticesOf(const std::function<void()>& function);
 
 } // namespace osgLego::test

@@ -123,7 +123,7 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_NE(errorOf("bunny").find("'bunny' is neither a resolution"), std::string::npos);
 }
 
-TEST(LegoSettings, AMissingCommaIsNamedWithThePiecesAroundIt)
+TEST(LegoSettings, AMissingCommaIsReportedWithTheTextAroundIt)
 {
     EXPECT_EQ(errorOf("64up=y"), "a comma is missing before 'up=y' in '64up=y'; expected '64,up=y'");
     EXPECT_EQ(errorOf("64 up=y"), "a comma is missing before 'up=y' in '64 up=y'; expected '64,up=y'");
@@ -133,7 +133,7 @@ TEST(LegoSettings, AMissingCommaIsNamedWithThePiecesAroundIt)
     EXPECT_EQ(errorOf("64up").find("'64up' is neither a resolution"), 0u) << "no item begins at 'up'";
 }
 
-TEST(LegoSettings, ABracketIsNamedWithItsPlace)
+TEST(LegoSettings, AStrayBracketIsReportedWithItsPosition)
 {
     EXPECT_EQ(errorOf("(64,up=y"), "unexpected '(' as character 1 of '(64,up=y'; expected settings without brackets, "
                                    "such as 64,up=y");

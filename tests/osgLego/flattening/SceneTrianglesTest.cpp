@@ -231,7 +231,7 @@ TEST(SceneTriangles, CoordinatesThatAreNotFiniteOrTooLargeAreLeftOutAndCounted)
     }
 }
 
-TEST(SceneTriangles, AVertexThatIsNotFiniteCountsOnceHoweverManyTrianglesShareIt)
+TEST(SceneTriangles, ANonFiniteVertexOfSeveralTrianglesCountsOnce)
 {
     const osg::ref_ptr<osg::Geometry> fan = createPolygon(6, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 6));
     (*dynamic_cast<osg::Vec3Array*>(fan->getVertexArray()))[2].x() = std::numeric_limits<float>::quiet_NaN();
