@@ -62,6 +62,7 @@ std::string readSettings(const std::string& text, CaptureOptions& options)
 
 std::string readOcclusion(const std::string& text, CaptureOptions& options)
 {
+    options.isOcclusionGiven = true;
     options.hasOcclusion = text != "off";
     std::string error;
     if (!options.hasOcclusion || AmbientOcclusionSettings::parse(text, options.occlusion, error)) return {};

@@ -35,6 +35,8 @@ struct CaptureProbe
     std::string file;  //!< empty: the built-in sky
     double turn = 0.0; //!< degrees around the axis that is up
     double intensity = 1.0;
+
+    bool operator==(const CaptureProbe&) const = default;
 };
 
 /** What the command line of osglegocapture says. */
@@ -49,6 +51,7 @@ struct CaptureOptions
     CaptureView view;
     CaptureProbe probe;
     bool hasOcclusion = true;
+    bool isOcclusionGiven = false; //!< whether the command line has the option, and not its default
     AmbientOcclusionSettings occlusion;
     bool original = false;
     bool transparent = false; //!< the background

@@ -97,6 +97,7 @@ CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
     const osg::Timer_t start = osg::Timer::instance()->tick();
     _source = readMesh(options);
     _readingTime = elapsed(start);
+    _isRead = true;
     prepare();
 }
 
@@ -131,6 +132,7 @@ void CaptureScene::unwrapSource()
 void CaptureScene::legolize()
 {
     if (!_options.settings) _lego = Finder<LegoNode>(*_source).getFound();
+    _hasOwnBricks = _isRead && _lego;
     if (!_lego)
     {
         _lego = new LegoNode(_options.settings.value_or(LegoSettings()));
@@ -148,23 +150,37 @@ void CaptureScene::legolize()
 
 void CaptureScene::addOcclusion()
 {
-    const osg::ref_ptr<LightProbe> probe = createProbe();
-    for (LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
-        lego->setLightProbe(probe);
+    // Bricks that a file already had keep its light and its occlusion, unless the command line has its own.
+    if (!_hasOwnBricks || _options.probe != CaptureProbe()) setProbe(*createProbe());
+    if (!_hasOwnBricks || _options.isOcclusionGiven) setOcclusion();
     _occlusion = Finder<AmbientOcclusionScene>(*_shown).getFound();
-    if (_lego->getSettings().look == Look::FULL && _options.hasOcclusion && !_occlusion)
+    for (AmbientOcclusionScene* occlusion : Finder<AmbientOcclusionScene>(*_shown).getAll())
+        occlusion->setTiming(!_options.statistics.empty());
+}
+
+void CaptureScene::setOcclusion()
+{
+    const bool hasGroup = Finder<AmbientOcclusionScene>(*_shown).getFound() != nullptr;
+    if (_lego->getSettings().look == Look::FULL && _options.hasOcclusion && !hasGroup)
     {
-        _occlusion = new AmbientOcclusionScene;
-        _occlusion->addChild(_shown);
-        _shown = _occlusion;
+        osg::ref_ptr<AmbientOcclusionScene> occlusion = new AmbientOcclusionScene;
+        occlusion->setLightProbe(_lego->getLightProbe().get());
+        occlusion->addChild(_shown);
+        _shown = occlusion;
     }
     for (AmbientOcclusionScene* occlusion : Finder<AmbientOcclusionScene>(*_shown).getAll())
     {
         occlusion->setEnabled(_options.hasOcclusion);
         occlusion->setSettings(_options.occlusion);
-        occlusion->setLightProbe(probe);
-        occlusion->setTiming(!_options.statistics.empty());
     }
+}
+
+void CaptureScene::setProbe(const LightProbe& probe)
+{
+    for (LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+        lego->setLightProbe(&probe);
+    for (AmbientOcclusionScene* occlusion : Finder<AmbientOcclusionScene>(*_shown).getAll())
+        occlusion->setLightProbe(&probe);
 }
 
 osg::ref_ptr<LightProbe> CaptureScene::createProbe() const

@@ -48,6 +48,8 @@ private:
     void unwrapSource();
     void legolize();
     void addOcclusion();
+    void setOcclusion();
+    void setProbe(const LightProbe& probe);
     osg::ref_ptr<LightProbe> createProbe() const;
     void checkSupport(osg::GraphicsContext& context) const;
     void checkLegolized(const osg::State& state) const;
@@ -65,6 +67,8 @@ private:
     osg::ref_ptr<osg::Node> _shown;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
+    bool _isRead = false;       // the source is from a file,
+    bool _hasOwnBricks = false; // and is in bricks there
     double _readingTime = 0.0;
     double _drawingTime = 0.0;
 };

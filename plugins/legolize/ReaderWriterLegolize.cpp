@@ -35,6 +35,8 @@ public:
         supportsOption("target=projected|addressed", "what a texel stands for");
         supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
         supportsOption("edge=<number>", "the longest edge that subdivision leaves, in cells, 0.0625 to 4");
+        supportsOption("device=auto|gpu|cpu", "whether the CPU or the GPU makes the bricks");
+        supportsOption("drawing=auto|triangles|splats", "how bricks are rasterized");
         supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
         supportsOption("occlusion=off|low|medium|high",
                        "the quality of ambient occlusion: medium, with look=plain off");

@@ -210,6 +210,7 @@ TEST_F(BrickLook, ThePlainLookIsDrawnInAGroup)
 TEST_F(BrickLook, AnotherLookCostsNoLegolization)
 {
     const osg::ref_ptr<LegoNode> wall = createWall({});
+    wall->setWaiting(true);
     const unsigned int contextID = _context->getState()->getContextID();
     const auto countLegolizations = [&] { return wall->getStatistics(contextID).numLegolizations; };
     const osg::ref_ptr<osg::Image> full = draw(*wall, WALL_VIEW);
