@@ -14,33 +14,35 @@ namespace osgLego
 
 class AmbientOcclusionViews;
 
-/** A group whose children are drawn with ambient occlusion, in the light of a probe: the last step of the paper
- * (III-D).
+/** A group that draws its children with ambient occlusion, lit by a light probe (the paper, section III-D).
  *
- * The children are drawn into buffers of their own, as large as the viewport of the camera that culls the group; from
- * depths and normals there follow occlusion and bent normals, horizon-based (Jimenez et al. 2016, "Practical Realtime
- * Strategies for Accurate Indirect Occlusion"); and the picture is put into the frame with depth, after what else is
- * opaque there and before what is transparent. So nodes outside the group intersect its children as they should.
+ * The children are drawn into separate buffers of the size of the viewport of the camera that culls the group.
+ * Occlusion and bent normals are computed from depths and normals with a horizon-based method (Jimenez et al. 2016,
+ * "Practical Realtime Strategies for Accurate Indirect Occlusion"). The result is drawn into the frame with depth,
+ * after other opaque nodes and before transparent ones, so that nodes outside the group intersect its children
+ * correctly.
  *
- * - LegoNodes of the full look leave the light of the probe to the group: irradiance(bent normal) * (1 - occlusion) *
- *   colour, and what plastic mirrors.
- * - Other children occlude and are occluded too; their colours, as their own state and programs give them, are
- *   multiplied by (1 - occlusion).
- * - Transparent children (render bins from osg::StateSet::TRANSPARENT_BIN on) are drawn behind, without occlusion.
+ * - LegoNodes with the full look get the light of the probe from the group: irradiance(bent normal) * (1 - occlusion) *
+ *   colour, plus reflections on plastic.
+ * - Other children occlude and are occluded, too: the colours that their state and programs produce are multiplied by
+ *   (1 - occlusion).
+ * - Transparent children (in render bins from osg::StateSet::TRANSPARENT_BIN on) are drawn afterwards, without
+ *   occlusion.
  *
  * Preconditions:
- * 1. A context has OpenGL 4.0 or later, compatibility profile; others, and those with too little memory for the
- *    buffers, draw the children as a plain osg::Group does, and a warning says why. So do cameras that draw
- *    depths alone, as for shadows.
+ * 1. Contexts have OpenGL 4.0 or later, compatibility profile. Otherwise, or if there is too little memory for the
+ *    buffers, the group draws its children like an osg::Group, and a warning gives the reason. Cameras that draw only
+ *    depth, as for shadows, also draw the children like an osg::Group.
  * 2. Programs of the children write gl_FragColor, or every gl_FragData.
- * 3. Fog of the children is that of the state above the group, where there is any.
- * 4. Projections have a near plane at depth 0 and a finite far plane at depth 1.
- * 5. There is memory on the GPU for 48 bytes a pixel, or 140 with several samples, for each camera and cull visitor, of
- *    which an osgViewer::View has two.
- * 6. GL objects are released while the node is in the scene of a context that closes, or by releaseGLObjects() before.
+ * 3. Fog is set in the state above the group, not by the children.
+ * 4. Projections map the near plane to depth 0 and a finite far plane to depth 1.
+ * 5. The GPU has memory for 48 bytes per pixel, or 140 if the camera's target has several samples, for each camera and
+ *    cull visitor (an osgViewer::View has two).
+ * 6. When a context closes, the node is still in its scene, or releaseGLObjects() has been called before.
  *
- * Works under any camera, in several views and windows, inside cameras that render to textures, and at any viewport;
- * with four samples a pixel if the camera's target has more than one. A group within such a group is a plain one.
+ * Works with any camera and viewport, in several views and windows, and inside cameras that render to textures; uses
+ * four samples per pixel if the camera's target has more than one. Inside another AmbientOcclusionScene, the group
+ * draws its children like an osg::Group.
  *
  * Usage:
  *
@@ -48,7 +50,7 @@ class AmbientOcclusionViews;
  *     scene->addChild(lego);
  *     viewer.setSceneData(scene);
  *
- * Functions may be called from the thread that updates the scene; getTimes() from any.
+ * Functions may be called from the thread that updates the scene; getTimes() from any thread.
  */
 class OSGLEGO_EXPORT AmbientOcclusionScene : public osg::Group
 {
@@ -57,25 +59,25 @@ public:
     AmbientOcclusionScene(const AmbientOcclusionScene& scene, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgLego, AmbientOcclusionScene)
 
-    /** Switch it on (the default) or off; off, the group is a plain one and costs nothing. */
+    /** Enable (the default) or disable ambient occlusion. If disabled, the group acts like an osg::Group at no extra
+     * cost. */
     void setEnabled(bool enabled) { _enabled = enabled; }
     bool getEnabled() const { return _enabled; }
 
     /** Change how occlusion is computed and shown.
-     * @return false, with a warning and no change, when AmbientOcclusionSettings::check refuses it. */
+     * @return false, with a warning and no change, if AmbientOcclusionSettings::check finds an error. */
     bool setSettings(const AmbientOcclusionSettings& settings);
     const AmbientOcclusionSettings& getSettings() const { return _settings; }
 
-    /** Change the light from all around; null: the built-in sky. The probe is copied: set it again after changing
-     * it. */
+    /** Change the environment light; null: the built-in sky. The probe is copied: set it again after changing it. */
     void setLightProbe(const LightProbe* probe);
-    /** The copy. */
+    /** The copy of the probe; never null. */
     const LightProbe* getLightProbe() const { return _lightProbe; }
 
-    /** Wait after each pass, so that getTimes() has its times. Off at first. */
+    /** Wait for the GPU after each pass, so that getTimes() can return times. Off by default. */
     void setTiming(bool timing) { _timing = timing; }
     bool getTiming() const { return _timing; }
-    /** What the last frame in a context took. */
+    /** The times of the last frame in a context; 0 without setTiming(). */
     AmbientOcclusionTimes getTimes(unsigned int contextID) const;
 
     void traverse(osg::NodeVisitor& visitor) override;

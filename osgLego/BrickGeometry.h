@@ -10,18 +10,19 @@
 namespace osgLego
 {
 
-/** The bricks as plain triangles, faces and studs as the geometry shader makes them, in model units: for programs that
- * can't run it, such as writers of other file formats.
+/** Create plain triangles for the bricks, in model units, with the same faces and studs as the geometry shader: for
+ * code that can't use the shader, such as writers of other file formats.
  *
- * Vertices, normals, a colour a vertex, triangles indexed. Up to 58 triangles a brick with a stud: for a grid of
- * 128 x 128 x 128 some millions. The triangles stand in the order of BrickModel::getBricks(); those of a brick are two
- * for each open side, in the order of BrickSide, and then the 46 of its stud, if the side that is up is open. As long
- * as they keep that order, BrickIntersection::find tells which brick a triangle belongs to, for which the geometry
- * keeps the model as its user data. May be called from any thread. */
+ * The geometry has vertices, normals, one colour per vertex, and indexed triangles. A brick with a stud has up to 58
+ * triangles; a grid of 128 x 128 x 128 cells can have several million. The triangles are in the order of
+ * BrickModel::getBricks(). For each brick there are two triangles for each open side, in the order of BrickSide, and,
+ * if the upper side is open, the 46 triangles of the stud. As long as this order is kept, BrickIntersection::find can
+ * identify the brick of a triangle; for this purpose the model is the user data of the geometry. May be called from any
+ * thread. */
 OSGLEGO_EXPORT osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model);
 
-/** Hand the same triangles in the same order to a functor, without a geometry that holds all of them: for picking. May
- * be called from any thread. */
+/** Pass the same triangles in the same order to a functor, without creating a geometry of them all: for picking. May be
+ * called from any thread. */
 OSGLEGO_EXPORT void acceptBrickTriangles(const BrickModel& model, osg::PrimitiveFunctor& functor);
 
 } // namespace osgLego

@@ -12,19 +12,19 @@
 namespace osgLego
 {
 
-/** Which brick an intersection has hit: its cell, its colour, and where on it.
+/** The brick hit by an intersection, with its cell and colour, and the part of it that was hit.
  *
- * Works on the bricks of a LegoNode and on geometry made by createBrickGeometry, wherever they stand in a scene. Both
- * are intersected as the triangles that createBrickGeometry describes, faces and studs, so that of an Intersection
+ * Works for the bricks of a LegoNode and for geometry from createBrickGeometry, anywhere in a scene. Both are
+ * intersected as the triangles described at createBrickGeometry, faces and studs. In an Intersection,
  *
  * - `primitiveIndex` is the number of the triangle in that order;
- * - `indexList` and `ratioList` name the vertices of geometry; for a LegoNode, whose bricks have no vertex array, OSG
- *   leaves them empty.
+ * - `indexList` and `ratioList` refer to the vertices of geometry; OSG leaves them empty for a LegoNode, whose bricks
+ *   have no vertex array.
  *
  * Preconditions:
- * 1. The LegoNode shows the same bricks as when the intersection was found: the next frame may bring others.
- * 2. Geometry still has its user data and its triangles in the order in which they were made: merging and flattening
- *    by the osgUtil::Optimizer keep it, reordering (INDEX_MESH, VERTEX_POSTTRANSFORM, VERTEX_PRETRANSFORM) does not.
+ * 1. The LegoNode shows the same bricks as when the intersection was found; they may change with the next frame.
+ * 2. Geometry still has its user data, and its triangles in their original order. Merging and flattening by
+ *    osgUtil::Optimizer keep this order, reordering (INDEX_MESH, VERTEX_POSTTRANSFORM, VERTEX_PRETRANSFORM) does not.
  *
  * Usage:
  *
@@ -39,15 +39,15 @@ namespace osgLego
  */
 struct OSGLEGO_EXPORT BrickIntersection
 {
-    osg::ref_ptr<LegoNode> node;          //!< null for geometry that is under no LegoNode
+    osg::ref_ptr<LegoNode> node;          //!< null for geometry that is not under a LegoNode
     osg::ref_ptr<const BrickModel> model; //!< all bricks of the node or the geometry, and their grid
-    Brick brick;                          //!< its cell, its colour (red, green, blue), its open sides
-    BrickSide side = SIDE_LEFT;           //!< the side that was hit; of a stud the one that it stands on
-    bool isStud = false;                  //!< whether the stud was hit, its wall or its top
+    Brick brick;                          //!< the cell, colour (red, green, blue) and open sides of the brick
+    BrickSide side = SIDE_LEFT;           //!< the side that was hit; for a stud, the upper side
+    bool isStud = false;                  //!< whether the wall or the top of the stud was hit
 
-    /** Find the brick. Counts through the bricks before it: a few milliseconds for some millions. May be called from
-     * the thread that updates the scene.
-     * @return empty when what was hit is no brick. */
+    /** Find the brick. The time is proportional to the number of bricks before it: a few milliseconds for several
+     * million. May be called from the thread that updates the scene.
+     * @return nothing if the intersection is not with a brick. */
     static std::optional<BrickIntersection> find(const osgUtil::LineSegmentIntersector::Intersection& intersection);
 };
 

@@ -16,30 +16,30 @@ namespace osgLego
 
 class ProbeLight;
 
-/** The light that comes from all around: a picture of high dynamic range, or the sky and ground that are built in.
+/** Environment light: a high dynamic range picture, or the built-in sky and ground.
  *
- * Answers with the irradiance upon a surface, by nine spherical harmonics (Ramamoorthi and Hanrahan, "An Efficient
- * Representation for Irradiance Environment Maps", 2001), or by a small convolved map where the light has too much
- * contrast for them; and with pictures of the light filtered for glossy reflection (Karis, "Real Shading in Unreal
+ * Computes the irradiance on a surface, with nine spherical harmonics (Ramamoorthi and Hanrahan, "An Efficient
+ * Representation for Irradiance Environment Maps", 2001) or, if the light has too much contrast for them, with a small
+ * convolved map. It also creates pictures of the light filtered for glossy reflection (Karis, "Real Shading in Unreal
  * Engine 4", 2013, with the GGX distribution of Walter et al., "Microfacet Models for Refraction through Rough
- * Surfaces", 2007). Radiance is linear and relative: 1 is what a white surface under the light of 1 from everywhere
- * gives back. Irradiance is over pi, so that radiance 1 from everywhere makes irradiance 1.
+ * Surfaces", 2007). Radiance is linear and relative: 1 is the radiance of a white surface lit by radiance 1 from all
+ * directions. Irradiance is divided by pi, so that radiance 1 from all directions causes irradiance 1.
  *
- * Coordinates are OpenSceneGraph's, Z up. In the probe's own coordinates, those of its picture:
+ * World coordinates are OpenSceneGraph's, with Z up. The coordinates of the probe are defined by its picture:
  *
- * - Latitude and longitude: the middle looks along +Y, to its right is +X; u = 0.5 + atan2(x, y) / (2 pi), and from the
- *   top v = acos(z) / pi.
- * - Angular map (Debevec's): +Y in the middle of the circle, +X to its right, +Z above, -Y all along its rim; the
- *   distance from the middle, over the radius, is acos(y) / pi.
+ * - Latitude and longitude: +Y in the centre, +X to the right of it; u = 0.5 + atan2(x, y) / (2 pi), and, from the top,
+ *   v = acos(z) / pi.
+ * - Angular map (Debevec's): +Y in the centre of the circle, +X to the right of it, +Z above, -Y along the whole rim;
+ * the distance from the centre, divided by the radius, is acos(y) / pi.
  *
- * As in every osg::Image, row 0 is the bottom one.
+ * As in every osg::Image, row 0 is at the bottom.
  *
  * Preconditions:
- * 1. An image is uncompressed, of one layer, its channels being GL_FLOAT (linear), GL_UNSIGNED_BYTE or
- *    GL_UNSIGNED_SHORT (sRGB display values, made linear), its format one channel of grey (GL_LUMINANCE, GL_RED), or
- *    three or four of colours, whose alpha has no part.
- * 2. It is twice as wide as high, or square (see Mapping).
- * 3. Its pixels are not changed any more, or setImage() is called again: what follows from them is made there.
+ * 1. An image is uncompressed and has one layer. Its data type is GL_FLOAT (linear), GL_UNSIGNED_BYTE or
+ *    GL_UNSIGNED_SHORT (sRGB display values, converted to linear). It has one grey channel (GL_LUMINANCE, GL_RED), or
+ *    three or four colour channels; alpha is ignored.
+ * 2. The image is twice as wide as high, or square (see Mapping).
+ * 3. After the pixels of the image change, setImage() is called again, since it computes everything from them.
  *
  * Usage:
  *
@@ -48,23 +48,23 @@ class ProbeLight;
  *     if (!probe) std::cerr << error << '\n';
  *     else color = probe->getIrradiance(normal);
  *
- * Free of GL. Functions that are const may be called from any thread while no other function is.
+ * Uses no GL. Const functions may be called from any thread while no non-const function is running.
  */
 class OSGLEGO_EXPORT LightProbe : public osg::Object
 {
 public:
-    /** How the pixels of a picture lie around the viewer. */
+    /** The projection of a picture. */
     enum Mapping
     {
-        AUTO,               //!< by shape: twice as wide as high is LATITUDE_LONGITUDE, square is ANGULAR
-        LATITUDE_LONGITUDE, //!< of any shape, when it is asked for by name
-        ANGULAR             //!< square; what lies outside the circle does not count
+        AUTO,               //!< by shape: LATITUDE_LONGITUDE if twice as wide as high, ANGULAR if square
+        LATITUDE_LONGITUDE, //!< any shape, if requested explicitly
+        ANGULAR             //!< square; pixels outside the circle are ignored
     };
 
     static constexpr int REFLECTION_LEVELS = 6;
-    static constexpr int REFLECTION_WIDTH = 256; //!< of level 0; twice its height
-    static constexpr int CONVOLVED_WIDTH = 64;   //!< of the convolved map; twice its height
-    /** The harmonic error from which on the convolved map is used. */
+    static constexpr int REFLECTION_WIDTH = 256; //!< pixels, of level 0; twice the height
+    static constexpr int CONVOLVED_WIDTH = 64;   //!< pixels, of the convolved map; twice the height
+    /** The harmonic error above which the convolved map is used. */
     static constexpr double MAXIMUM_HARMONIC_ERROR = 0.02;
 
     /** The built-in sky: soft, slightly blue, with a large warm glow to the front right (+X, -Y), over grey ground. */
@@ -72,66 +72,68 @@ public:
     LightProbe(const LightProbe& probe, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Object(osgLego, LightProbe)
 
-    /** Read a picture through osgDB: by this project's plugin for OpenImageIO, or OSG's own where that is not there.
-     * @return null, with one sentence in `error`, when there is no such file, it is damaged, or setImage() refuses
-     * it. */
+    /** Read a picture with osgDB, using this project's OpenImageIO plugin or, if that is not installed, OSG's plugins.
+     * @return null, with one sentence in `error`, if the file doesn't exist, is damaged, or setImage() rejects the
+     * image. */
     static osg::ref_ptr<LightProbe> read(const std::string& fileName, std::string& error, Mapping mapping = AUTO);
 
-    /** Take the light from a picture; from the built-in sky when it is null.
+    /** Use the light of a picture, or of the built-in sky if it is null.
      *
-     * Pixels that are negative or not numbers count as 0, infinite ones as 65504, and a warning says how many there
-     * are. Takes 60 to 100 ms, and 0.1 us a pixel, 0.3 us a pixel of an angular map.
-     * @return false, with one sentence in `error` and nothing changed, for an image that does not meet the
-     * preconditions, one that has no pixel above 0, and when memory runs out. */
+     * Negative and NaN pixels count as 0, infinite ones as 65504; a warning gives their number. Takes 60 to 100 ms,
+     * plus 0.1 us per pixel, or 0.3 us per pixel for an angular map.
+     * @return false, with one sentence in `error` and nothing changed, if the image does not meet the preconditions, if
+     * it has no pixel above 0, or if memory runs out. */
     bool setImage(const osg::Image* image, Mapping mapping, std::string& error);
     /** The picture; null for the built-in sky. */
     const osg::Image* getImage() const { return _image.get(); }
-    /** How that was asked to be taken. */
+    /** The mapping passed to setImage(). */
     Mapping getMapping() const { return _mapping; }
 
-    /** The turn from the probe's coordinates to those of the world; none at first. One of no length, or that is not of
-     * numbers, is refused with a warning. */
+    /** The rotation from probe coordinates to world coordinates; none by default. A quaternion whose length is 0 or not
+     * finite is rejected with a warning. */
     void setRotation(const osg::Quat& rotation);
     const osg::Quat& getRotation() const { return _rotation; }
 
-    /** What all light is multiplied by, 0 or more; 1 at first. What is below, or not a finite number, is refused with a
-     * warning. */
+    /** The factor for all light, 0 or more; 1 by default. A negative or non-finite value is rejected with a warning. */
     void setIntensity(double intensity);
     double getIntensity() const { return _intensity; }
 
-    /** The irradiance over pi that is in force for a normal of any length in the coordinates of the world, rotation and
-     * intensity included: that of the convolved map, or of the harmonics. Never below 0; 0 for a normal of no length.
+    /** The irradiance, divided by pi, for a normal of any length in world coordinates, from the convolved map or the
+     * harmonics (see usesConvolvedMap()). Includes rotation and intensity. Never negative; 0 for a normal of length 0.
      */
     osg::Vec3d getIrradiance(const osg::Vec3d& worldNormal) const;
 
-    // What follows is in the probe's coordinates, and rotation and intensity have no part in it.
+    // The following functions use probe coordinates and ignore rotation and intensity.
 
-    /** The radiance by spherical harmonics: Y00; Y1-1 (y), Y10 (z), Y11 (x); Y2-2 (xy), Y2-1 (yz), Y20 (3z^2 - 1),
-     * Y21 (xz), Y22 (x^2 - y^2), with the constants of Ramamoorthi and Hanrahan. */
+    /** The spherical harmonic coefficients of the radiance: Y00; Y1-1 (y), Y10 (z), Y11 (x); Y2-2 (xy), Y2-1 (yz), Y20
+     * (3z^2 - 1), Y21 (xz), Y22 (x^2 - y^2), with the constants of Ramamoorthi and Hanrahan. */
     const std::array<osg::Vec3d, 9>& getCoefficients() const;
 
-    /** The irradiance over pi by harmonics alone, for a unit normal; what falls below 0 is 0. */
+    /** The irradiance, divided by pi, from the harmonics only, for a unit normal; negative values become 0. */
     osg::Vec3d getHarmonicIrradiance(const osg::Vec3d& normal) const;
 
-    /** The irradiance over pi for all normals, by latitude and longitude: CONVOLVED_WIDTH x half of it, GL_RGB,
-     * GL_FLOAT.
+    /** The irradiance, divided by pi, for all normals, by latitude and longitude: CONVOLVED_WIDTH pixels wide, half as
+     * high, GL_RGB, GL_FLOAT.
      *
-     * Between pixels it is interpolated linearly, around the sides and across the poles: the neighbour of a pixel of
-     * the top row is the one half a turn away in the same row. Shared among probes: to be read alone. */
+     * getIrradiance() interpolates linearly between pixels, also across the left and right border and across the poles:
+     * the upper neighbour of a pixel of the top row is the pixel half a turn away in the same row. The image is shared
+     * by probes: only read it. */
     osg::Image* getConvolvedMap() const;
 
-    /** How far the harmonics are from the convolved map: the root mean square over the sphere, of the channel where it
-     * is largest, over the largest of the channels' means. */
+    /** The relative difference between the harmonics and the convolved map: the root mean square difference over the
+     * sphere, in the channel where it is largest, divided by the largest mean of a channel. */
     double getHarmonicError() const;
-    /** Whether getIrradiance() answers from the convolved map: the error is above MAXIMUM_HARMONIC_ERROR. */
+    /** Whether getIrradiance() uses the convolved map, because the error is above MAXIMUM_HARMONIC_ERROR. */
     bool usesConvolvedMap() const;
 
-    /** The radiance by latitude and longitude, filtered for reflection by a surface of the roughness
-     * `level / (REFLECTION_LEVELS - 1)`, perceptual (alpha = roughness^2): the mean weighted by the GGX distribution
-     * and the cosine, viewer and normal both being in the middle of the lobe. Level 0 is the picture itself.
+    /** The radiance by latitude and longitude, filtered for reflection on a surface with the perceptual roughness
+     * `level / (REFLECTION_LEVELS - 1)` (alpha = roughness^2): the mean weighted by the GGX distribution and the
+     * cosine, where both the view direction and the normal are in the centre of the lobe. Level 0 is the unfiltered
+     * picture.
      *
-     * REFLECTION_WIDTH / 2^level pixels wide and half as high, GL_RGB, GL_FLOAT. Shared among probes: to be read alone.
-     * @return null for a level below 0 or from REFLECTION_LEVELS on. */
+     * REFLECTION_WIDTH / 2^level pixels wide and half as high, GL_RGB, GL_FLOAT. The image is shared by probes: only
+     * read it.
+     * @return null unless `level` is 0 to REFLECTION_LEVELS - 1. */
     osg::Image* getReflectionMap(int level) const;
 
 protected:
@@ -142,7 +144,7 @@ private:
 
     osg::ref_ptr<const osg::Image> _image;
     Mapping _mapping = AUTO;
-    osg::ref_ptr<const ProbeLight> _light; // null: that of the built-in sky
+    osg::ref_ptr<const ProbeLight> _light; // null: the light of the built-in sky
     osg::Quat _rotation;
     double _intensity = 1.0;
 };

@@ -9,7 +9,7 @@
 namespace osgLego
 {
 
-/** A value and what it is called in the text form of settings. */
+/** A value and its name in the text form of settings. */
 template <typename Value>
 struct SettingName
 {
@@ -33,10 +33,10 @@ std::string toText(Number number)
     return {buffer.data(), result.ptr};
 }
 
-/** The message about a value, in one sentence. @param expected the values that are, such as `y or z`. */
+/** The error message for a bad value, in one sentence. @param expected the valid values, such as `y or z`. */
 std::string badValue(std::string_view key, std::string_view value, std::string_view expected);
 
-/** Read a number. @return what is wrong with it; empty when nothing is. */
+/** Read a number. @return an error message, empty if there is no error. */
 template <typename Number>
 std::string readNumber(std::string_view key, std::string_view text, std::string_view expected, Number& number)
 {
@@ -45,7 +45,7 @@ std::string readNumber(std::string_view key, std::string_view text, std::string_
     return badValue(key, text, expected);
 }
 
-/** Read a name of a list. @return what is wrong with it; empty when nothing is. */
+/** Read a name from a list. @return an error message, empty if there is no error. */
 template <typename Value, std::size_t COUNT>
 std::string readName(std::string_view key, std::string_view text, const std::array<SettingName<Value>, COUNT>& names,
                      Value& value)
@@ -64,18 +64,18 @@ std::string readName(std::string_view key, std::string_view text, const std::arr
     return badValue(key, text, expected);
 }
 
-/** Go through a list of `key=value`, separated by commas, up to the first mistake; a missing comma is one.
- * @param bareKey answers the key that an item without one is for; empty when it is for none.
- * @param whatIsBare what such an item may be, for the message.
- * @param read takes a key and its value and answers what is wrong with them; empty when nothing is.
- * @return what is wrong, in one sentence; empty when nothing is. */
+/** Read a list of `key=value`, separated by commas, up to the first error; a missing comma is an error.
+ * @param bareKey returns the key of an item that is a value only; empty if the item is not valid without a key.
+ * @param whatIsBare a description of such items, for the message.
+ * @param read takes a key and its value; returns an error message, empty if there is no error.
+ * @return the first error, in one sentence; empty if there is none. */
 std::string readSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
                          std::string_view whatIsBare, std::string_view keys,
                          const std::function<std::string(std::string_view key, std::string_view value)>& read);
 
-/** Read the text form of settings that have a check() of their own: all of it or nothing.
- * @param read takes a key, its value and the settings to put it into; for the rest see readSettings().
- * @return false, with one sentence in `error` and `settings` unchanged, on a mistake. */
+/** Read the text form of settings that have a check() function.
+ * @param read takes a key, its value and the settings to change; see readSettings() for the other parameters.
+ * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */
 template <typename Settings, typename Read>
 bool parseSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
                    std::string_view whatIsBare, std::string_view keys, const Read& read, Settings& settings,
@@ -95,10 +95,10 @@ bool parseSettings(std::string_view text, const std::function<std::string_view(s
     return true;
 }
 
-/** Whether a name is one of `keys`, which are separated by a comma and a space. */
+/** Whether a name is one of the `keys`, which are separated by a comma and a space. */
 bool isSettingsKey(std::string_view name, std::string_view keys);
 
-/** The message about a key that is not one of `keys`. */
+/** The error message for a key that is not one of the `keys`. */
 std::string unknownKey(std::string_view key, std::string_view keys);
 
 } // namespace osgLego

@@ -38,9 +38,11 @@ struct SceneBatch
  * Handles nested transforms, shared children, Switch, Sequence and LOD (the finest level loaded), every primitive type
  * of triangles (strips, fans, quads, polygons, indexed or not), colour arrays of any type and binding, Materials, the
  * Texture2D of the first unit with one, with wrap mode, matrix and environment, and inherited state with OVERRIDE and
- * PROTECTED. A triangle's colour is what OSG would show unlit: texture x material or vertex colour. Lines and points
- * are passed over, as are triangles with no area and, with a warning that says how many, triangles with a vertex that
- * is not finite or beyond MAXIMUM_COORDINATE; and sources smaller than MINIMUM_SIZE, with a warning too.
+ * PROTECTED. The colour of a triangle is the one that OSG would draw without lighting: the texture times the material
+ * or vertex colour.
+ *
+ * Lines, points and triangles without area are ignored. So are, with a warning that gives their number, triangles with
+ * a vertex that is not finite or beyond MAXIMUM_COORDINATE, and, with a warning, sources smaller than MINIMUM_SIZE.
  *
  * Usage:
  *
@@ -60,17 +62,17 @@ public:
 
     /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
-    /** The same, reusing textures from earlier calls. */
+    /** Likewise, but reuse textures from earlier calls. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
 
     const std::vector<SceneBatch>& getBatches() const { return _batches; }
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */
     const osg::BoundingBoxd& getBounds() const { return _bounds; }
     std::size_t getNumTriangles() const { return _numTriangles; }
-    /** Vertices of triangles with a coordinate that is NaN, infinite, or beyond MAXIMUM_COORDINATE. One that several
-     * triangles of a geometry share by index counts once. */
+    /** The number of triangle vertices with a coordinate that is NaN, infinite, or beyond MAXIMUM_COORDINATE. A vertex
+     * shared by several triangles of a geometry through its index counts once. */
     std::size_t getNumBadVertices() const { return _numBadVertices; }
-    /** Triangles ignored because of such a vertex. */
+    /** The number of triangles ignored because of such vertices. */
     std::size_t getNumOutOfRange() const { return _numOutOfRange; }
 
 private:

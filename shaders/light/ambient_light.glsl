@@ -1,5 +1,5 @@
-// Light from all around: diffuse by nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or a convolved map, mirrored by
-// maps filtered for each roughness.
+// Environment light: diffuse light from nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or a convolved map;
+// reflections from maps that are filtered for each roughness.
 
 uniform vec3 irradiancePolynomial[9]; // see SphericalHarmonics
 uniform bool usesConvolvedMap;
@@ -10,9 +10,9 @@ uniform mat3 worldToProbe;
 uniform mat3 eyeToWorld;
 
 const float REFLECTION_LEVELS = 6.0; // LightProbe::REFLECTION_LEVELS
-const float PLASTIC = 0.04; // reflected head on, by an index of refraction of 1.5
+const float PLASTIC = 0.04; // reflectance at normal incidence, for an index of refraction of 1.5
 
-// The picture's middle looks along +y, its right side along +x, its top along +z.
+// The centre of the picture is the direction +y, the right half is towards +x, the top row towards +z.
 vec2 toPicture(vec3 direction)
 {
     const float PI = 3.14159265;
@@ -20,7 +20,8 @@ vec2 toPicture(vec3 direction)
     return vec2(0.5 + around / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
 }
 
-// The convolved map has the poles in the middle of its first and last row: the tops of bricks look right at one.
+// The poles are in the centres of the first and last row of the convolved map. This matters, since the normals of the
+// tops of bricks point exactly at a pole.
 vec2 toConvolved(vec3 direction)
 {
     vec2 place = toPicture(direction);
@@ -33,7 +34,7 @@ vec3 toProbe(vec3 eyeDirection)
     return worldToProbe * (eyeToWorld * eyeDirection);
 }
 
-// Irradiance over pi: 1 where light of 1 comes from everywhere.
+// Irradiance divided by pi: 1 if the radiance is 1 in all directions.
 vec3 irradianceAt(vec3 eyeNormal)
 {
     vec3 n = normalize(toProbe(eyeNormal));
@@ -48,7 +49,7 @@ vec3 irradianceAt(vec3 eyeNormal)
     return probeIntensity * max(irradiance, 0.0);
 }
 
-// What glossy plastic mirrors of it, by Karis' fit of the integrated reflectance (2014).
+// The light reflected by glossy plastic, with Karis' fit of the integrated reflectance (2014).
 vec3 reflectionAt(vec3 eyeNormal, vec3 toEye, float roughness)
 {
     float cosine = max(dot(eyeNormal, toEye), 0.0);

@@ -1,7 +1,7 @@
-// Colours are kept as they are shown; light is computed in proportion to its power.
+// Colours are stored as display values; lighting is computed in linear values.
 
-// A picture on a screen is seen in a dim room, where it looks flatter than the scene did. The 1.2 that television has from end
-// to end (ITU-R BT.709 shown by BT.1886) makes up for that.
+// A screen is usually viewed in a dim room, where a picture looks flatter than the scene. The end-to-end gamma of 1.2 used
+// for television (ITU-R BT.709 shown by BT.1886) compensates for this.
 const float GAMMA = 2.2 / 1.2;
 
 vec3 toLight(vec3 color)
@@ -9,8 +9,8 @@ vec3 toLight(vec3 color)
     return pow(color, vec3(GAMMA));
 }
 
-// In light of 1 from all around a surface shows its own colour; the brightest light, highlights above all, comes near white
-// instead of being cut off.
+// If light of 1 comes from all directions, a surface shows its own colour. The brightest light, mainly highlights,
+// approaches white instead of being clipped.
 vec3 toColor(vec3 light)
 {
     const float SHOULDER = 0.75;

@@ -1,6 +1,6 @@
 // The scene's fog, as osg::Fog describes it.
 
-// The mode: 0: none, 1: linear, 2: exponential, 3: exponential of the square.
+// fogMode: 0: none, 1: linear, 2: exponential, 3: exponential of the square.
 #if defined(SPLATS)
 #define fogMode sceneNumbers.w
 #define fogColor sceneFog[0].rgb
@@ -15,7 +15,7 @@ uniform int fogMode;
 #define fogScale gl_Fog.scale
 #endif
 
-// The part of a surface's light that comes through the fog from a depth in the eye's coordinates.
+// The fraction of a surface's light that passes through the fog, given the surface's depth in eye coordinates.
 float transmittanceAt(float eyeDepth)
 {
     float depth = abs(eyeDepth);

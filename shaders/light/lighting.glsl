@@ -33,8 +33,8 @@ Light lightAt(int place)
 
 #else
 
-uniform int numLights;       // below 0: lighting is off, and colours show as they are
-uniform int lightNumbers[8]; // of the lights that are on
+uniform int numLights;       // negative: lighting is off, and colours are shown unchanged
+uniform int lightNumbers[8]; // the numbers of the enabled lights
 
 Light lightAt(int place)
 {
@@ -49,7 +49,7 @@ Light lightAt(int place)
 
 #endif
 
-// How much of a light comes to a place, by distance and spot.
+// The fraction of a light that reaches a point, after attenuation by distance and spotlight cone.
 float attenuationOf(Light light, vec3 toLight)
 {
     if (light.position.w == 0.0) return 1.0;

@@ -1,19 +1,18 @@
-// Ambient occlusion, the main pass: how much of the sky each pixel sees, and the mean direction of it, the bent normal.
-// Horizons are looked for in slices through the eye's direction (Jimenez et al. 2016, "Practical Realtime Strategies for
+// Ambient occlusion, the main pass: the fraction of the sky visible from each pixel, and its mean direction, the bent normal.
+// It finds horizons in slices through the view direction (Jimenez et al. 2016, "Practical Realtime Strategies for
 // Accurate Indirect Occlusion"), and the light between them is integrated in closed form.
 
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 
 uniform sampler2D normalBuffer;
-uniform sampler2D depthImage; // eye's z, coverage
-uniform sampler2D noise;      // two numbers from 0 to 1 a pixel, spread evenly
-uniform float radius;         // in the eye's units, how far away things occlude
-uniform float falloff;        // the part of the radius over which they come to do so
+uniform sampler2D depthImage; // z in eye coordinates, coverage
+uniform sampler2D noise;      // two evenly distributed numbers per pixel, from 0 to 1
+uniform float radius;         // greatest distance of occluders, in units of eye coordinates
+uniform float falloff;        // the outer part of the radius, over which occlusion fades out
 
 const float PI = 3.14159265;
-// Pixels that the radius is wide at the least: where bricks are smaller than pixels, the shape of many of them together is
-// what occludes.
+// The minimum radius in pixels: if bricks are smaller than pixels, occlusion comes from the shape of many bricks together.
 const float LEAST_RADIUS = 8.0;
 
 float depthAt(ivec2 pixel)
@@ -26,7 +25,7 @@ vec3 positionAt(ivec2 pixel)
     return eyePositionOf(vec2(pixel) + 0.5, depthAt(pixel));
 }
 
-// For what wrote no normal: of the two neighbours along each direction, the nearer in depth.
+// The normal of a surface that wrote none. In each direction it uses the neighbour that is nearer in depth.
 vec3 normalFromDepth(ivec2 pixel, vec3 here)
 {
     vec3 right = positionAt(pixel + ivec2(1, 0)) - here;
@@ -38,8 +37,8 @@ vec3 normalFromDepth(ivec2 pixel, vec3 here)
     return normalize(cross(u, v));
 }
 
-// The integrals of light from the eye's direction to an angle in a slice, n being the normal's angle: what is visible, and
-// its mean direction, along the slice and towards the eye.
+// The integrals of light from the view direction to an angle in a slice, where n is the angle of the normal: the visible
+// light, and its mean direction along the slice and towards the eye.
 vec3 lightTo(float angle, float n)
 {
     return vec3(0.25 * (cos(n) + 2.0 * angle * sin(n) - cos(2.0 * angle - n)),
@@ -48,7 +47,7 @@ vec3 lightTo(float angle, float n)
                     12.0);
 }
 
-// One side of a slice: how high the horizon has risen, and the light that is left.
+// One side of a slice: the horizon found so far, and the remaining light.
 struct Side
 {
     float horizon;
@@ -61,7 +60,8 @@ Side openSide(float n, float side)
     return Side(horizon, lightTo(horizon, n));
 }
 
-// Let a pixel raise the horizon. What it adds to what nearer ones hide counts as much as it is near.
+// Raise the horizon to a pixel, if that is higher. The light that it hides in addition to nearer pixels is weighted by its
+// nearness.
 void raise(inout Side side, float sign, vec3 position, vec3 here, vec3 toEye, float n, float radiusHere)
 {
     vec3 step = position - here;
@@ -113,6 +113,6 @@ void main()
         visibility += light.x;
         bent += light.y * tangent + light.z * toEye;
     }
-    // Of few slices neither is what it should be: some see more than all of the sky. Only the mean of neighbours is.
+    // With few slices both values are inexact (visibility can exceed 1); only the mean over neighbours is right.
     gl_FragColor = vec4(bent, visibility) / float(SLICES);
 }

@@ -1,6 +1,6 @@
-// Ambient occlusion into the frame: irradiance along the bent normal, as far as it comes through, times albedo (the paper,
-// section III-D), and the light that the scene's lights and mirrors add. With depth, so that what is drawn outside
-// intersects it.
+// Ambient occlusion, the composite: draws into the frame the irradiance along the bent normal, times visibility and albedo
+// (the paper, section III-D), plus the light from the scene's lights and reflections. It writes depth, so that nodes
+// drawn outside the group intersect the bricks.
 
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
@@ -13,11 +13,11 @@ uniform sampler2D albedoBuffer;
 uniform sampler2D normalBuffer;
 uniform sampler2D depthImage;
 uniform sampler2D occlusion;
-uniform ivec2 origin; // of the viewport
-uniform float radius; // in the eye's units
-uniform int shown;    // 0: all of it, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
+uniform ivec2 origin; // the viewport's lower left pixel
+uniform float radius; // in units of eye coordinates
+uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
 
-// How much of a mirrored direction is open, from how much of the whole is (Lagarde and de Rousiers 2014).
+// The visibility in the mirrored direction, estimated from the visibility of the whole sky (Lagarde and de Rousiers 2014).
 float reflectionVisibility(float cosine, float visibility, float roughness)
 {
     return clamp(pow(cosine + visibility, exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
@@ -43,7 +43,7 @@ void main()
     float visibility = bentAndVisibility.w;
     vec3 toEye = towardsEyeFrom(eyePositionOf(vec2(pixel) + 0.5, depth.r));
 
-    // What is no brick has its fog already, which nothing hides.
+    // The colours of other children already include fog, which must not be occluded.
     float hidden = isUnlit(normals) ? 0.0 : (1.0 - visibility) * transmittanceAt(depth.r);
     vec3 color = light.rgb * (1.0 - hidden);
     vec3 surface = bent;
@@ -51,7 +51,7 @@ void main()
     {
         surface = surfaceNormalOf(normals);
         vec3 shading = shadingNormalOf(normals);
-        // The normals of bricks as small as pixels are noise; bent ones are means.
+        // The normals of bricks as small as pixels are noise; bent normals are averages.
         float distinct = distinctnessOf(radius, depth.r);
         color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
                        normalize(mix(bent, shading, distinct)), visibility, toEye);
@@ -60,8 +60,8 @@ void main()
     if (shown == 2) color = 0.5 + 0.5 * bent;
     if (shown == 3) color = irradianceAt(bent);
     if (shown == 4) color = 0.5 + 0.5 * surface;
-    // Not all of the pixel need be covered.
+    // The pixel may be partly covered.
     gl_FragColor = vec4(color, 1.0) * depth.g;
-    // What is as far as can be is still nearer than nothing.
+    // Even the farthest surface must be nearer than the cleared depth.
     gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
 }

@@ -1,4 +1,4 @@
-// Ambient occlusion, the last pass before the picture: the mean over neighbours that lie on the same surface.
+// Ambient occlusion, the last pass before the composite: averages neighbours that are on the same surface.
 
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
@@ -7,12 +7,12 @@ uniform sampler2D occlusion; // bent normal, visibility
 uniform sampler2D depthImage;
 uniform sampler2D normalBuffer;
 
-uniform float radius; // in the eye's units
-uniform float power;  // of visibility
+uniform float radius; // in units of eye coordinates
+uniform float power;  // exponent applied to visibility
 
-// How far a neighbour may lie off this pixel's plane, in widths of a pixel there.
+// The greatest distance of a neighbour from this pixel's plane, in pixel widths at its depth.
 const float THICKNESS = 2.0;
-// For each so many pixels of the radius, the mean is one pixel wider.
+// The average is one pixel wider for every REACH pixels of the radius.
 const float REACH = 30.0;
 
 void main()
@@ -24,7 +24,7 @@ void main()
     vec4 normal = texelFetch(normalBuffer, pixel, 0);
     vec4 here = texelFetch(occlusion, pixel, 0);
 
-    // The slope of depth across the picture: of both sides, the gentler one.
+    // The slope of depth across the picture: the smaller of the slopes on both sides.
     vec4 beside = vec4(texelFetch(depthImage, min(pixel + ivec2(1, 0), last), 0).r - depth,
                        depth - texelFetch(depthImage, max(pixel - ivec2(1, 0), ivec2(0)), 0).r,
                        texelFetch(depthImage, min(pixel + ivec2(0, 1), last), 0).r - depth,
@@ -33,7 +33,7 @@ void main()
                       abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
     float width = pixelWidthAt(depth);
 
-    // As wide as the noise is coarse: where the radius is many pixels wide, steps lie far from each other.
+    // The average is as wide as the noise is coarse: if the radius is many pixels wide, steps are far apart.
     float reach = radius / (width * REACH);
     float distinct = distinctnessOf(radius, depth);
     float spread = mix(0.1, 1.0 / clamp(reach * reach, 2.0, 10.0), distinct);

@@ -1,6 +1,7 @@
-// Ambient occlusion, the first pass: from the geometry buffer to one depth a pixel, in the eye's coordinates, and how much
-// of the pixel is covered. Of several samples (#define SAMPLES) the first that is covered speaks for the pixel's shape: the
-// same place in each pixel, or nearly, so that neighbours fit together; and all of them for its light.
+// Ambient occlusion, the first pass: resolves the geometry buffer to one depth per pixel, in eye coordinates, and the
+// covered fraction of the pixel. With several samples (#define SAMPLES), depth and normals come from the first covered
+// sample, which is at nearly the same position in each pixel, so that neighbours are consistent; light is averaged over
+// all covered samples.
 
 #include "occlusion/view_position.glsl"
 
@@ -14,7 +15,7 @@ uniform sampler2DMS albedoBuffer;
 uniform sampler2DMS normalBuffer;
 uniform sampler2DMS depthBuffer;
 
-// What leaves no depth, as skies do, leaves its colour.
+// Children that write no depth, such as skies, are recognized by their colour.
 bool isCovered(ivec2 pixel, int index)
 {
     return texelFetch(depthBuffer, pixel, index).r < 1.0 || texelFetch(lightBuffer, pixel, index).a > 0.0;
@@ -45,11 +46,11 @@ void main()
         if (!isCovered(pixel, index)) continue;
         vec4 color = texelFetch(lightBuffer, pixel, index);
         bool isLight = isBrick(texelFetch(normalBuffer, pixel, index));
-        // What is shown and what is light are brought to what the chosen one is.
+        // Display values and linear light are converted to whichever the chosen sample has.
         if (inLight && !isLight) color.rgb = toLight(color.rgb);
         if (!inLight && isLight) color.rgb = toColor(color.rgb);
         light += color.rgb;
-        // Only bricks have an albedo that is of use; others wrote their colour.
+        // Only bricks write an albedo; other children write their colour instead.
         albedo += isLight ? texelFetch(albedoBuffer, pixel, index) : vec4(0.0, 0.0, 0.0, 1.0);
     }
     gl_FragData[0] = vec4(eyeDepthOf(depth), float(count) / float(SAMPLES), 0.0, 0.0);
@@ -67,7 +68,7 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthBuffer, pixel, 0).r;
-    // What leaves no depth, as skies do, leaves its colour.
+    // Children that write no depth, such as skies, are recognized by their colour.
     if (depth >= 1.0 && texelFetch(lightBuffer, pixel, 0).a == 0.0) discard;
     gl_FragData[0] = vec4(eyeDepthOf(depth), 1.0, 0.0, 0.0);
 }

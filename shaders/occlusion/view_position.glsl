@@ -1,12 +1,12 @@
-// Places in the eye's coordinates from pixels and depths, for every kind of projection: gl_ProjectionMatrix that of the
-// scene, handed over as a uniform, since a pass draws with none.
+// Positions in eye coordinates from pixels and depths, for every kind of projection. The scene's projection is a uniform,
+// since passes draw without one.
 
 uniform mat4 sceneProjection;
-uniform vec2 pixelSize; // of the picture, from -1 to 1: 2 / width, 2 / height
+uniform vec2 pixelSize; // in a picture from -1 to 1: 2 / width, 2 / height
 
-const float NOTHING = -1e14; // a depth beyond this stands for what nothing is drawn on
+const float NOTHING = -1e14; // depths below this mark pixels without a surface
 
-// From a depth as in a depth buffer, 0 to 1, to the coordinate z of the eye, which is below 0 in front of it.
+// Convert a depth buffer value, 0 to 1, to z in eye coordinates, which is negative in front of the eye.
 float eyeDepthOf(float depth)
 {
     float z = 2.0 * depth - 1.0;
@@ -20,20 +20,20 @@ float bufferDepthOf(float eyeDepth)
     return 0.5 * clip.x / clip.y + 0.5;
 }
 
-// How many units of the eye's coordinates the picture's half is wide, times the projection's first number.
+// Half the picture's width in units of eye coordinates, times sceneProjection[0][0].
 float spreadAt(float eyeDepth)
 {
     return sceneProjection[2][3] * eyeDepth + sceneProjection[3][3];
 }
 
-// How many of the eye's units a pixel is wide.
+// The width of a pixel in units of eye coordinates.
 float pixelWidthAt(float eyeDepth)
 {
     return abs(spreadAt(eyeDepth) * pixelSize.x / sceneProjection[0][0]);
 }
 
-// Whether surfaces are told apart within the radius of occlusion: where bricks are as small as pixels, each is a surface of its
-// own, and only what neighbours have in common tells anything.
+// To what degree, 0 to 1, surfaces within the occlusion radius can be distinguished. If bricks are as small as pixels,
+// every pixel is a different surface, and only averages over neighbours are meaningful.
 float distinctnessOf(float radius, float eyeDepth)
 {
     return smoothstep(4.0, 12.0, radius / pixelWidthAt(eyeDepth));

@@ -1,5 +1,5 @@
-// What a fragment shows of a brick: as the geometry shader says or, where bricks are drawn as splats (#define SPLATS), as
-// the ray of the pixel finds it again.
+// The point of a brick that a fragment shows. It comes from the geometry shader or, if bricks are drawn as splats
+// (#define SPLATS), from intersecting the pixel's ray with the brick again.
 
 #include "polygonization/brick_detail.glsl"
 
@@ -14,25 +14,25 @@
 #include "polygonization/splat_rays.glsl"
 
 uniform usampler2D splats;
-uniform sampler2D splatDepths; // 1: there is none
+uniform sampler2D splatDepths; // 1: no brick
 
 vec3 eyePosition;
 vec3 eyeNormal;
 vec2 coordinate;
-vec4 coordinateSlopes; // by pixel: of the first, of the second
+vec4 coordinateSlopes; // by pixel: those of the first coordinate, those of the second
 uint color;
 uint detail;
 const bool isOutside = true;
 
-// A plane in a cell, and the coordinates on it.
+// A plane in a cell, and functions of the position that give the coordinates on it.
 struct Plane
 {
-    vec4 equation; // the normal, and how far out
+    vec4 equation; // the normal, and the distance from the origin
     vec4 first;
     vec4 second;
 };
 
-// From the lower corner of a cell on.
+// In coordinates relative to the lower corner of a cell.
 Ray rayThrough(vec2 pixel, vec3 cell)
 {
     vec3 change = pixel.x * sceneRays[0].xyz + pixel.y * sceneRays[1].xyz;
@@ -74,19 +74,19 @@ Plane planeOfDisk()
 
 Plane planeOfWall(vec2 facet)
 {
-    // One part of the way around for the width of a side.
+    // The coordinate increases by 1 / STUD_SIDES across the width of a side.
     float scale = 1.0 / float(STUD_SIDES) / (2.0 * FACETS[0].y * STUD_RADIUS);
     return Plane(vec4(fromStud(vec3(facet, 0.0)), APOTHEM + 0.5 * (facet.x + facet.y)),
                  vec4(scale * fromStud(vec3(-facet.y, facet.x, 0.0)), 0.0),
                  vec4(unitOf(upAxis) / studHeight, -1.0 / studHeight));
 }
 
-// Find what the pixel shows; false: nothing.
+// Find the point that the pixel shows. Returns false if there is none.
 bool findFragment()
 {
     vec2 origin = vec2(sceneNumbers.yz);
     vec2 pixel = gl_FragCoord.xy - origin;
-    // A picture smaller than a tile.
+    // A tile is larger than a very small picture.
     if (any(lessThan(pixel, vec2(0.0))) || pixel.x > sceneNormals[0].w || pixel.y > sceneNormals[1].w) return false;
     float depth = texelFetch(splatDepths, ivec2(pixel), 0).x;
     if (depth == 1.0) return false;
@@ -120,7 +120,7 @@ bool findFragment()
     }
     vec3 place = meet(plane, pixel, cell);
     coordinate = coordinateOn(plane, place);
-    // As the differences between neighbours of four pixels, which dFdx and dFdy are.
+    // Differences within a block of 2 x 2 pixels, as with dFdx and dFdy.
     vec2 first = floor(0.5 * gl_FragCoord.xy) * 2.0 + 0.5 - origin;
     vec2 base = coordinateOn(plane, meet(plane, first, cell));
     vec2 right = coordinateOn(plane, meet(plane, first + vec2(1.0, 0.0), cell)) - base;
@@ -141,8 +141,8 @@ flat in uint color;
 flat in uint detail;
 
 #define normalMatrix gl_NormalMatrix
-// Not by gl_FrontFacing: llvmpipe draws polygons as lines all over the window where a fragment shader behind a geometry
-// shader reads it.
+// gl_FrontFacing can't be used: in wireframe mode, llvmpipe draws lines all over the window if a fragment shader that
+// follows a geometry shader reads it.
 #define isOutside ((detail & INSIDE) == 0u)
 #define coordinateSlopes vec4(dFdx(coordinate.x), dFdy(coordinate.x), dFdx(coordinate.y), dFdy(coordinate.y))
 

@@ -1,39 +1,39 @@
-// The surface of a brick: rounded edges that make joints between bricks, a relief on the stud, a little of its own in
-// each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
-// Lengths are in widths of a cell.
+// The surface of a brick: rounded edges that form joints between bricks, a relief on the stud, and a slight variation from
+// brick to brick. All of it is averaged over the pixel: slopes are summed, and their variance is added to the roughness.
+// Lengths are in cell widths.
 
 #include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"
 
-uniform vec3 cellProportions; // of a cell's edges to its width
+uniform vec3 cellProportions; // the cell's edge lengths, divided by its width
 #if !defined(SPLATS)
 uniform int upAxis;
 #endif
 uniform bool hasJoints;
 uniform float variation;    // 1: as much as real bricks differ; 0: none
-uniform float roughness;    // as perceived: the square root of the microfacets' slope
-uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
-uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
+uniform float roughness;    // perceptual: the square root of the microfacets' slope
+uniform float reliefHeight; // height of the relief's highest point, in radii of the stud's disk; 0: no relief
+uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and their mean square
 
-const float EDGE_SLOPE = 0.9;    // where a rounded edge ends
-const float GAP_DARKNESS = 0.5;  // of the light, what does not reach into the gap,
-const float EDGE_DARKNESS = 0.5; // and into the groove that two rounded edges make, at its bottom
-const float TILT = 0.006;        // of faces that are never perfectly flat
+const float EDGE_SLOPE = 0.9;    // the slope at the outer end of a rounded edge
+const float GAP_DARKNESS = 0.5;  // fraction of the light that does not reach the gap
+const float EDGE_DARKNESS = 0.5; // likewise the bottom of the groove between two rounded edges
+const float TILT = 0.006;        // tilt of faces, which are never perfectly flat
 const float SHADE = 0.04;
-const float TOWARDS_EYE = 0.35;     // of what is smaller than a pixel; see mergeFaces()
-const float MERGED_OPENNESS = 0.85; // faces and studs that turn away from each other hide light from each other
+const float TOWARDS_EYE = 0.35;     // for faces smaller than a pixel; see mergeFaces()
+const float MERGED_OPENNESS = 0.85; // faces and studs at an angle to each other block some of each other's light
 
 struct Surface
 {
     vec3 color;
-    vec3 normal;    // of the face or stud
-    vec3 shading;   // with what is bent
-    float openness; // 1, and less in the gap of a joint
-    float agreement; // of normals within the pixel; 1: they are one
+    vec3 normal;    // the geometric normal of the face or stud
+    vec3 shading;   // the normal used for shading, with edges, relief and tilt
+    float openness; // 1; less in the gap of a joint
+    float agreement; // length of the pixel's mean normal; 1: all normals are equal
     float roughness;
 };
 
-// What edges and relief add up to within the pixel.
+// The combined effect of edges and relief within the pixel.
 struct Bend
 {
     vec2 slope;
@@ -41,7 +41,7 @@ struct Bend
     float openness;
 };
 
-// The slope of a rounded edge, summed up from the edge to a distance from it; beyond the edge is its mirror image.
+// The integral of a rounded edge's slope, from the edge to a given distance; beyond the edge the profile is mirrored.
 float sumOfSlopes(float place)
 {
     float t = min(abs(place), EDGE);
@@ -54,7 +54,7 @@ float sumOfSquares(float place)
     return sign(place) * EDGE_SLOPE * EDGE_SLOPE * (t - t * t / EDGE + t * t * t / (3.0 * EDGE * EDGE));
 }
 
-// The light that does not reach the gap and the groove, summed up likewise.
+// Likewise the integral of the light that does not reach the gap and the groove.
 float sumOfDarkness(float place)
 {
     float t = min(abs(place), EDGE);
@@ -62,8 +62,8 @@ float sumOfDarkness(float place)
     return sign(place) * (GAP_DARKNESS * min(t, GAP) + EDGE_DARKNESS * EDGE / 3.0 * (1.0 - rest * rest * rest));
 }
 
-// The mean slope of one edge, its variance, and the light that does not reach it, over a pixel of some width. Behind
-// an edge that is a brick's last there is nothing of this side; at a silhouette the pixel's middle may lie there.
+// The mean slope of one edge, its variance, and the blocked light, over a pixel of the given width. Unless `isFilled`,
+// the surface ends at the edge; at a silhouette the pixel's centre may be beyond it.
 vec3 edgeAt(float place, float width, bool isFilled)
 {
     float first = place - 0.5 * width;
@@ -80,7 +80,7 @@ vec3 edgeAt(float place, float width, bool isFilled)
     return vec3(slope, max(square - slope * slope, 0.0), darkness);
 }
 
-// How much of a coordinate there is in the pixel, by what it changes by from pixel to pixel.
+// The width of a pixel in a coordinate, given the coordinate's change from pixel to pixel.
 float widthOf(vec2 slopes)
 {
     return max(length(slopes), 1e-5);
@@ -92,8 +92,8 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
     vec3 right = edgeAt(size.x - place.x, width.x, (filled & 2u) != 0u);
     vec3 lower = edgeAt(place.y, width.y, (filled & 4u) != 0u);
     vec3 upper = edgeAt(size.y - place.y, width.y, (filled & 8u) != 0u);
-    // Beyond half a brick a pixel holds edges of which this one knows nothing: slopes of opposite sides cancel out, and of
-    // the rest there is as much as in all of the brick.
+    // A pixel wider than half a brick also covers edges of other bricks, which are not known here: the slopes of opposite
+    // sides cancel out; for variance and darkness, the mean over the whole brick is used.
     vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
     vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
     vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
@@ -102,7 +102,7 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
                 1.0 - min(darkness.x + darkness.y, 1.0));
 }
 
-// Of the stud's wall: up, towards the rim.
+// The wall of a stud; heights are measured upwards, towards the rim.
 Bend bendWall(float height, float width)
 {
     vec3 rim = edgeAt(STUD_HEIGHT - height, width, false);
@@ -120,21 +120,21 @@ Bend bendDisk(vec2 place, float width, vec4 slopes)
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
 }
 
-// A number from -1 to 1 that is the brick's own.
+// Three pseudo-random numbers of the brick, from -1 to 1.
 vec3 ownNumbers()
 {
     uint number = detail >> 16;
     return vec3(number & 31u, number >> 5 & 31u, number >> 10 & 63u) / vec3(15.5, 15.5, 31.5) - 1.0;
 }
 
-// From the axes of the grid to the eye's.
+// The direction of an axis of the grid in eye coordinates.
 vec3 axisOf(int axis)
 {
     return normalize(normalMatrix[axis]);
 }
 
-// What of a brick is turned towards the eye, as far as it is open: its mean normal by the areas of the picture, in the eye's
-// coordinates. Its length is 1 where there is but one face, and less where there are several.
+// The mean normal, in eye coordinates, of the brick's open faces that are turned towards the eye, weighted by their projected
+// areas. Its length is 1 if there is only one face, and less if there are several.
 vec3 meanNormal(vec3 toEye)
 {
     vec3 sum = vec3(0.0);
@@ -148,16 +148,16 @@ vec3 meanNormal(vec3 toEye)
         area += seen;
         sum += sign(cosine) * seen * direction;
         if (axis != upAxis || cosine <= 0.0) continue;
-        // The wall of the stud hides as much of what lies behind it, and is round.
+        // The wall of the stud covers an equal area of the face behind it, and is round.
         float wall = min(2.0 * STUD_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
         sum += wall * (0.785 * normalize(toEye - cosine * direction + vec3(1e-5)) - direction);
     }
     return sum / area;
 }
 
-// Faces and studs smaller than a pixel are shaded by the mean of their brick: by their own normals, which of them the middle
-// of a pixel happens to meet would be seen as a pattern that crawls. How the bricks beside it are turned is not known; but
-// what is seen of them is turned towards the eye.
+// Faces and studs smaller than a pixel are shaded with the mean normal of their brick. With their own normals, a crawling
+// pattern would appear, because it is arbitrary which face the centre of a pixel hits. The normals of neighbouring bricks
+// are not known, but their visible faces are turned towards the eye.
 void mergeFaces(inout Surface surface, vec3 toEye, float wide)
 {
     float share = clamp(2.0 * wide - 0.75, 0.0, 1.0);
@@ -211,7 +211,7 @@ Surface surfaceHere(vec3 toEye)
     surface.normal = normal;
     surface.shading = normal + bend.slope.x * u + bend.slope.y * v;
     surface.openness = bend.openness;
-    // The fourth power is the square of the slopes of the microfacets, to which those of the surface are added.
+    // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;
     surface.agreement = 1.0;
     mergeFaces(surface, toEye, wide);

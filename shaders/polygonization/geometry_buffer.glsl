@@ -1,10 +1,10 @@
-// What the bricks leave for ambient occlusion, beside their light: directions of the eye's coordinates as points of an
-// octahedron unfolded to the square from -1 to 1 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
+// The normals that bricks write for ambient occlusion, in addition to their light. Directions in eye coordinates are points
+// of an octahedron unfolded to the square from -1 to 1 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
 //
-// Normals: x, y the surface's, z, w the one it is shaded by, w less 2: what is not of bricks writes its colour here, whose
-// alpha is not below 0.
+// x, y: the normal of the surface; z, w: the normal for shading, with 2 subtracted from w. Other children write their
+// colour here; its alpha is never negative, which tells them from bricks.
 
-const float UNLIT = 2.0; // in place of w: the colour is to be shown as it is
+const float UNLIT = 2.0; // value of w for a colour to be shown unchanged
 
 vec2 toOctahedron(vec3 direction)
 {

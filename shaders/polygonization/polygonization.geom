@@ -1,34 +1,34 @@
-// Polygonization (the paper, section III-C, Algorithm 5): a point becomes a brick's open sides (first invocation), and
-// the wall and the disk of its stud (second), unless another brick sits on it. Everything winds counter-clockwise seen
-// from outside.
+// Polygonization (the paper, section III-C, Algorithm 5): the first invocation turns a point into the open sides of a
+// brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
+// counter-clockwise as seen from outside.
 
 #include "osgLego/polygonization/StudVisibility.h"
 #include "polygonization/brick_detail.glsl"
 
 layout(points, invocations = 2) in;
-layout(triangle_strip, max_vertices = 50) out; // of a stud: 3 * STUD_SIDES + 2
+layout(triangle_strip, max_vertices = 50) out; // for a stud: 3 * STUD_SIDES + 2
 
 flat in uvec3 brick[];
 
 uniform int upAxis;       // 1 or 2
-uniform float studHeight; // in cells; the radius lies across, where a cell is as wide as the pitch
-uniform vec4 eye;         // in cells: a place, or, where the last is 0, the direction towards it
-uniform bool showsInsides; // whether sides that are turned away from the eye are seen, too
+uniform float studHeight; // in cells; the radius needs no scale, since a cell is as wide as the pitch
+uniform vec4 eye;         // in cells: the position or, if w is 0, the direction towards the eye
+uniform bool showsInsides; // whether back-facing sides are drawn, too
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
-out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and up
+out vec2 coordinate; // faces and disk: 0 to 1 across; wall: 0 to 1 around and up
 flat out uint color;
 flat out uint detail; // see brick_detail.glsl
 
-// Around the stud; a table, since not every machine has a fast cosine.
+// Directions around the stud, in a table, since the cosine is slow on some machines.
 const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
     vec2(1.0, 0.0), vec2(0.923879533, 0.382683432), vec2(0.707106781, 0.707106781), vec2(0.382683432, 0.923879533),
     vec2(0.0, 1.0), vec2(-0.382683432, 0.923879533), vec2(-0.707106781, 0.707106781), vec2(-0.923879533, 0.382683432),
     vec2(-1.0, 0.0), vec2(-0.923879533, -0.382683432), vec2(-0.707106781, -0.707106781), vec2(-0.382683432, -0.923879533),
     vec2(0.0, -1.0), vec2(0.382683432, -0.923879533), vec2(0.707106781, -0.707106781), vec2(0.923879533, -0.382683432));
 
-// A place in the spaces that vertices are needed in, or a step between two places.
+// A position in eye and clip coordinates, or the difference of two positions.
 struct Place
 {
     vec3 eye;
@@ -58,7 +58,7 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details)
     EmitVertex();
 }
 
-// Whether the eye is on the outer side of a plane of the grid that belongs to an axis.
+// Whether the eye is on the outer side of a plane perpendicular to an axis of the grid.
 bool isTurnedToEye(float place, int axis, bool upper)
 {
     return upper ? eye[axis] > place * eye.w : eye[axis] < place * eye.w;
@@ -100,7 +100,7 @@ vec3 across(float u, float v)
     return result;
 }
 
-// Whether the eye is on the outer side of a side of a stud's wall, given by its middle, in radii.
+// Whether the eye is on the outer side of one side of a stud's wall. `middle` is the centre of this side, in radii.
 bool isWallSeen(vec3 center, vec2 middle)
 {
     vec3 outward = across(middle.x, middle.y);
@@ -127,14 +127,14 @@ void emitStud(vec3 center, vec3 up)
     uint wall = detailOf(brick[0], STUD_WALL, upAxis, true);
     uint disk = detailOf(brick[0], STUD_DISK, upAxis, true);
 
-    // A side of the wall is seen when the middle of it faces the eye; two sides share the vertices between them, whose
-    // details are those of the side that they end.
+    // A side of the wall is seen if its centre faces the eye. Adjacent sides share vertices; a shared vertex has the details
+    // of the side that ends at it.
     bool wasSeen = false;
     bool wasTurned = true;
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
         vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
-        // The seam's two edges are the same edge, to the last digit.
+        // The first and the last edge are exactly the same.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
         bool isTurned = isWallSeen(center, 0.5 * (direction + next));
         bool isSeen = side < STUD_SIDES && (showsInsides || isTurned);

@@ -1,5 +1,5 @@
-// Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. Where ambient occlusion
-// follows (#define GEOMETRY_BUFFER), the light of the probe is left to it.
+// Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. If ambient occlusion
+// follows (#define GEOMETRY_BUFFER), it adds the light of the probe.
 
 #include "polygonization/brick_surface.glsl"
 #include "light/lighting.glsl"
@@ -11,17 +11,17 @@
 #include "light/ambient_light.glsl"
 #endif
 
-uniform bool usesMaterial; // the specular of osg::Material in place of plastic
+uniform bool usesMaterial; // use the specular reflection of osg::Material instead of plastic's
 
 const float PLASTIC_REFLECTANCE = 0.04;
-const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
-// The scene's lights shine beside the light from all around, which alone shows the shape of what a headlight shines upon.
-// As bright as they are made for scenes without it, they would leave nothing of that.
+const float LIGHT_SIZE = 0.12; // lights are not points; the slope by which their size widens highlights
+// The scene's lights are added to the environment light, which alone shows the shape of an object lit by a headlight. They
+// are usually set up for scenes without environment light; at full brightness they would drown it.
 const float DIRECT_SHARE = 1.0 / 6.0;
-// A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
+// Physically correct highlights would be extremely bright, since lights are small; a headlight would wash out flat faces.
 const float HIGHLIGHT = 0.02;
 
-// Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
+// Direct light from the scene's lights; highlights use Phong's lobe, normalized so that a narrower one is brighter.
 vec3 directLight(Surface surface, vec3 albedo)
 {
     vec3 toEye = towardsEye(eyePosition);

@@ -1,23 +1,23 @@
-// Rays of pixels through bricks, which need no triangles then: a splat is a square of pixels that a brick's picture lies
-// within, and every pixel of it looks where its ray meets the brick (Majercik et al. 2018, "A Ray-Box Intersection
-// Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as the geometry shader makes them.
+// Intersections of the rays of pixels with bricks, for drawing without triangles: a splat is a square of pixels that encloses
+// a brick's picture, and each of its pixels intersects its ray with the brick (Majercik et al. 2018, "A Ray-Box Intersection
+// Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as in the geometry shader.
 //
-// A splat in two words: the cell on the axes of a stud, the last of which is up, by 10, 10 and 12 bits | where the ray
-// meets it: the axis of a face, likewise, or STUD (2 bits), the open sides (6), the colour (24).
+// A splat has two words. The first is the cell in stud coordinates, whose last axis is up (10, 10 and 12 bits). The second is
+// the part that the ray hits, the axis of a face in stud coordinates or STUD (2 bits), the open sides (6), the colour (24).
 
 #include "osgLego/BrickDimensions.h"
 
-#if !defined(SPLATS) // which are told otherwise, see splat_scene.glsl
+#if !defined(SPLATS) // the shading of splats takes these from splat_scene.glsl
 uniform int upAxis;
 uniform float studHeight;  // in cells
-uniform vec4 eye;          // in cells: a place, or, where the last is 0, the direction towards it
-uniform mat3 rayOrigin;    // in cells, of the picture's lower left corner, and its change by pixels to the right and up
+uniform vec4 eye;          // in cells: the position or, if w is 0, the direction towards the eye
+uniform mat3 rayOrigin;    // in cells: at the picture's lower left corner, and the changes per pixel to the right and up
 uniform mat3 rayDirection; // likewise
 #endif
 
 const uint STUD = 3u;
 const float APOTHEM = STUD_RADIUS * 0.980785280; // the cosine of half a side's angle
-// The normals of one side of each opposite pair.
+// The normal of one side of each opposite pair.
 const vec2 FACETS[STUD_SIDES / 2] =
     vec2[](vec2(0.980785280, 0.195090322), vec2(0.831469612, 0.555570233), vec2(0.555570233, 0.831469612),
            vec2(0.195090322, 0.980785280), vec2(-0.195090322, 0.980785280), vec2(-0.555570233, 0.831469612),
@@ -30,7 +30,7 @@ struct Ray
     vec3 direction;
 };
 
-// From the axes of the grid to those across a stud, and its own.
+// From the axes of the grid to those of a stud: two across, and its own.
 vec3 toStud(vec3 vector)
 {
     return upAxis == 1 ? vector.zxy : vector;
@@ -49,14 +49,14 @@ uvec2 packSplat(uvec3 brick)
                  (brick.y >> 16) << 2 | (brick.z & 0xffffffu) << 8);
 }
 
-// The cell on the axes of a stud.
+// The cell in stud coordinates.
 vec3 cellOf(uvec2 splat)
 {
     return vec3(splat.x & 1023u, splat.x >> 10 & 1023u, splat.x >> 20);
 }
 
-// Where a ray on the axes of a stud meets its prism: how far on; `facet` is the normal of the side it comes in by, 0 for
-// the disk.
+// The parameter at which a ray, in stud coordinates, hits the stud's prism; NEVER if it misses. `facet` is the normal of the
+// side that it enters through, 0 for the disk.
 float meetStud(Ray ray, float height, out vec2 facet)
 {
     vec3 origin = ray.origin - vec3(0.5, 0.5, 1.0);
@@ -66,7 +66,7 @@ float meetStud(Ray ray, float height, out vec2 facet)
     vec2 normal = vec2(0.0);
     for (int index = 0; index < STUD_SIDES / 2; ++index)
     {
-        // Along a facet, a ray is as good as any that meets it far away.
+        // A ray parallel to a facet is treated as one that hits it far away.
         float speed = dot(FACETS[index], direction.xy);
         float slower = 1.0 / (abs(speed) < 1e-12 ? 1e-12 : speed);
         float middle = -dot(FACETS[index], origin.xy) * slower;

@@ -1,4 +1,4 @@
-// Shading of splats: the tiles of the picture that bricks may lie in, each a point.
+// Shading of splats: draws a point over each tile of the picture that may contain bricks.
 
 #define PASSED flat out
 #include "polygonization/splat_scene.glsl"
@@ -62,7 +62,7 @@ void main()
     sceneFog[1] = vec4(gl_Fog.end, gl_Fog.scale, 0.0, 0.0);
 
     vec2 tile = vec2(gl_VertexID % tilesAcross, gl_VertexID / tilesAcross);
-    // The last of a row or column is moved in, so that no middle lies outside.
+    // The last tile of a row or column is moved inwards, so that its centre is inside the picture.
     vec2 middle = min((tile + 0.5) * tileSide, pictureSize - 0.5 * tileSide);
     middle = max(middle, 0.5 * min(vec2(tileSide), pictureSize));
     gl_PointSize = tileSide;

@@ -1,6 +1,6 @@
-// Splats: which brick a pixel shows. All of it is on the axes of a stud.
+// Splats: finds the brick that a pixel shows. All coordinates are stud coordinates (see splat_rays.glsl).
 //
-// No uniform is read here but by vertices: renderers in software read uniforms anew for every few pixels.
+// Only the vertex shader reads uniforms: software renderers read them again for every few pixels.
 
 #include "polygonization/splat_rays.glsl"
 
@@ -10,16 +10,16 @@ flat in vec4 rays[4];
 
 out uvec2 nearest;
 
-const float TINY = 1e-20; // in place of directions of 0
+const float TINY = 1e-20; // avoids divisions by 0
 
-// From the lower corner of the cell on.
+// In coordinates relative to the lower corner of the cell.
 Ray rayHere()
 {
     vec3 change = gl_FragCoord.x * rays[0].xyz + gl_FragCoord.y * rays[1].xyz;
     return Ray(rays[2].xyz + (1.0 - rays[0].w) * change, rays[3].xyz + rays[0].w * change);
 }
 
-// How far on a ray meets a side that is seen, which is `part` then; NEVER if it does not.
+// The parameter at which a ray hits a visible side; `part` becomes the axis of this side. NEVER if it misses.
 float meetSides(Ray ray, inout uint part)
 {
     vec3 steps = 1.0 / (ray.direction + TINY);

@@ -1,4 +1,4 @@
-// Splats: each brick becomes a point as large as what may be seen of it.
+// Splats: each brick becomes a point just large enough to cover the parts of it that may be visible.
 
 #include "polygonization/splat_rays.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
@@ -6,19 +6,19 @@
 layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
 
 uniform vec2 pictureSize; // pixels
-uniform vec2 depth;       // at the start of a ray, and by how far on or, in perspective, by the reciprocal of that
+uniform vec2 depth;       // at the start of a ray, and the change with the ray's parameter (in perspective: its reciprocal)
 
-// Two words of splat_rays.glsl; what is open and turned towards the eye: the sides, by axis of a stud, and the stud; the
-// height of studs.
+// The two words described in splat_rays.glsl; bits for the sides (by axis, in stud coordinates) and the stud that are open
+// and turned towards the eye; the height of studs.
 flat out uvec4 splat;
-// Of rays, on the axes of a stud: the change by pixels to the right and up, and their origin, from the cell on, and direction
-// in the picture's corner. Beside these: 1 where the direction changes, and 0 where the origin does; the slack, in cells; the
-// depth.
+// xyz, in stud coordinates: the changes of rays per pixel to the right and up, and the origin (relative to the cell) and
+// direction of the ray at the picture's corner. w: 1 if the direction changes from pixel to pixel, 0 if the origin does; the
+// slack, in cells; the depth.
 flat out vec4 rays[4];
 
-const float SLACK = 0.002; // pixels by which sides reach out, so that rounding leaves no cracks between bricks
-const float MARGIN = 0.05; // pixels, for what rounding may take off a point
-// Left of the picture, which the viewport reaches beyond: what it clips takes a slower way through the renderer.
+const float SLACK = 0.002; // pixels by which sides are extended, so that rounding leaves no cracks between bricks
+const float MARGIN = 0.05; // pixels added to each side of a point, since rounding may shrink it
+// Left of the picture but inside the viewport, which extends beyond the picture: clipped points are slower to process.
 const vec4 NOWHERE = vec4(-0.5, 0.0, 0.0, 1.0);
 
 struct Box
@@ -27,7 +27,7 @@ struct Box
     vec3 upper;
 };
 
-// By axis, whether the side that is turned towards the eye is open.
+// For each axis, whether the side turned towards the eye is open.
 bvec3 seenSides(vec3 toEye, uint open)
 {
     uvec3 sides = uvec3(open, open >> 2, open >> 4);
@@ -35,7 +35,7 @@ bvec3 seenSides(vec3 toEye, uint open)
     return notEqual(sides & turned, uvec3(0u));
 }
 
-// The box around sides of a cell: a single one is flat.
+// The bounding box of the visible sides of a cell, which is flat if there is only one.
 Box boxAround(bvec3 seen, vec3 toEye)
 {
     if (!any(seen)) return Box(vec3(2.0), vec3(-1.0));
@@ -44,7 +44,7 @@ Box boxAround(bvec3 seen, vec3 toEye)
     return Box(mix(side, vec3(0.0), isDeep), mix(side, vec3(1.0), isDeep));
 }
 
-// The place of a box in the picture, from -1 to 1: its middle and how far it reaches at most.
+// The bounds of a box in the picture, from -1 to 1: its centre and an upper bound of its half extent.
 vec4 pictureOf(Box box)
 {
     vec3 reach = 0.5 * (box.upper - box.lower);
@@ -65,7 +65,7 @@ void passRays(vec3 cell)
 {
     bool isPerspective = eye.w != 0.0;
     mat3 change = isPerspective ? rayDirection : rayOrigin;
-    // The directions of rays are about as long as 1.
+    // The directions of rays have a length of about 1.
     float range = isPerspective ? length(eye.xyz - cell) : 1.0;
     rays[0] = vec4(change[1], eye.w);
     rays[1] = vec4(change[2], SLACK * range * length(change[1]));
