@@ -17,12 +17,12 @@ namespace osgLego
 namespace
 {
 
-const char* const NO_MEMORY = "there is no memory for the picture of a light probe";
+const char* const NO_MEMORY = "there is not enough memory for the picture of a light probe";
 
 osgDB::ReaderWriter::ReadResult readImage(const std::string& fileName)
 {
     osgDB::Registry* registry = osgDB::Registry::instance();
-    // This project's plugin keeps floats, and checks what a header claims before it believes it; OSG's own need not.
+    // This project's plugin keeps floats and checks the values in the header; OSG's plugins may not.
     if (osgDB::ReaderWriter* plugin = registry->getReaderWriterForExtension("oiio"))
         return plugin->readImage(fileName + ".oiio", registry->getOptions());
     return registry->readImage(fileName, registry->getOptions());
@@ -55,7 +55,7 @@ osg::ref_ptr<LightProbe> LightProbe::read(const std::string& fileName, std::stri
         if (!image)
         {
             const std::string reason = result.statusMessage();
-            error = name + " can't be read: " + (reason.empty() ? "it is no image" : reason);
+            error = name + " can't be read: " + (reason.empty() ? "it is not an image" : reason);
             return nullptr;
         }
         osg::ref_ptr<LightProbe> probe = new LightProbe;
@@ -64,7 +64,7 @@ osg::ref_ptr<LightProbe> LightProbe::read(const std::string& fileName, std::stri
     }
     catch (const std::bad_alloc&)
     {
-        error = name + " can't be read: there is no memory for it";
+        error = name + " can't be read: there is not enough memory for it";
     }
     return nullptr;
 }
@@ -100,7 +100,7 @@ void LightProbe::setRotation(const osg::Quat& rotation)
     if (!std::isfinite(length) || length <= 0.0)
     {
         OSG_WARN << "osgLego: the rotation of a light probe is a quaternion of length " << length
-                 << "; allowed: finite ones above 0" << std::endl;
+                 << "; expected a finite length above 0" << std::endl;
         return;
     }
     _rotation = rotation / length;
@@ -110,7 +110,7 @@ void LightProbe::setIntensity(double intensity)
 {
     if (!std::isfinite(intensity) || intensity < 0.0)
     {
-        OSG_WARN << "osgLego: the intensity of a light probe is " << intensity << "; allowed: 0 or more" << std::endl;
+        OSG_WARN << "osgLego: the intensity of a light probe is " << intensity << "; expected 0 or more" << std::endl;
         return;
     }
     _intensity = intensity;

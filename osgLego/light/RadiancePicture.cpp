@@ -118,19 +118,19 @@ std::string findFault(const osg::Image& image, LightProbe::Mapping mapping)
 {
     if (!image.data() || image.s() < 1 || image.t() < 1) return "the picture of a light probe has no pixels";
     if (image.r() != 1)
-        return "the picture of a light probe has " + std::to_string(image.r()) + " layers; allowed: one";
+        return "the picture of a light probe has " + std::to_string(image.r()) + " layers; expected one";
     if (channelOrderOf(image.getPixelFormat()).count == 0)
         return "the picture of a light probe has " +
                std::to_string(osg::Image::computeNumComponents(image.getPixelFormat())) +
-               " channels, or others than colours; allowed: grey, RGB and RGBA, uncompressed";
+               " channels, or channels other than colours; expected grey, RGB or RGBA, uncompressed";
     if (bytesOf(image.getDataType()) == 0)
-        return "the picture of a light probe has channels of another type; allowed: floats, unsigned bytes and "
+        return "the picture of a light probe has channels of another type; expected floats, unsigned bytes or "
                "unsigned shorts";
     if (mapping == LightProbe::AUTO && image.s() != image.t() && image.s() / 2.0 != image.t())
         return "the picture of a light probe is " + sizeOf(image) +
-               " pixels; allowed: twice as wide as high (latitude and longitude), or square (an angular map)";
+               " pixels; expected twice as wide as high (latitude and longitude), or square (an angular map)";
     if (mapping == LightProbe::ANGULAR && image.s() != image.t())
-        return "the angular map of a light probe is " + sizeOf(image) + " pixels; allowed: square ones";
+        return "the angular map of a light probe is " + sizeOf(image) + " pixels; expected a square";
     return {};
 }
 
@@ -167,7 +167,7 @@ std::optional<RadiancePicture> RadiancePicture::read(const osg::Image& image, Li
                 (*pixel)[channel] = reader.read(data, order.channels[static_cast<std::size_t>(channel)]);
     }
     if (picture.mend()) return picture;
-    error = "the picture of a light probe gives no light: not one pixel is finite and above 0";
+    error = "the picture of a light probe gives no light; expected at least one finite pixel above 0";
     return std::nullopt;
 }
 

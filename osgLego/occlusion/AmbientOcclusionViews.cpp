@@ -69,7 +69,7 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
     osg::ref_ptr<AmbientOcclusionView>& view = _views.find(visitor);
     if (!view || view->getFormat() != format) view = new AmbientOcclusionView(format, getPrograms(format, probe));
     if (!view->hasFailed()) return view;
-    warn(state.getContextID(), "there is no memory on the GPU for its buffers; allowed: a smaller viewport");
+    warn(state.getContextID(), "there is not enough memory on the GPU for its buffers; expected a smaller viewport");
     return {};
 }
 
