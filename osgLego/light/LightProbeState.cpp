@@ -19,10 +19,10 @@ namespace osgLego
 namespace
 {
 
-/** A texture of a latitude-longitude picture: it goes on around the sides, and ends at top and bottom. */
+/** Set a texture of a latitude-longitude picture: it repeats horizontally and is clamped at top and bottom. */
 void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::Image& image, bool hasLevels)
 {
-    // Both the same, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    // Both formats must be equal: otherwise OSG allocates a reused texture a second time, which GL rejects.
     image.setInternalTextureFormat(GL_RGB16F_ARB);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&image);
     texture->setInternalFormat(GL_RGB16F_ARB);
@@ -35,8 +35,8 @@ void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::I
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 
-/** The convolved map as shaders/light/ambient_light.glsl wants it, the poles in the middle of the first and the last
- * row; where harmonics do, a pixel that nobody looks at. */
+/** Create the convolved map for shaders/light/ambient_light.glsl, with the poles in the centres of the first and last
+ * row. If harmonics are used instead, it is a single unused pixel. */
 osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
 {
     const bool isUsed = probe.usesConvolvedMap();
@@ -63,8 +63,8 @@ osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
     return image;
 }
 
-/** The reflection maps of all roughnesses as the levels of one picture; below the last, which needs be there for GL's
- * sake alone, its first pixel. */
+/** Create an image with the reflection maps of all roughnesses as mipmap levels. GL requires further levels below the
+ * last one; they repeat its first pixel. */
 osg::ref_ptr<osg::Image> createLevels(const LightProbe& probe)
 {
     std::vector<float> all;

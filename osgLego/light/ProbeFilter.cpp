@@ -18,10 +18,11 @@ namespace
 constexpr double PI = std::numbers::pi;
 constexpr int NORMALS_ACROSS = LightProbe::CONVOLVED_WIDTH;
 constexpr std::size_t NORMALS = NORMALS_ACROSS * NORMALS_ACROSS / 2;
-/** Of a lobe's peak: what has less weight does not count. Leaves out a hundredth of the narrowest lobe. */
+/** Relative to the peak of a lobe: smaller weights are ignored. This omits a hundredth of the narrowest lobe. */
 constexpr double LEAST_WEIGHT = 1e-4;
 
-/** Normals and their irradiance, each coordinate by itself in floats, so that a compiler makes vectors of them. */
+/** Normals and their irradiance in single precision, with an array per coordinate so that the compiler can vectorize.
+ */
 struct Normals
 {
     std::array<float, NORMALS> x, y, z;
@@ -56,7 +57,7 @@ struct Normals
     }
 };
 
-/** The cells of a row that count for a pixel, by how many columns they are from it, and by how much. */
+/** The weights of the cells of a row for a pixel, by distance in columns. */
 struct Kernel
 {
     std::vector<int> columns;
@@ -64,7 +65,7 @@ struct Kernel
     double sum = 0.0;
 };
 
-/** Makes the kernels of one roughness. They are the same for all pixels of a row. */
+/** Computes the kernels of one roughness. They are the same for all pixels of a row. */
 class LobeKernels
 {
 public:
@@ -91,11 +92,11 @@ public:
     }
 
 private:
-    /** The distribution times the cosine, 1 in the middle of the lobe. */
+    /** The distribution times the cosine, 1 in the centre of the lobe. */
     double weightAt(double cosine) const
     {
         if (cosine <= 0.0) return 0.0;
-        // The half vector is half way between viewer and light.
+        // The half vector is halfway between the directions to the viewer and to the light.
         const double halfCosineSquared = 0.5 * (1.0 + cosine);
         const double spread = _alphaSquared / (halfCosineSquared * (_alphaSquared - 1.0) + 1.0);
         return cosine * spread * spread;
@@ -103,10 +104,10 @@ private:
 
     double _alphaSquared;
     int _columns;
-    double _shift; // between the middles of pixels and those of cells, in columns
+    double _shift; // between the centres of pixels and of cells, in columns
 };
 
-/** A row of radiance that goes on for half a turn at either end. */
+/** A row of radiance, extended by half a turn at both ends. */
 std::vector<osg::Vec3f> paddedRowOf(const RadianceGrid& grid, int row)
 {
     const int width = grid.getWidth();
@@ -166,7 +167,7 @@ osg::ref_ptr<osg::Image> filterByRoughness(const RadianceGrid& grid, double roug
                             LatitudeLongitude::solidAngleOf(gridRow, grid.getWidth(), grid.getHeight()), kernel);
             for (int column = 0; column < width; ++column)
             {
-                // The cell in the middle of the pixel, or just to the right of it, behind half a turn of padding.
+                // The cell at the centre of the pixel, or just to the right of it, after half a turn of padding.
                 const int middle = column * columnsPerPixel + columnsPerPixel / 2 + grid.getWidth() / 2;
                 const osg::Vec3f* cells = rows[static_cast<std::size_t>(gridRow)].data() + middle;
                 osg::Vec3f sum;

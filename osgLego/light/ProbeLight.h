@@ -13,15 +13,16 @@
 namespace osgLego
 {
 
-/** What follows from the picture of a light probe (see LightProbe for what each is).
+/** The data computed from the picture of a light probe; LightProbe describes it.
  *
- * Immutable once created: every function may be called from any thread, and probes of the same light share one. */
+ * Immutable once created: every function may be called from any thread, and probes with the same light share one
+ * object. */
 class ProbeLight : public osg::Referenced
 {
 public:
-    /** Throws std::bad_alloc when memory runs out. */
+    /** Throws std::bad_alloc if memory runs out. */
     static osg::ref_ptr<const ProbeLight> create(const RadiancePicture& picture);
-    /** That of the built-in sky, made when it is first asked for. */
+    /** The light of the built-in sky, computed on the first call. */
     static const ProbeLight& getSky();
 
     const SphericalHarmonics::Coefficients& getCoefficients() const { return _coefficients; }
@@ -30,7 +31,7 @@ public:
     double getHarmonicError() const { return _harmonicError; }
 
     osg::Vec3d getHarmonicIrradiance(const osg::Vec3d& normal) const;
-    /** The convolved map, interpolated. */
+    /** The value interpolated from the convolved map. */
     osg::Vec3d getConvolvedIrradiance(const osg::Vec3d& normal) const;
 
 private:

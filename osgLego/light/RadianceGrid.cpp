@@ -11,13 +11,13 @@ namespace osgLego
 namespace
 {
 
-/** Adds up the light of a cell. */
+/** Sums the light of a cell. */
 struct CellSum
 {
     double solidAngle = 0.0;
     osg::Vec3d flux;
     double brightness = 0.0;
-    osg::Vec3d moment; // of the brightness
+    osg::Vec3d moment; // sum of the directions, weighted by brightness
 
     void add(const osg::Vec3d& radiance, const osg::Vec3d& direction, double weight)
     {
@@ -56,7 +56,7 @@ RadianceGrid::RadianceGrid(const RadiancePicture& picture, int width, int height
         {
             const osg::Vec3d middle = LatitudeLongitude::directionAt((column + 0.5) / width, (row + 0.5) / height);
             CellSum& sum = sums[indexOf(column, row)];
-            // Near the poles cells are so narrow that the pieces of an angular map may miss them.
+            // Near the poles, cells are so narrow that all pieces of an angular map may miss them.
             if (sum.solidAngle == 0.0) sum.add(picture.getRadiance(middle), middle, 1.0);
             _cells[indexOf(column, row)] = sum.getMean(middle);
         }

@@ -11,22 +11,22 @@
 namespace osgLego
 {
 
-/** The radiance of a picture in fewer cells, by latitude and longitude, row 0 at the bottom.
+/** The radiance of a picture, averaged over cells by latitude and longitude, with row 0 at the bottom.
  *
- * A cell knows where in it the light comes from, so that a lamp that is smaller than a cell stays in its place. */
+ * Each cell stores the mean direction of its light, so that a lamp smaller than a cell keeps its position. */
 class RadianceGrid
 {
 public:
     struct Cell
     {
         osg::Vec3d radiance; //!< the mean over the cell's solid angle
-        osg::Vec3d centroid; //!< the mean direction, weighted by radiance: a little shorter than 1
+        osg::Vec3d centroid; //!< the mean direction, weighted by radiance: slightly shorter than 1
     };
 
-    /** The means over each cell of a picture. */
+    /** Compute the means over the cells of a picture. */
     RadianceGrid(const RadiancePicture& picture, int width, int height);
 
-    /** The same light in a grid of half the width and height, both of which are even. */
+    /** The same light in a grid of half the width and height; width and height must be even. */
     RadianceGrid halved() const;
 
     int getWidth() const { return _width; }
@@ -46,7 +46,7 @@ private:
     std::vector<Cell> _cells;
 };
 
-/** An image of GL_RGB and GL_FLOAT, its pixels not set. Throws std::bad_alloc where there is no memory for it. */
+/** Create an image with GL_RGB and GL_FLOAT and uninitialized pixels. Throws std::bad_alloc if memory runs out. */
 osg::ref_ptr<osg::Image> createRadianceImage(int width, int height);
 
 } // namespace osgLego

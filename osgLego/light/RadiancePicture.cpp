@@ -23,7 +23,7 @@ constexpr int PIECES_ACROSS = 512;
 constexpr int RIM_PIECES = 8;
 constexpr float LARGEST_HALF = 65504.0f;
 
-/** Where red, green and blue are in a pixel of an osg::Image. */
+/** The positions of red, green and blue in a pixel of an osg::Image. */
 struct ChannelOrder
 {
     std::size_t count = 0; // 0: a format that can't be read
@@ -70,7 +70,7 @@ float linearOf(double display)
     return static_cast<float>(display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4));
 }
 
-/** The linear value of each display value of `levels`, since to raise every pixel to a power takes its time. */
+/** Compute the linear value of each of `levels` display values: a table is faster than a power for every pixel. */
 std::vector<float> makeLinearTable(std::size_t levels)
 {
     std::vector<float> table(levels);
@@ -79,7 +79,7 @@ std::vector<float> makeLinearTable(std::size_t levels)
     return table;
 }
 
-/** Reads channels of any of the types that images may have. */
+/** Reads channels of any supported type. */
 class ChannelReader
 {
 public:
@@ -270,7 +270,7 @@ void RadiancePicture::visitLatitudesAndLongitudes(const std::function<void(const
 
 void RadiancePicture::visitCircle(const std::function<void(const Piece&)>& function) const
 {
-    const double pixelSize = 2.0 / _width; // the circle's radius being 1
+    const double pixelSize = 2.0 / _width; // if the radius of the circle is 1
     const int innerPieces = piecesOf(_width, PIECES_ACROSS);
     Piece piece;
     for (int row = 0; row < _height; ++row)
@@ -288,7 +288,7 @@ void RadiancePicture::visitCircle(const std::function<void(const Piece&)>& funct
                 const double z = row * pixelSize - 1.0 + (partRow + 0.5) * size;
                 const double radius = std::hypot(x, z);
                 if (radius >= 1.0) continue;
-                // A ring of the circle, 2 pi r dr, is a ring of the sphere, 2 pi sin(pi r) d(pi r).
+                // A ring of the circle, 2 pi r dr, maps to a ring of the sphere, 2 pi sin(pi r) d(pi r).
                 const double angle = PI * radius;
                 const double stretch = radius > 1e-9 ? std::sin(angle) / radius : PI;
                 piece.direction.set(x * stretch, std::cos(angle), z * stretch);

@@ -14,7 +14,7 @@
 namespace osgLego
 {
 
-/** The pixels of a light probe's picture: linear radiance, finite, none below 0.
+/** The pixels of a light probe's picture: linear radiance, finite and not negative.
  *
  * Usage:
  *
@@ -27,26 +27,27 @@ namespace osgLego
 class RadiancePicture
 {
 public:
-    /** A pixel, or part of one: so small that its middle may stand for all of it. */
+    /** A pixel or part of a pixel, small enough to be represented by its centre. */
     struct Piece
     {
         osg::Vec3d direction; //!< a unit vector
-        osg::Vec2d place;     //!< of the direction in the picture by latitude and longitude
+        osg::Vec2d place;     //!< the position of the direction in a picture by latitude and longitude
         double solidAngle = 0.0;
         osg::Vec3d radiance;
     };
 
-    /** Check an image and make its pixels linear. @return nothing, with one sentence in `error`, when it is no probe.
-     */
+    /** Check an image and convert its pixels to linear values. @return nothing, with one sentence in `error`, if the
+     * image can't be used as a light probe. */
     static std::optional<RadiancePicture> read(const osg::Image& image, LightProbe::Mapping mapping,
                                                std::string& error);
 
-    /** A picture by latitude and longitude of what a function of the unit vector says. */
+    /** Create a picture by latitude and longitude from a function that gives the radiance in the direction of a unit
+     * vector. */
     static RadiancePicture create(int width, int height,
                                   const std::function<osg::Vec3d(const osg::Vec3d& direction)>& radianceOf);
 
-    /** Call a function with all pieces; their solid angles make 4 pi. Large pixels come in several pieces, so that
-     * there are at least 512 from left to right, and the pixels on the rim of an angular map are cut by the circle. */
+    /** Call a function with all pieces; their solid angles add up to 4 pi. Large pixels are divided, so that there are
+     * at least 512 pieces from left to right. The pixels on the rim of an angular map are cut by the circle. */
     void visit(const std::function<void(const Piece&)>& function) const;
 
     /** The pixel in the direction of a unit vector. */
@@ -58,7 +59,8 @@ private:
     const osg::Vec3f& pixel(int column, int row) const;
     void visitLatitudesAndLongitudes(const std::function<void(const Piece&)>& function) const;
     void visitCircle(const std::function<void(const Piece&)>& function) const;
-    /** Pixels of no light become black, those of endless light bright. @return whether any gives light. */
+    /** Set negative and NaN pixels to 0, infinite ones to a large value. @return whether any pixel is finite and above
+     * 0. */
     bool mend();
 
     int _width;

@@ -9,15 +9,15 @@ namespace osgLego
 namespace
 {
 
-// In this light and a headlight's, a white surface is shown at 0.84 in front, above 0.9 on top, and below 0.7 at the
-// sides: so a brick's faces are told apart even where no other light shines.
+// With this light and a headlight, the display value of a white surface is 0.84 in front, above 0.9 on top, and below
+// 0.7 at the sides, so that a brick's faces can be distinguished without any other light.
 const osg::Vec3d ZENITH(0.52, 0.60, 0.72);
 const osg::Vec3d HORIZON(0.087, 0.090, 0.095);
 const osg::Vec3d GROUND(0.094, 0.090, 0.085);
 const osg::Vec3d GLOW(5.75, 5.30, 4.70);
-// Half the glow's light is within 19 degrees of its middle, as in a large softbox.
+// Half of the glow's light is within 19 degrees of its centre, as with a large softbox.
 constexpr double GLOW_SHARPNESS = 13.0;
-constexpr double HORIZON_SOFTNESS = 0.06; // as a height on the unit sphere
+constexpr double HORIZON_SOFTNESS = 0.06; // a height on the unit sphere
 
 osg::Vec3d glowDirection()
 {

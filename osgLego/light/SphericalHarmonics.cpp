@@ -11,11 +11,11 @@ constexpr double BAND_1 = 0.48860251190291992;  // sqrt(3 / (4 pi))
 constexpr double BAND_2 = 1.0925484305920792;   // sqrt(15 / (4 pi))
 constexpr double BAND_2_0 = 0.3153915652525200; // sqrt(5 / (16 pi))
 
-/** Each harmonic over its monomial. */
+/** Each harmonic, divided by its monomial. */
 constexpr std::array<double, COUNT> NORMALIZATION{BAND_0, BAND_1,   BAND_1, BAND_1,      BAND_2,
                                                   BAND_2, BAND_2_0, BAND_2, 0.5 * BAND_2};
 
-/** By how much the cosine in a surface's irradiance weakens each harmonic, over pi: 1, 2/3 and 1/4 by band. */
+/** The attenuation of each harmonic by the cosine in the irradiance, divided by pi: 1, 2/3 and 1/4 by band. */
 constexpr std::array<double, COUNT> COSINE{1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25, 0.25, 0.25};
 
 std::array<double, COUNT> evaluateMonomials(const osg::Vec3d& direction)

@@ -7,14 +7,14 @@
 namespace osgLego
 {
 
-/** Radiance, or irradiance, by the nine real spherical harmonics of the first three bands.
+/** Radiance or irradiance as a sum of the nine real spherical harmonics of the first three bands.
  *
- * In the order and with the constants of Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance
+ * They have the order and constants of Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance
  * Environment Maps", 2001: Y00; Y1-1 (y), Y10 (z), Y11 (x); Y2-2 (xy), Y2-1 (yz), Y20 (3z^2 - 1), Y21 (xz),
  * Y22 (x^2 - y^2). Every function may be called from any thread.
  *
- * The constants are in the .cpp alone: shaders/light/ambient_light.glsl is given an irradiance polynomial and evaluates
- * it as evaluatePolynomial() does, of which AmbientLightTest compares the results. */
+ * The constants are only in the .cpp file: shaders/light/ambient_light.glsl gets an irradiance polynomial and evaluates
+ * it like evaluatePolynomial(). AmbientLightTest compares the results. */
 namespace SphericalHarmonics
 {
 
@@ -24,11 +24,11 @@ using Coefficients = std::array<osg::Vec3d, COUNT>;
 /** The value of each harmonic in the direction of a unit vector. */
 std::array<double, COUNT> evaluate(const osg::Vec3d& direction);
 
-/** The irradiance over pi, by the unit normal of a surface, as a polynomial: from the coefficients of the radiance
- * those of 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2. Red, green and blue. */
+/** Convert the coefficients of radiance to irradiance, divided by pi, as a polynomial in the unit normal of a surface:
+ * the coefficients of 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2, each for red, green and blue. */
 Coefficients toIrradiancePolynomial(const Coefficients& radiance);
 
-/** The value of a polynomial. Below 0 where the light has more contrast than nine harmonics can tell. */
+/** The value of a polynomial. Can be negative if the light has too much contrast for nine harmonics. */
 osg::Vec3d evaluatePolynomial(const Coefficients& polynomial, const osg::Vec3d& normal);
 
 } // namespace SphericalHarmonics

@@ -21,19 +21,19 @@ namespace osgLego
 namespace
 {
 
-constexpr float NOTHING = -1e15f; // beyond that of shaders/occlusion/view_position.glsl
-// Behind what is opaque in the frame around, before what is transparent.
+constexpr float NOTHING = -1e15f; // beyond NOTHING in shaders/occlusion/view_position.glsl
+// After the opaque nodes of the outer frame, before the transparent ones.
 constexpr int COMPOSITE_BIN = osg::StateSet::TRANSPARENT_BIN - 1;
 
-/** What a quality stands for. Few steps miss what is between them, and no pixel knows what is hidden behind others;
- * both leave pictures too bright, which radius and power make good. They were found by `osglegobench occlusion` on its
- * first view. */
+/** The parameters of a quality. Few steps miss occluders between them, and surfaces hidden behind others are unknown;
+ * both make pictures too bright. Radius and power compensate for this; they were fitted with `osglegobench occlusion`
+ * on its first view. */
 struct Effort
 {
-    int slices;   // by pixel
-    int steps;    // to each side of a slice
-    float radius; // over the one that is asked for
-    float power;  // of visibility
+    int slices;   // per pixel
+    int steps;    // on each side of a slice
+    float radius; // factor for the radius in the settings
+    float power;  // exponent applied to visibility
 };
 
 Effort effortOf(AmbientOcclusionQuality quality)
@@ -75,20 +75,20 @@ osg::ref_ptr<osg::Texture2D> createColorTexture(const glm::ivec2& size, GLint in
     return createTexture(size, internalFormat, GL_RGBA, GL_FLOAT);
 }
 
-/** Have OSG allocate a texture by glTexImage2DMultisample.
+/** Make OSG allocate a texture with glTexImage2DMultisample.
  *
- * For a texture without a border, OSG 3.6.5 calls glTexStorage2DMultisample, but has looked the function up by the name
- * glTextureStorage2DMultisample, which expects the name of a texture in place of a target: GL reports an error, and the
- * texture stays without memory. A texture of several samples never has a border, and OSG uses the width for nothing
- * else, so a width of 1 has no other effect. The alternatives reach further: GLExtensions, which could be corrected, is
- * shared by everything that is drawn in a context, and a class that overrides Texture2DMultisample::apply() would
- * repeat all of it. */
+ * For a texture without a border, OSG 3.6.5 calls its pointer to glTexStorage2DMultisample, but has loaded it with
+ * glTextureStorage2DMultisample, which expects the name of a texture instead of a target: GL reports an error, and the
+ * texture gets no memory. A multisample texture never has a border, and OSG does not use the border width for anything
+ * else, so a width of 1 has no other effect. The alternatives are more invasive: GLExtensions could be corrected, but
+ * is shared by everything drawn in a context, and a class that overrides Texture2DMultisample::apply() would have to
+ * duplicate it. */
 void avoidTextureStorage(osg::Texture2DMultisample& texture)
 {
     texture.setBorderWidth(1);
 }
 
-/** A texture with the samples of a format, to be attached to a frame buffer object. */
+/** Create a texture with a format's number of samples, for a frame buffer object. */
 osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& format, GLint internalFormat, GLenum pixels)
 {
     if (format.samples == 1) return createTexture(format.size, internalFormat, pixels, GL_FLOAT);
@@ -118,7 +118,7 @@ std::string define(const char* name, int value)
     return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
-/** The place of a state graph's state with another in the place of one of its state sets. */
+/** Find the state graph for the same path of state sets as `graph`, with `from` replaced by `to`. */
 osgUtil::StateGraph* replaceState(osgUtil::StateGraph* graph, const osg::StateSet& from, const osg::StateSet& to)
 {
     if (!graph->_parent) return graph;
@@ -126,25 +126,25 @@ osgUtil::StateGraph* replaceState(osgUtil::StateGraph* graph, const osg::StateSe
     return replaceState(graph->_parent, from, to)->find_or_insert(state);
 }
 
-/** The name of the kind of a bin. */
+/** The prototype name of a render bin. */
 const char* kindOf(const osgUtil::RenderBin& bin)
 {
     if (bin.getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT) return "DepthSortedBin";
     return bin.getSortMode() == osgUtil::RenderBin::TRAVERSAL_ORDER ? "TraversalOrderBin" : "RenderBin";
 }
 
-/** Moves what is transparent from a stage to the frame around: nothing there needs occlusion, and all of it must come
- * after what is opaque on both sides. */
+/** Moves transparent nodes from a stage to the outer frame: they need no occlusion, and must be drawn after all opaque
+ * nodes, inside and outside. */
 class TransparentHandOver
 {
 public:
     /** @param inside the state of the stage.
-     * @param outside what stands for it in the frame around. */
+     * @param outside the state that replaces it in the outer frame. */
     TransparentHandOver(const osg::StateSet& inside, const osg::StateSet& outside) : _inside(inside), _outside(outside)
     {
     }
 
-    /** Move the transparent bins of a bin, and of those within it. */
+    /** Move the transparent bins inside a bin, at any depth. */
     void handOn(osgUtil::RenderBin& from, osgUtil::RenderBin& outer) const
     {
         osgUtil::RenderBin::RenderBinList& bins = from.getRenderBinList();
@@ -180,7 +180,7 @@ private:
     const osg::StateSet& _outside;
 };
 
-/** Let lights and clip planes among the children act on the frame around, as those of other groups do. */
+/** Apply lights and clip planes among the children to the outer frame, as with any other group. */
 void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& outer)
 {
     osgUtil::PositionalStateContainer& state = *stage.getPositionalStateContainer();
@@ -208,9 +208,9 @@ AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOc
     _format(format), _programs(&programs), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
     _childState(new osg::StateSet), _transparentState(new osg::StateSet)
 {
-    // The viewport of the camera is part of the state above, and has another origin.
+    // The state above includes the camera's viewport, which has a different origin.
     _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
-    // These act on the composite, and what is in the buffer is no colour.
+    // Colour masks and blending are applied to the composite; the buffer does not contain colours.
     _childState->setAttribute(new osg::ColorMask, OVERRIDE_PROTECTED);
     _childState->setMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
     createGeometryBuffer();

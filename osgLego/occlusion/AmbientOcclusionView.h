@@ -18,7 +18,8 @@
 namespace osgLego
 {
 
-/** What views of one quality and number of samples share, whatever their size: it takes long to make. */
+/** The programs and textures shared by all views with the same quality and number of samples, since creating them is
+ * expensive. */
 struct AmbientOcclusionPrograms : public osg::Referenced
 {
     AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality, const LightProbe& probe);
@@ -28,24 +29,24 @@ struct AmbientOcclusionPrograms : public osg::Referenced
     osg::ref_ptr<osg::Program> denoise;
     osg::ref_ptr<osg::Program> composite;
     osg::ref_ptr<osg::Texture2D> noise;
-    osg::ref_ptr<osg::StateSet> light; //!< of the probe
+    osg::ref_ptr<osg::StateSet> light; //!< uniforms and textures of the probe
 
 private:
     ~AmbientOcclusionPrograms() override = default;
 };
 
-/** An AmbientOcclusionScene as one camera sees it: the buffers, and the passes over them.
+/** The view of an AmbientOcclusionScene by one camera: the buffers, and the passes over them.
  *
- * Made anew when what it is made for changes. Used by one cull visitor.
+ * If the format changes, a new view is created. Used by one cull visitor.
  */
 class AmbientOcclusionView : public osg::Referenced
 {
 public:
-    /** What decides buffers and programs. */
+    /** The values that determine buffers and programs. */
     struct Format
     {
         glm::ivec2 size{1}; //!< pixels
-        int samples = 1;    //!< a pixel
+        int samples = 1;    //!< per pixel
         AmbientOcclusionQuality quality = AmbientOcclusionQuality::MEDIUM;
 
         bool operator==(const Format&) const = default;
@@ -55,13 +56,13 @@ public:
 
     const Format& getFormat() const { return _format; }
 
-    /** Cull children into the geometry buffer, and the passes and the composite behind them.
-     * @param sceneRadius of the children's bound, in units of the world.
-     * @param cullChildren traverses them with the visitor. */
+    /** Cull the children for the geometry buffer, then the passes and the composite.
+     * @param sceneRadius the radius of the children's bound, in world units.
+     * @param cullChildren traverses the children with the visitor. */
     void cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings, double sceneRadius,
               const std::function<void()>& cullChildren);
 
-    /** Whether there was no memory on the GPU for the buffers. */
+    /** Whether the GPU had too little memory for the buffers. */
     bool hasFailed() const { return _stage->hasFailed(); }
 
     void setTiming(bool timing);
@@ -85,7 +86,7 @@ private:
     osg::ref_ptr<osg::Texture> _albedo;
     osg::ref_ptr<osg::Texture> _normals;
     osg::ref_ptr<osg::Texture> _depth;
-    // They tell the children's state graphs from those of others.
+    // They distinguish the children's state graphs from those of other nodes.
     osg::ref_ptr<osg::StateSet> _childState;
     osg::ref_ptr<osg::StateSet> _transparentState;
 

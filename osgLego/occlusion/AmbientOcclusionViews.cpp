@@ -13,7 +13,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int SAMPLES = 4; // every GL has as many
+constexpr int SAMPLES = 4; // supported by every GL
 
 bool isColor(osg::Camera::BufferComponent component)
 {
@@ -27,7 +27,7 @@ bool drawsColors(const osg::Camera& camera)
            std::any_of(attachments.begin(), attachments.end(), [](const auto& item) { return isColor(item.first); });
 }
 
-/** The samples of what a camera draws into. */
+/** The number of samples of a camera's target. */
 int samplesOf(const osg::Camera& camera, const osg::State& state)
 {
     unsigned int samples = 0;

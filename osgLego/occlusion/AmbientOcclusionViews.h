@@ -21,13 +21,13 @@ namespace osgLego
 class AmbientOcclusionViews
 {
 public:
-    /** The view for a visit of the scene; made when there is none that fits.
-     * @return null when the scene is to be drawn as a plain group: below another such scene, for a camera that draws
-     * depths alone, and in a context that lacks what it takes, or memory, of which a warning tells once. */
+    /** The view for a traversal of the scene; created if there is none with the right format.
+     * @return null if the scene must be drawn like an osg::Group: inside another AmbientOcclusionScene, by a camera
+     * that draws only depth, or, with one warning, in a context that lacks features or memory. */
     osg::ref_ptr<AmbientOcclusionView> find(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
                                             const LightProbe& probe);
 
-    /** Have all views made anew. */
+    /** Discard all views, so that new ones are created. */
     void clear();
 
     AmbientOcclusionTimes getTimes(unsigned int contextID) const;
@@ -42,7 +42,7 @@ private:
     mutable std::mutex _mutex;
     PerVisit<osg::ref_ptr<AmbientOcclusionView>> _views;
     std::map<std::pair<int, AmbientOcclusionQuality>, osg::ref_ptr<const AmbientOcclusionPrograms>> _programs;
-    std::vector<unsigned int> _warned; // of contexts that lack something
+    std::vector<unsigned int> _warned; // IDs of contexts with a warning
 };
 
 } // namespace osgLego

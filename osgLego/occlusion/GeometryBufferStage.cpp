@@ -16,7 +16,7 @@ namespace osgLego
 namespace
 {
 
-/** The positional state of a stage, behind what it inherits. */
+/** The positional state of a stage, applied after the inherited one. */
 class StateOfStage : public osgUtil::PositionalStateContainer
 {
 public:
@@ -40,7 +40,7 @@ private:
 
 } // namespace
 
-/** Draws only if the buffer is there: OSG would draw into the window instead. */
+/** Draws only if the buffer is complete: otherwise OSG would draw into the window. */
 class GeometryBufferStage::Draw : public osgUtil::RenderBin::DrawCallback
 {
 public:

@@ -19,23 +19,23 @@ public:
 
     void reset() override;
 
-    /** Let lights and clip planes of the stage around act in this one as they do there: those that it inherits from
-     * stages around it, as one that renders to a texture does, too. */
+    /** Apply the lights and clip planes of the outer stage to this one, including those that the outer stage inherits
+     * itself, as stages that render to textures do. */
     void inheritPositionalState(osgUtil::RenderStage& outer);
 
-    /** Have cameras among the children that draw after the frame do so after the frame around. */
+    /** Move the POST_RENDER cameras among the children to the outer stage, so that they are drawn after it. */
     void handOnPostRenderStages(osgUtil::RenderStage& outer);
 
     void noteBricks(double pitch, const osg::Matrixd& modelView) override;
-    /** How wide the widest bricks of this frame are, in the eye's coordinates; 0 when there are none. */
+    /** The width of the widest bricks in this frame, in eye coordinates; 0 if there are none. */
     double getPitch() const { return _pitch; }
 
-    /** Wait after drawing, and have getTime(). */
+    /** Wait for the GPU after drawing, so that getTime() can return a time. */
     void setTiming(bool timing);
-    /** The milliseconds that drawing the children took last; 0 without timing. */
+    /** The time it took to draw the children in the last frame, in milliseconds; 0 without setTiming(). */
     double getTime() const;
 
-    /** Whether there was no memory on the GPU for the buffer when it was to be drawn into, and nothing was drawn. */
+    /** Whether the GPU had too little memory for the buffer, so that nothing was drawn. */
     bool hasFailed() const;
 
     osg::Object* cloneType() const override { return new GeometryBufferStage; }

@@ -13,7 +13,7 @@ namespace
 
 constexpr int SIZE = 64;
 
-/** How far along the Hilbert curve through the square a pixel lies. */
+/** The position of a pixel along the Hilbert curve through the square. */
 int hilbertIndex(int x, int y)
 {
     int index = 0;
@@ -42,7 +42,7 @@ double fraction(double value)
 
 osg::ref_ptr<osg::Texture2D> createOcclusionNoise()
 {
-    // The plastic number, by which the sequence goes on (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
+    // The plastic number, on which the sequence is based (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
     // Sequences").
     constexpr double PLASTIC_NUMBER = 1.32471795724474602596;
     osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -58,7 +58,7 @@ osg::ref_ptr<osg::Texture2D> createOcclusionNoise()
         }
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setInternalFormat(GL_RG16F);
-    // Or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    // Must be the texture's format: otherwise OSG allocates a reused texture a second time, which GL rejects.
     image->setInternalTextureFormat(GL_RG16F);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);

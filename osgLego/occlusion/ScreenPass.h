@@ -17,15 +17,15 @@
 namespace osgLego
 {
 
-/** A program run over every pixel of a picture: one triangle that covers it.
+/** Runs a program for every pixel of a picture, by drawing one triangle that covers the picture.
  *
- * Reads textures by texture unit, in the order in which they are given, and what shaders/occlusion/view_position.glsl
- * and shaders/light/ambient_light.glsl say of the scene. Used by one cull visitor.
+ * Input textures get the texture units 0, 1, ... in the given order. Also sets the uniforms of the scene declared in
+ * shaders/occlusion/view_position.glsl and shaders/light/ambient_light.glsl. Used by one cull visitor.
  */
 class ScreenPass : public osg::Drawable
 {
 public:
-    /** Behind cameras whose textures the scene may use. */
+    /** After cameras that draw textures for the scene. */
     static constexpr int RENDER_ORDER = 1000;
 
     struct Input
@@ -36,23 +36,24 @@ public:
 
     ScreenPass(osg::Program& program, const std::vector<Input>& inputs);
 
-    /** Draw into textures, cleared before to `clearColor`, ahead of the frame. Without this, into the frame itself. */
+    /** Draw before the frame into textures, which are first cleared to `clearColor`. Without targets, the pass draws
+     * into the frame itself. */
     void setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor);
 
-    /** Give this to a cull visitor: the camera, or, of a pass without targets, the drawable itself. */
+    /** The node for a cull visitor: the camera or, for a pass without targets, the drawable itself. */
     osg::Node& getNode();
 
-    /** The scene's projection, whose near and far planes may still change until it is drawn, the turn from the eye's
-     * coordinates to the world's, and where its picture is in the frame, in pixels. */
+    /** Set the scene's projection, whose near and far planes may still change before drawing; the rotation from eye
+     * coordinates to world coordinates; and the lower left corner and size of the picture in the frame, in pixels. */
     void setView(const osg::RefMatrix& projection, const osg::Matrixd& eyeToWorld, const glm::ivec2& origin,
                  const glm::ivec2& size);
 
-    /** Draw only what a stage has drawn. */
+    /** Skip this pass if the given stage could not draw. */
     void setSource(const GeometryBufferStage& source) { _source = &source; }
 
-    /** Wait after drawing, and have getTime(). */
+    /** Wait for the GPU after drawing, so that getTime() can return a time. */
     void setTiming(bool timing) { _timing = timing; }
-    /** The milliseconds that it took when it was drawn last; 0 without timing. */
+    /** The duration of the last drawing, in milliseconds; 0 without setTiming(). */
     double getTime() const { return _time; }
 
     osg::BoundingBox computeBoundingBox() const override { return {}; }
