@@ -19,7 +19,7 @@ using BrickDimensions::STUD_HEIGHT;
 using BrickDimensions::STUD_RADIUS;
 using BrickDimensions::STUD_SIDES;
 
-// Triangles that a functor gets at a time, so that few of a large model are held at once.
+// The number of triangles passed to a functor at a time, to limit the memory for a large model.
 constexpr std::size_t TRIANGLES_AT_ONCE = 4096;
 
 osg::Vec3 toOsg(const glm::dvec3& vector)
@@ -34,7 +34,7 @@ glm::dvec3 unitOf(int axis)
     return unit;
 }
 
-/** The corners of a face of a cell, counter-clockwise seen from outside, in cell units. */
+/** The corners of a face of a cell, counter-clockwise as seen from outside, in cell units. */
 std::array<glm::dvec3, 4> faceCorners(const Brick& brick, int axis, bool upper)
 {
     const glm::dvec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
@@ -52,7 +52,7 @@ void forEachOpenSide(const Brick& brick, const Visit& visit)
         if (brick.openSides & (1 << side)) visit(side / 2, side % 2 == 1);
 }
 
-/** Cosine and sine of the corners of a stud. */
+/** The cosines and sines of the corners of a stud. */
 std::array<glm::dvec2, STUD_SIDES> createStudCorners()
 {
     std::array<glm::dvec2, STUD_SIDES> corners;
@@ -65,7 +65,7 @@ std::array<glm::dvec2, STUD_SIDES> createStudCorners()
     return corners;
 }
 
-/** Collects the triangles of bricks, in the order that BrickTriangles.h counts them. */
+/** Collects the triangles of bricks, in the order assumed by BrickTriangles.h. */
 class BrickMesh
 {
 public:

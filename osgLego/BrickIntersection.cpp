@@ -9,7 +9,7 @@ namespace osgLego
 namespace
 {
 
-/** The bricks whose triangles a drawable consists of; null when it is of no bricks. */
+/** The bricks that a drawable consists of; null if it is not made of bricks. */
 osg::ref_ptr<const BrickModel> findModel(const osg::Drawable* drawable)
 {
     if (const auto* bricks = dynamic_cast<const BrickDrawable*>(drawable)) return bricks->getModel();

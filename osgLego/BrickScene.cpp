@@ -20,20 +20,20 @@ namespace osgLego
 namespace
 {
 
-/** Whether a node is of a class of this library, which are groups all of them. */
+/** Whether a node has a class of this library; all of these classes are groups. */
 bool isOurs(const osg::Node& node)
 {
     return node.asGroup() && std::string_view(node.libraryName()) == "osgLego";
 }
 
-/** Finds the nodes to be replaced, and all above them. */
+/** Finds the nodes to be replaced, and all nodes above them. */
 class ReplacedNodes : public osg::NodeVisitor
 {
 public:
     explicit ReplacedNodes(const osg::Node& scene) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
     {
         setNodeMaskOverride(~0u);
-        const_cast<osg::Node&>(scene).accept(*this); // which changes nothing
+        const_cast<osg::Node&>(scene).accept(*this); // the visitor changes nothing
     }
 
     bool contains(const osg::Node& node) const { return _nodes.count(&node) > 0; }
@@ -78,7 +78,7 @@ osg::ref_ptr<osg::Geode> createBrickGeode(const BrickModel& model, BrickColors c
     return geode;
 }
 
-/** Copies the nodes that are to be replaced or lie above such. */
+/** Copies the nodes to be replaced and the nodes above them. */
 class BrickSceneCopy : public osg::CopyOp
 {
 public:
@@ -88,7 +88,7 @@ public:
     osg::Node* operator()(const osg::Node* node) const override
     {
         if (!node || !_replaced.contains(*node)) return const_cast<osg::Node*>(node);
-        osg::ref_ptr<osg::Node>& copy = _copies[node]; // which a node of several parents has one of
+        osg::ref_ptr<osg::Node>& copy = _copies[node]; // one copy, even if the node has several parents
         if (!copy) copy = createCopy(*node);
         return copy;
     }

@@ -18,7 +18,7 @@ LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(Le
 {
     BrickFileWriter::install();
     setSettings(settings);
-    // Once a frame the source is looked at, whether or not a child has an update callback.
+    // Check the source once per frame, even if no child has an update callback.
     setNumChildrenRequiringUpdateTraversal(1);
 }
 
@@ -189,7 +189,7 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     }
 }
 
-/** Look at the source, and remember where it was. */
+/** Check the source for changes, and record its bound. */
 void LegoNode::refresh() const
 {
     _pipeline->refresh(*this);
@@ -207,7 +207,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
 {
     if (dynamic_cast<SourceVisitor*>(&visitor))
     {
-        // Our own visitors, which look at the source of this node, or at a node that is part of another one's source.
+        // osgLego's own visitors, which examine the source of this node, or this node as a part of another's source.
         osg::ref_ptr<osg::Node> geometry;
         if (visitor.getNodePath().size() > 1)
         {
@@ -221,7 +221,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     }
     else if (auto* compiler = dynamic_cast<osgUtil::GLObjectsVisitor*>(&visitor))
     {
-        // What will be drawn is compiled, and nothing else.
+        // Compile only what will be drawn.
         const osg::State* state = compiler->getRenderInfo().getState();
         if (!state || _pipeline->isFit(*state))
             _pipeline->getDisplay().getBrickNode()->accept(visitor);
@@ -239,9 +239,9 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
 
 osg::BoundingSphere LegoNode::computeBound() const
 {
-    // A child whose bound nobody asked for would not tell when it changes.
+    // A child whose bound has not been computed does not report changes of it.
     const osg::BoundingSphere sourceBound = osg::Group::computeBound();
-    // A source that lies where it lay when it was looked at need not be looked at again before the next update.
+    // If the bound of the source has not changed since the last check, no check is needed before the next update.
     if (_pipeline->isDirty() || sourceBound != _sourceBound) refresh();
     const osg::BoundingBoxd bounds = _pipeline->getBounds();
     return bounds.valid() ? osg::BoundingSphere(osg::BoundingBox(bounds)) : sourceBound;

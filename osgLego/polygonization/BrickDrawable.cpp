@@ -22,8 +22,8 @@ const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Typ
     return dynamic_cast<const Attribute*>(state.getLastAppliedAttribute(type));
 }
 
-/** Whether a state cuts nothing open, mixes nothing and lets the nearest surface win, so that of closed surfaces
- * nothing is seen but their outer sides. */
+/** Whether a state shows only the nearest surface, without clipping and blending, so that only the outer sides of
+ * closed surfaces are visible. */
 bool showsNearestOnly(const osg::State& state, bool isMirrored)
 {
     for (const auto mode :
@@ -43,7 +43,7 @@ bool showsNearestOnly(const osg::State& state, bool isMirrored)
     return !isMirrored && (!cullFace || cullFace->getMode() == osg::CullFace::BACK);
 }
 
-/** Whether a state takes what winds clockwise for the front. */
+/** Whether clockwise faces are front faces in a state. */
 bool isClockwise(const osg::State& state)
 {
     const auto* frontFace = findAttribute<osg::FrontFace>(state, osg::StateAttribute::FRONTFACE);
@@ -86,10 +86,10 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     bricks->pollBlocks(state);
     if (bricks->numBricks == 0 || !state.getLastAppliedProgramObject()) return;
 
-    // The bricks are in cells; their way to the eye is put together in double precision, so that models far from the
-    // origin of their coordinates do not shake.
+    // Bricks have cell coordinates. The transform to eye coordinates is computed in double precision, so that models
+    // far from the origin of their coordinates do not jitter.
     const BrickGrid& grid = bricks->bricks->getGrid();
-    // The state holds its matrices as osg::RefMatrix and nothing else.
+    // osg::State accepts matrices only as osg::RefMatrix.
     const osg::ref_ptr<const osg::RefMatrix> modelView =
         static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
     Workspace& workspace = _workspaces[contextID];
@@ -108,7 +108,7 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     view.isMirrored = view.isMirrored != isClockwise(state);
     const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
     workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
-    // An offset goes by the slope of triangles.
+    // Polygon offset depends on the slopes of triangles.
     const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
     if (!showsInsides && !isOffset && _drawing != Drawing::TRIANGLES)
     {
@@ -117,7 +117,7 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
         if (isDrawn || !state.getLastAppliedProgramObject()) return;
         if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
     }
-    // So that fewer pixels are shaded in vain.
+    // Front to back, so that fewer hidden pixels are shaded.
     if (!showsInsides) workspace.ranges.sortFrontToBack();
     setBrickUniforms(state, grid, view, showsInsides);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());

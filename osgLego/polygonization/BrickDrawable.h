@@ -13,19 +13,19 @@
 namespace osgLego
 {
 
-/** Draws the bricks of a context, each a point that a geometry shader makes faces and a stud of (the paper, section
- * III-C, Algorithm 5), or, where a renderer in software is at work, a splat (BrickSplats).
+/** Draws the bricks of a context: as points that a geometry shader turns into faces and studs (the paper, section
+ * III-C, Algorithm 5) or, on software renderers, as splats (BrickSplats).
  *
- * Tells the programs of BrickNodes, under which it is drawn, of the scene's lights and fog; with GL_LIGHTING off,
- * colours show as they are. Draws nothing in a context in which no bricks are made yet. Not an osg::Geometry, since the
- * optimizer merges those.
+ * Sets the uniforms of the scene's lights and fog in the programs of BrickNodes; with GL_LIGHTING off, colours are
+ * drawn unchanged. Draws nothing in a context that has no bricks yet. It is not an osg::Geometry, since the optimizer
+ * merges those.
  */
 class BrickDrawable : public osg::Drawable
 {
 public:
-    /** @param geometryState what it is drawn under, its program that of the geometry shader.
-     * @param splatState the same for splats, its program that of their shading.
-     * @param splatStateByOneLight likewise, where the scene has one light. */
+    /** @param geometryState the state for drawing with the geometry shader, including its program.
+     * @param splatState the state for drawing splats, with the program that shades them.
+     * @param splatStateByOneLight likewise, for scenes with one light. */
     BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState, osg::StateSet& splatState,
                   osg::StateSet& splatStateByOneLight);
 
@@ -34,10 +34,10 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
-    /** The bricks that accept() goes through; null when there are none. */
+    /** The bricks that accept() visits; null if there are none. */
     osg::ref_ptr<const BrickModel> getModel() const;
 
-    // For picking: what acceptBrickTriangles says.
+    // For picking; see acceptBrickTriangles.
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
     void accept(osg::PrimitiveFunctor& functor) const override;
     using osg::Drawable::accept;
@@ -55,7 +55,7 @@ public:
 private:
     ~BrickDrawable() override = default;
 
-    /** What each frame of a context uses again, so that it allocates no memory. */
+    /** Memory that is reused by all frames of a context. */
     struct Workspace
     {
         osg::ref_ptr<osg::RefMatrix> cellsToEye;

@@ -16,7 +16,7 @@ namespace
 
 constexpr unsigned int RELIEF_UNIT = 0;
 
-// Protected, since no other program, as of a pass for shadows, can draw what the buffer holds.
+// Protected, since no other program, such as that of a shadow pass, can draw bricks from their buffer.
 constexpr osg::StateAttribute::OverrideValue PROGRAM = osg::StateAttribute::ON | OVERRIDE_PROTECTED;
 
 void applyAppearance(const BrickAppearance& appearance, osg::Texture2D& relief, osg::StateSet& stateSet)
@@ -53,7 +53,7 @@ osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fra
     return stateSet;
 }
 
-/** That state for the shading of splats, which differs in its program. */
+/** Create the state for shading splats, which differs from the state for triangles in its program. */
 osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, const std::string& name,
                                              const char* fragments, const std::string& definitions)
 {
@@ -63,7 +63,7 @@ osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, con
     return splats;
 }
 
-/** A node under a state for triangles. */
+/** Create a node with the given state for triangles. */
 osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::StateSet& triangles,
                                     const std::string& name, const char* fragments, const std::string& definitions = {})
 {
@@ -98,7 +98,7 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
         applyAppearance(appearance, *relief, *stateSet);
     applyLightProbe(probe, *frame);
-    // What is in the buffer is no colour.
+    // The buffer does not contain colours, so they must not be blended.
     constexpr osg::StateAttribute::OverrideValue OFF = osg::StateAttribute::OFF | OVERRIDE_PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
         buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);

@@ -11,9 +11,9 @@
 namespace osgLego
 {
 
-/** The ways to draw the bricks of a node: a drawable under the program and state of each.
+/** The nodes that draw the bricks of a LegoNode, each with its own program and state.
  *
- * Immutable but for GL objects: another appearance is another object, so that frames that are being drawn keep theirs.
+ * Immutable except for GL objects: a new appearance gets a new object, so that frames in progress keep theirs.
  */
 class BrickNodes : public osg::Referenced
 {
@@ -21,14 +21,14 @@ public:
     BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
                const LightProbe& probe);
 
-    /** Draws into a frame as it is. */
+    /** Draws into a frame without AmbientOcclusionScene. */
     osg::Geode& getFrameNode() const { return *_frameNode; }
     /** Draws into the geometry buffer of an AmbientOcclusionScene. */
     osg::Geode& getBufferNode() const { return *_bufferNode; }
 
-    /** Say that the bounds of the bricks have changed. */
+    /** Mark the bounds as changed. */
     void dirtyBound() const;
-    /** Compute the bounds of the nodes, which several threads would compute at once when they ask for them later. */
+    /** Compute the bounds of the nodes now, so that several threads don't compute them at the same time later. */
     void getBound() const;
     void resizeGLObjectBuffers(unsigned int maxSize) const;
     void releaseGLObjects(osg::State* state) const;

@@ -15,7 +15,7 @@ namespace osgLego
 namespace
 {
 
-/** The most that a linear function comes to in a box. */
+/** The maximum of a linear function in a box. */
 float mostOf(const glm::vec4& function, const glm::vec3& lower, const glm::vec3& upper)
 {
     const glm::vec3 slopes(function);
@@ -23,7 +23,7 @@ float mostOf(const glm::vec4& function, const glm::vec3& lower, const glm::vec3&
     return most.x + most.y + most.z + function.w;
 }
 
-/** Whether a view shows something of a block, studs of a height in cells included. */
+/** Tests whether any part of a block, including its studs, may be visible in a view. */
 class BlockTest
 {
 public:
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /** Whether any stud that the block may have can be seen. */
+    /** Whether a stud at any position in the block can be visible. */
     bool areStudsSeen(const BrickBlock& block) const
     {
         const glm::vec3 eye(_view.eye);

@@ -12,15 +12,15 @@
 namespace osgLego
 {
 
-/** Which parts of a buffer hold bricks that a view may show: blocks that reach into the picture and have an open side
- * that is turned towards the eye.
+/** Finds the parts of a buffer with potentially visible bricks: blocks that intersect the picture and have an open side
+ * turned towards the eye.
  *
- * Used again and again it allocates no memory. A plain value without GL; one thread at a time.
+ * Reuses its memory if it is used repeatedly. A plain value without GL; one thread at a time.
  */
 class BrickRanges
 {
 public:
-    /** As glMultiDrawArrays takes them: the first brick of each range, and how many there are. */
+    /** The parameters of glMultiDrawArrays: the first brick of each range, and the number of bricks. */
     struct Parts
     {
         void clear();
@@ -30,26 +30,27 @@ public:
         std::vector<int> counts;
     };
 
-    /** In the order of the buffer, blocks that follow each other in one range, as each range costs a draw of its own.
-     * @param showsInsides whether sides that are turned away from the eye are seen, too. */
+    /** Find the ranges, in the order of the buffer. Consecutive blocks are merged into one range, since each range
+     * costs a draw.
+     * @param showsInsides whether back-facing sides are drawn, too. */
     void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, bool showsInsides);
 
-    /** Put the nearest blocks first, for renderers that shade what they see before it is hidden. */
+    /** Sort blocks from front to back, so that fewer hidden pixels are shaded. */
     void sortFrontToBack();
 
     const Parts& getAll() const { return _all; }
 
-    // Of all, those whose bricks have studs that may be seen, and the others; in the order of the buffer.
+    // The ranges of blocks with potentially visible studs, and the other ranges, both in the order of the buffer.
     const Parts& getStudded() const { return _studded; }
     const Parts& getOthers() const { return _others; }
 
-    /** Add all of them to the tiles of a picture. */
+    /** Add all blocks to the tiles of a picture. */
     void addTo(PictureTiles& tiles, const BrickGrid& grid, const CellView& view) const;
 
 private:
     struct Seen
     {
-        float distance = 0.0f; // grows with the way from the eye
+        float distance = 0.0f; // increases with the distance from the eye
         const BrickBlock* block = nullptr;
     };
 

@@ -25,11 +25,11 @@ namespace osgLego
 namespace
 {
 
-// Beside those of the relief and of the light probe.
+// Different from the units of the relief and of the light probe.
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
 
-/** A picture with a size of its own, to be drawn into and to be fetched from. */
+/** Create a texture to draw into and to fetch texels from; its size is set later. */
 osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
 {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
@@ -42,7 +42,7 @@ osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, 
     return texture;
 }
 
-/** The frame buffer and the part of it that are drawn into, to come back to. */
+/** The current frame buffer and viewport, for restoring them. */
 class Destination
 {
 public:
@@ -73,8 +73,8 @@ private:
     GLint _sampleBuffers = 0;
 };
 
-/** Apply a state set, and what OSG tells programs of in place of the built-in matrices where it is asked to.
- * @return whether its program is there. */
+/** Apply a state set, and the matrix uniforms that OSG can set instead of the built-in matrices.
+ * @return whether its program could be applied. */
 bool applyState(osg::State& state, const osg::StateSet& stateSet)
 {
     state.apply(&stateSet);
@@ -83,11 +83,11 @@ bool applyState(osg::State& state, const osg::StateSet& stateSet)
     return true;
 }
 
-/** What draws points draws squares of the size that vertices say. */
+/** Make points squares of the size set by the vertex shader. */
 void setPointModes(osg::StateSet& stateSet)
 {
     stateSet.setAttribute(new osg::PolygonMode, OVERRIDE_PROTECTED);
-    // A point sprite is as large as it says; another point is rounded.
+    // Point sprites have the exact size; the size of other points is rounded.
     for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
         stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
@@ -104,14 +104,14 @@ osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)
 
 } // namespace
 
-/** What the splats of all nodes in a context are drawn into, one after the other. */
+/** The textures into which the splats of all nodes in a context are drawn, one node after the other. */
 class SplatTarget : public osg::Referenced
 {
 public:
-    /** Whether splats are to be drawn on this renderer, and this target belongs to the context. */
+    /** Whether splats are to be used on this renderer, and this target belongs to its context. */
     bool isFor(const osg::State& state, Drawing drawing)
     {
-        // The owner may have closed, and its frame buffer object with it.
+        // The owner may have been closed, together with its frame buffer object.
         if (!_owner.valid())
         {
             _owner = state.getGraphicsContext();
@@ -126,15 +126,15 @@ public:
             // See drawPoints.
             _maximumSize = {viewport[0] / 2, viewport[1]};
         }
-        // Of contexts that share objects each would need frame buffer objects of its own.
+        // Contexts that share objects would each need their own frame buffer objects.
         return (_isSoftware || drawing == Drawing::SPLATS) && !_hasFailed && _owner.get() == state.getGraphicsContext();
     }
 
-    /** Use it no more: programs or frame buffers of this context can't be had. */
+    /** Stop using this target: a program or the frame buffer could not be created. */
     void fail() { _hasFailed = true; }
 
     float getMaximumPointSize() const { return _maximumPointSize; }
-    /** Whether a picture of so many pixels can be drawn here, and there is one at all. */
+    /** Whether a picture of the given size in pixels is not empty and not too large. */
     bool isPossible(const glm::ivec2& size) const
     {
         return size.x > 0 && size.y > 0 && size.x <= _maximumSize.x && size.y <= _maximumSize.y;
@@ -142,22 +142,23 @@ public:
     osg::Texture2D& getSplats() const { return *_splats; }
     osg::Texture2D& getDepths() const { return *_depths; }
 
-    /** Bind it, at least as large as this, to be drawn into. */
+    /** Bind the target for drawing, with at least the given size. */
     bool bind(osg::State& state, const glm::ivec2& size)
     {
         if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
-        // Made here, where the state knows of it, and not on whatever unit the frame buffer object finds active.
+        // Create the textures on a unit known to the state; the frame buffer object would use any active unit.
         state.applyTextureAttribute(SPLATS_UNIT, _splats);
         state.applyTextureAttribute(DEPTHS_UNIT, _depths);
         _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
         return isTargetThere(state);
     }
 
-    /** Clear the depths of a picture of so many pixels. */
+    /** Clear the depths of a picture of the given size in pixels. */
     void clearDepths(const glm::ivec2& size) const
     {
         glClearDepth(1.0);
-        // Clearing all of a target is quicker than a part of the same size; another node may want a larger one.
+        // Clearing a whole target is faster than clearing a part of the same size; the target may be larger than this
+        // picture because of another node.
         const bool isPart = size != _size;
         if (isPart)
         {
@@ -198,7 +199,7 @@ private:
 namespace
 {
 
-/** Where nodes find the target of a context as long as one of them holds it. */
+/** Lets the nodes of a context share a target as long as one of them references it. */
 class TargetOfContext : public osg::Referenced
 {
 public:
@@ -243,7 +244,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     SplatTarget& target = *held;
     if (!view.isAllBehindNearPlane || !target.isFor(state, drawing)) return false;
     if (ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
-    // Planes and ranges of depth that rays know nothing of.
+    // Rays do not support other depth conventions.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
     if (!target.isPossible(destination.getSize())) return false;
@@ -282,7 +283,8 @@ bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const Conte
         if (parts.firsts.empty() && !isAll) continue;
         if (!applyState(state, hasStuds ? *_studded : *_boxes)) return false;
         if (!isCleared && !target.bind(state, size)) return false;
-        // Points to the left of the picture are dropped: it is the right half of the viewport.
+        // The picture is the right half of the viewport, and points in the left half are outside the target. See
+        // NOWHERE in splats.vert.
         glViewport(-size.x, 0, 2 * size.x, size.y);
         if (!isCleared) target.clearDepths(size);
         isCleared = true;

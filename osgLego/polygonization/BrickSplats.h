@@ -15,25 +15,25 @@ namespace osgLego
 
 class SplatTarget;
 
-/** Draws bricks without triangles, for renderers in software, to which small triangles are dear: as points, whose
- * pixels find by their rays which brick they show; each pixel is then shaded once.
+/** Draws bricks as points instead of triangles, for software renderers, on which small triangles are expensive: each
+ * pixel of a point intersects its ray with the brick; then each pixel of the picture is shaded once.
  *
- * The picture is the one that the geometry shader makes, in depth and colour, of bricks behind the near plane and in a
- * state that shows nothing but the nearest surface.
+ * Depth and colour are the same as with the geometry shader, provided that the bricks are behind the near plane and the
+ * state shows only the nearest surface.
  */
 class BrickSplats
 {
 public:
-    /** @param shading the state of the last pass: a program of splat_shading.vert and of fragments that SPLATS is
-     * defined for.
-     * @param shadingByOneLight the same where the scene has one light: that ONE_LIGHT is defined for, too. */
+    /** @param shading the state of the last pass: its program has splat_shading.vert and a fragment shader with SPLATS
+     * defined.
+     * @param shadingByOneLight likewise for scenes with one light: ONE_LIGHT is defined, too. */
     BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight);
     ~BrickSplats();
 
-    /** Draw; leaves a state set of this class applied. Needs the context of the state current.
-     * @param drawing SPLATS: on any renderer; AUTO: only on one in software.
-     * @return false, and nothing is drawn, when the renderer does not want splats, or the bricks or the frame buffer
-     * that is bound are not for this way. */
+    /** Draw the bricks. Leaves a state set of this class applied. Needs the context of `state` current.
+     * @param drawing SPLATS: on any renderer; AUTO: only on software renderers.
+     * @return false, with nothing drawn, if splats are not to be used on this renderer, or can't draw these bricks or
+     * into the bound frame buffer. */
     bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
               Drawing drawing) const;
 
@@ -41,19 +41,19 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
-    /** Find what each pixel of a target shows; false when a program or the target can't be had. */
+    /** Find the brick that each pixel of a target shows. Returns false if a program or the target can't be created. */
     bool drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks, const BrickRanges& ranges,
                     const CellView& view, const CellView::Rays& rays, const glm::ivec2& size) const;
 
-    /** Draw a point for each tile of the picture that bricks may lie in, by the program that is applied. */
+    /** Draw a point for each tile of the picture that may contain bricks, with the applied program. */
     void drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
                    const CellView& view, const glm::ivec2& size) const;
 
-    osg::ref_ptr<osg::StateSet> _boxes;   // bricks whose studs, if any, are not seen
-    osg::ref_ptr<osg::StateSet> _studded; // the others
+    osg::ref_ptr<osg::StateSet> _boxes;   // for bricks without visible studs
+    osg::ref_ptr<osg::StateSet> _studded; // for the other bricks
     osg::ref_ptr<osg::StateSet> _shading;
     osg::ref_ptr<osg::StateSet> _shadingByOneLight;
-    mutable osg::buffered_object<osg::ref_ptr<SplatTarget>> _targets; // one for all in a context
+    mutable osg::buffered_object<osg::ref_ptr<SplatTarget>> _targets; // shared by all nodes in a context
     mutable osg::buffered_object<PictureTiles> _tiles;
 };
 

@@ -7,20 +7,21 @@
 namespace osgLego
 {
 
-/** A render stage in which bricks draw into a geometry buffer (shaders/polygonization/geometry_buffer.glsl) and not
- * into the frame; by its type bricks know that they are drawn in one.
+/** A render stage in which bricks are drawn into a geometry buffer (shaders/polygonization/geometry_buffer.glsl)
+ * instead of the frame. Bricks recognize it by its type.
  */
 class BrickStage : public osgUtil::RenderStage
 {
 public:
-    /** The stage that a visitor is filling, if it is one of this kind; else null. */
+    /** The stage that a visitor is filling if it is a BrickStage, otherwise null. */
     static BrickStage* find(osgUtil::CullVisitor& visitor)
     {
         return dynamic_cast<BrickStage*>(visitor.getCurrentRenderBin()->getStage());
     }
 
-    /** Say that bricks are drawn in this frame, how wide they are in their own coordinates, and the transform from
-     * these to the eye's. */
+    /** Record that bricks are drawn in this frame.
+     * @param pitch their width in model coordinates.
+     * @param modelView transforms model coordinates to eye coordinates. */
     virtual void noteBricks(double pitch, const osg::Matrixd& modelView) = 0;
 
 protected:

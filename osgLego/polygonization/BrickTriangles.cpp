@@ -19,7 +19,7 @@ BrickSide upSideOf(const BrickGrid& grid)
     return static_cast<BrickSide>(SIDE_RIGHT << (2 * grid.getUpIndex()));
 }
 
-/** The open side of a number, counted from 0 in the order of BrickSide. */
+/** Find the open side with the given number, counted from 0 in the order of BrickSide. */
 BrickSide findOpenSide(const Brick& brick, std::size_t number)
 {
     unsigned int sides = brick.openSides;

@@ -11,21 +11,22 @@
 namespace osgLego
 {
 
-/** Where a triangle of createBrickGeometry and acceptBrickTriangles lies. */
+/** The brick and the part of it that a triangle of createBrickGeometry or acceptBrickTriangles belongs to. */
 struct BrickTriangle
 {
     Brick brick;
-    BrickSide side = SIDE_LEFT; //!< of a stud: the side that it stands on
+    BrickSide side = SIDE_LEFT; //!< for a stud, the upper side
     bool isStud = false;
 };
 
-/** Whether a brick shows a stud. */
+/** Whether the stud of a brick is exposed. */
 bool hasStud(const Brick& brick, const BrickGrid& grid);
 
-/** The triangle of a number, by counting those of the bricks before; empty when there are not so many. */
+/** Find the triangle with the given index, by counting the triangles of the bricks before it.
+ * @return nothing if there are fewer triangles. */
 std::optional<BrickTriangle> findBrickTriangle(const BrickModel& model, std::size_t index);
 
-/** Keeps the model that a geometry was made of as that geometry's user data. */
+/** User data of a geometry: the model from which the geometry was created. */
 class BrickModelHolder : public osg::Referenced
 {
 public:

@@ -14,7 +14,7 @@ namespace
 constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
 constexpr int NUM_LIGHTS = 8;
 
-/** The lights that a state has switched on. */
+/** The lights that a state has enabled. */
 struct LightNumbers
 {
     explicit LightNumbers(const osg::State& state)
@@ -26,10 +26,10 @@ struct LightNumbers
     }
 
     std::array<int, NUM_LIGHTS> numbers{};
-    int count = 0; // below 0: lighting is off
+    int count = 0; // negative: lighting is off
 };
 
-/** Tell the program of them. */
+/** Set the uniforms of the lights. */
 void setLights(const ProgramUniforms& uniforms, const osg::State& state)
 {
     const LightNumbers lights(state);

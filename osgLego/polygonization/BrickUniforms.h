@@ -11,18 +11,18 @@
 namespace osgLego
 {
 
-/** Tell the program that a state has applied what the shaders of bricks want to know of the grid, the view, the lights
- * and the fog. Needs the context of the state current, as all of these.
- * @param showsInsides whether sides that are turned away from the eye are seen, too. */
+/** Set the uniforms of the grid, the view, the lights and the fog in the program that a state has applied. Like all
+ * functions in this file, needs the context of the state current.
+ * @param showsInsides whether back-facing sides are drawn, too. */
 void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides);
 
-/** Tell it the rays of the pixels of a picture, and what their depth goes by. */
+/** Set the uniforms of a picture's rays and their depth. */
 void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize);
 
-/** Whether a state has switched on lighting and one light. */
+/** Whether a state has enabled lighting and exactly one light. */
 bool hasOneLight(const osg::State& state);
 
-/** Draw a point for each brick, or, where the blocks of the bricks are known, for those in ranges of them. */
+/** Draw a point for each brick or, if the blocks of the bricks are known, for each brick in the given ranges. */
 void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges::Parts& parts);
 
 } // namespace osgLego

@@ -19,7 +19,7 @@ glm::dvec3 firstThree(const osg::Vec4d& vector)
     return {vector.x(), vector.y(), vector.z()};
 }
 
-/** A row of the matrix as GLSL has it: what gives one coordinate of the clip space. */
+/** A row of the matrix in GLSL's convention: the linear function for one clip coordinate. */
 glm::dvec4 rowOf(const osg::Matrixd& matrix, int row)
 {
     return {matrix(0, row), matrix(1, row), matrix(2, row), matrix(3, row)};
@@ -33,13 +33,13 @@ glm::dvec3 sizeOfBrick(const BrickGrid& grid)
     return size;
 }
 
-/** The size of all that bricks may lie in, in cells. */
+/** The size of the box that contains all bricks with their studs, in cells. */
 glm::dvec3 sizeOfAll(const BrickGrid& grid)
 {
     return glm::dvec3(grid.dimensions) + sizeOfBrick(grid) - 1.0;
 }
 
-/** The least value that a linear function has in a box from the origin. */
+/** The minimum of a linear function in a box with one corner at the origin. */
 double leastOf(const glm::dvec4& function, const glm::dvec3& size)
 {
     double least = function.w;
@@ -53,7 +53,8 @@ double leastOf(const glm::dvec4& function, const glm::dvec3& size)
 CellView::CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const osg::Matrixd& projection) :
     _toClip(cellsToEye * projection), _toCells(osg::Matrixd::inverse(_toClip))
 {
-    // What the clip space has no room for is the eye; of it the direction is away from the eye if it is no place.
+    // The eye is the point whose clip coordinates x, y and w are 0; without perspective, this is a direction away from
+    // the eye.
     const osg::Vec4d center = osg::Vec4d(0.0, 0.0, 1.0, 0.0) * _toCells;
     const bool isPlace = std::abs(center.w()) > 1e-12 * glm::length(firstThree(center));
     eye =
@@ -80,7 +81,7 @@ void CellView::findCut(const BrickGrid& grid)
     isAllBehindNearPlane =
         leastOf(rowOf(_toClip, 2) + rowOf(_toClip, 3), all) > 0.0 && leastOf(rowOf(_toClip, 3), all) > 0.0;
     if (isAllBehindNearPlane) return;
-    // The part of the near plane that is in the picture, and the box around it.
+    // The bounding box of the visible part of the near plane.
     osg::BoundingBoxd cut;
     for (int corner = 0; corner < 4; ++corner)
         cut.expandBy(osg::Vec3d(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0) * _toCells);
@@ -122,7 +123,7 @@ bool CellView::areDistinct(const Rays& rays) const
     constexpr float ROUNDING = 6e-8f;
     constexpr float WANTED = 0.02f; // of a pixel
     const float range = glm::length(rays.origin[0]);
-    // What a pixel is as wide as where the bricks are; the direction of a ray has about the length of 1.
+    // The width of a pixel at the distance of the bricks; the direction of a ray has a length of about 1.
     const float width = eye.w == 0.0f ? glm::length(rays.origin[1]) : range * glm::length(rays.direction[1]);
     return range * ROUNDING < WANTED * width;
 }
@@ -147,7 +148,7 @@ CellView::Rays CellView::Rays::onAxesOfStud(int up) const
 CellView::Rays CellView::computeRays(const glm::ivec2& size) const
 {
     Rays rays;
-    // Of the corner, and by pixel to the right and up, in the clip space of the near plane.
+    // The corner, and the steps per pixel to the right and up, in clip coordinates on the near plane.
     const std::array<osg::Vec4d, 3> steps{osg::Vec4d(-1.0, -1.0, -1.0, 1.0), osg::Vec4d(2.0 / size.x, 0.0, 0.0, 0.0),
                                           osg::Vec4d(0.0, 2.0 / size.y, 0.0, 0.0)};
     std::array<osg::Vec4d, 3> places;

@@ -12,57 +12,59 @@
 namespace osgLego
 {
 
-/** How the cells of a grid are seen, reckoned in double precision: the eye, what may be cut open, the rays of pixels.
+/** The view of a grid's cells, computed in double precision: the eye, intersections with the near plane, rays of
+ * pixels.
  *
  * A plain value without GL. For any projection that can be inverted, in perspective or not.
  */
 struct CellView
 {
-    /** @param cellsToEye, projection as osg::State has them. */
+    /** @param cellsToEye, projection matrices as in osg::State. */
     CellView(const BrickGrid& grid, const osg::Matrixd& cellsToEye, const osg::Matrixd& projection);
 
-    /** Where the rays of pixels start, and which way they go, in cells: in the lower left corner of the picture, and
-     * what to add for each pixel to the right and upwards. */
+    /** The origins and directions of the rays of pixels, in cells: at the lower left corner of the picture, and the
+     * changes per pixel to the right and upwards. */
     struct Rays
     {
         glm::mat3 origin{0.0f};
         glm::mat3 direction{0.0f};
-        /** Depth from 0 to 1 of a place on a ray: of the pixel likewise, */
+        /** The depth, 0 to 1, at the start of a ray: at the corner, and the changes per pixel, as above. */
         glm::vec3 depth{0.0f};
-        /** and to add for how far on it is or, in perspective, for the reciprocal of that. */
+        /** The change of depth with the ray's parameter or, in perspective, with its reciprocal. */
         float depthSlope = 0.0f;
 
-        /** The same on the axes of a stud, the last of which is up, by the axis of the grid that is. */
+        /** The same rays in stud coordinates, whose last axis is up. @param up the up axis of the grid. */
         Rays onAxesOfStud(int up) const;
     };
 
-    /** The rays of a picture of a size in pixels. */
+    /** The rays of a picture with the given size in pixels. */
     Rays computeRays(const glm::ivec2& size) const;
 
-    /** Whether floats hold the places that rays start from so well that each pixel's own is told from the next: not so
-     * where the eye is far away and sees little. */
+    /** Whether single precision is enough to distinguish the rays of adjacent pixels. It is not if the eye is far away
+     * and has a narrow field of view. */
     bool areDistinct(const Rays& rays) const;
 
-    /** Whether the depth of a place goes by how far on its ray it is alone: not so where the near plane is oblique. */
+    /** Whether depth depends only on the ray's parameter. It does not if the near plane is oblique. */
     static bool isDepthDistance(const Rays& rays);
 
-    /** What part of the picture a box in cells lies in: left, lower, right, upper, from -1 to 1, and beyond where it
-     * reaches beyond; if isAllBehindNearPlane, and for a box in which bricks may lie. */
+    /** The bounds of a box, given in cells, in the picture: left, lower, right, upper, where the picture is from -1
+     * to 1. Valid only if isAllBehindNearPlane, for a box that may contain bricks. */
     glm::vec4 areaOf(const glm::dvec3& lower, const glm::dvec3& upper) const;
 
-    /** The eye's place in cells; where the last number is 0, the direction towards it. */
+    /** The eye's position in cells or, if w is 0, the direction towards the eye. */
     glm::vec4 eye{0.0f};
-    /** The sides of the room that is seen, above 0 inside of it, in cells. */
+    /** The planes of the view frustum in cells, positive inside. */
     std::array<glm::vec4, 6> planes{};
-    /** Whether what winds counter-clockwise seen from outside does not so in the picture. */
+    /** Whether the transform reverses the winding of faces. */
     bool isMirrored = false;
-    /** Whether the near plane may lie within bricks, so that they are seen from inside. */
+    /** Whether the near plane may intersect bricks, so that they are seen from inside. */
     bool isCutOpen = false;
-    /** Whether all bricks, studs included, lie behind the near plane. */
+    /** Whether all bricks, including studs, are behind the near plane. */
     bool isAllBehindNearPlane = false;
-    /** What part of the picture they lie in: left, lower, right, upper, from -1 to 1; if isAllBehindNearPlane. */
+    /** The bounds of the bricks in the picture: left, lower, right, upper, from -1 to 1. Valid if isAllBehindNearPlane.
+     */
     glm::vec4 area{0.0f};
-    /** As large as a brick's picture can be, from -1 to 1; likewise. */
+    /** The largest possible size of a brick in the picture, in the same units. Valid if isAllBehindNearPlane. */
     glm::vec2 largestBrick{0.0f};
 
 private:

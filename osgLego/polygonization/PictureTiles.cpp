@@ -17,7 +17,7 @@ void PictureTiles::clear(const glm::ivec2& size)
 void PictureTiles::add(const glm::vec4& area)
 {
     if (_isUsed.empty()) return;
-    constexpr float MARGIN = 0.5f; // pixels, for what rounding may take off
+    constexpr float MARGIN = 0.5f; // pixels, to allow for rounding
     const glm::vec4 pixels = (0.5f * area + 0.5f) * glm::vec4(_size, _size);
     const glm::ivec2 last = _count - 1;
     const glm::ivec2 begin = glm::clamp(glm::ivec2(glm::floor(glm::vec2(pixels) - MARGIN)) / SIDE, glm::ivec2(0), last);

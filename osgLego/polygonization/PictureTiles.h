@@ -9,28 +9,28 @@
 namespace osgLego
 {
 
-/** Which squares of a picture something may lie in, so that a pass over the picture leaves out the others.
+/** The tiles of a picture that may contain bricks, so that a pass over the picture can skip the others.
  *
- * Squares are numbered from the lower left one to the right and up; the last ones of a row and of a column reach over
- * the picture's edge. Used again and again it allocates no memory. A plain value without GL; one thread at a time.
+ * Tiles are numbered from the lower left one to the right and up; the last ones of a row and of a column can extend
+ * beyond the picture. Reuses its memory if it is used repeatedly. A plain value without GL; one thread at a time.
  */
 class PictureTiles
 {
 public:
-    static constexpr int SIDE = 16; //!< of a tile, in pixels
+    static constexpr int SIDE = 16; //!< side of a tile, in pixels
 
-    /** Begin anew, with nothing in a picture of a size in pixels. */
+    /** Start with no tiles in a picture of the given size in pixels. */
     void clear(const glm::ivec2& size);
 
-    /** Add all that lies in a part of the picture: left, lower, right, upper, from -1 to 1. */
+    /** Add the tiles that intersect a rectangle: left, lower, right, upper, where the picture is from -1 to 1. */
     void add(const glm::vec4& area);
 
-    /** Find the runs of tiles that something lies in. */
+    /** Find the runs of consecutive tiles that were added. */
     void findRuns();
 
     int getNumAcross() const { return _count.x; }
 
-    // As glMultiDrawArrays takes them: the first tile of each run, and how many there are.
+    // The parameters of glMultiDrawArrays: the first tile of each run, and the number of tiles.
     const std::vector<int>& getFirsts() const { return _firsts; }
     const std::vector<int>& getCounts() const { return _counts; }
 

@@ -21,7 +21,7 @@ namespace
 constexpr std::size_t OWN_SIZE = 256;
 constexpr std::size_t MAXIMUM_SIZE = 1024;
 
-/** Height by place, both axes from -1 to 1. */
+/** Height as a function of the position, both coordinates from -1 to 1. */
 using HeightField = std::function<double(const glm::dvec2&)>;
 
 double distanceToLine(const glm::dvec2& place, const glm::dvec2& a, const glm::dvec2& b)
@@ -31,7 +31,7 @@ double distanceToLine(const glm::dvec2& place, const glm::dvec2& a, const glm::d
     return glm::length(place - a - part * along);
 }
 
-/** A cube seen along its diagonal: a hexagon, and the three edges that meet in the middle. */
+/** A cube seen along its diagonal: a hexagon, and the three edges that meet at its centre. */
 double ownHeight(const glm::dvec2& place)
 {
     constexpr double SIZE = 0.62;
@@ -52,7 +52,7 @@ double ownHeight(const glm::dvec2& place)
     return 1.0 - glm::smoothstep(LINE - FLANK, LINE + FLANK, distance);
 }
 
-/** The image's heights, without anything beyond the disk. */
+/** The heights of the image; 0 outside the disk. */
 double imageHeight(const osg::Image& image, const glm::dvec2& place)
 {
     const double inside = 1.0 - glm::smoothstep(0.8, 0.9, glm::length(place));
@@ -118,7 +118,7 @@ osg::ref_ptr<osg::Image> createMap(const HeightField& field, std::size_t size)
     auto* data = new unsigned char[all.size() * sizeof(glm::vec4)];
     std::copy_n(reinterpret_cast<const unsigned char*>(all.data()), all.size() * sizeof(glm::vec4), data);
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    // The texture's format, or OSG would allocate a texture that it uses again a second time, which GL refuses.
+    // Must be the texture's format: otherwise OSG allocates a reused texture a second time, which GL rejects.
     image->setImage(static_cast<int>(size), static_cast<int>(size), 1, GL_RGBA16F_ARB, GL_RGBA, GL_FLOAT, data,
                     osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels(offsets);

@@ -6,14 +6,14 @@
 namespace osgLego
 {
 
-/** The slopes of the relief on a stud's disk, for shaders/polygonization/brick_surface.glsl.
+/** Create the map of the slopes of the relief on a stud's disk, for shaders/polygonization/brick_surface.glsl.
  *
- * RGBA of 32-bit floats, square, a side that is a power of two, with all mipmaps: the slope along u and along v for a
- * relief that is one radius of the disk high, and the mean of their squares summed, which in the smaller maps is more
- * than the square of the mean slopes by what the slopes vary (Olano and Baker 2010, "LEAN mapping"). The last channel
- * is 0. May be called from any thread.
- * @param heights by the first channel, 0 to 1, as BrickAppearance::reliefImage; null: the project's own, which is
- * shared: to be read alone. */
+ * A square RGBA image of 32-bit floats with all mipmaps, whose side is a power of two. The channels are the slopes
+ * along u and v for a relief as high as the radius of the disk, the mean of the sum of their squares, and 0. In
+ * mipmaps, the mean square exceeds the square of the mean slopes by the variance (Olano and Baker 2010, "LEAN
+ * mapping"). May be called from any thread.
+ * @param heights the first channel gives heights, 0 to 1, see BrickAppearance::reliefImage. Null: the built-in relief;
+ * its map is shared, only read it. */
 osg::ref_ptr<osg::Image> createReliefMap(const osg::Image* heights);
 
 } // namespace osgLego
