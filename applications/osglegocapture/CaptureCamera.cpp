@@ -14,8 +14,8 @@ namespace osgLego
 namespace
 {
 
-constexpr double FIELD_OF_VIEW = 30.0; // degrees, of the picture's shorter side
-constexpr double FILLED = 0.96;        // of the picture, by a scene that fits in
+constexpr double FIELD_OF_VIEW = 30.0; // degrees, along the shorter side of the picture
+constexpr double FILLED = 0.96;        // the part of the picture filled by a scene that just fits in
 
 double halfViewOf(double aspect)
 {
@@ -51,19 +51,19 @@ void CaptureCamera::moveToMiddle(double radii)
     _radii = radii;
     _target = _bound.center();
     _eye = osg::Vec3d(_bound.center()) + _toEye * (radii * _bound.radius());
-    // As large as a perspective view shows the middle.
+    // The scale at the centre is the same as in a perspective view.
     _halfHeight = std::tan(_vertical) * radii * _bound.radius();
 }
 
 void CaptureCamera::moveToFit(const osg::BoundingSphere& bound, const std::function<void(SceneReach&)>& addScene)
 {
     _bound = bound;
-    // As near as the sphere fits in, which is where an orthographic view and one of nothing stay.
+    // As near as the sphere fits in; this remains the distance of an orthographic view, or if the scene is empty.
     moveToMiddle(1.0 / (FILLED * std::sin(osg::DegreesToRadians(0.5 * FIELD_OF_VIEW))));
 
-    // A point at x to the right and z towards the eye is seen by an eye at X, Z when |x - X| <= slope * (Z - z): when
-    // x + slope * z and -x + slope * z are at most slope * Z + X and slope * Z - X. So the largest of each, over all
-    // points, say how near the eye may come. An orthographic view has no slope.
+    // A point at x to the right and z towards the eye is in the view of an eye at X, Z if |x - X| <= slope * (Z - z),
+    // that is, if x + slope * z and -x + slope * z are at most slope * Z + X and slope * Z - X. The maxima of both over
+    // all points determine how near the eye may be. In an orthographic view, slope is 0.
     const double upSlope = _view.orthographic ? 0.0 : FILLED * std::tan(_vertical);
     const double rightSlope = upSlope * _aspect;
     SceneReach visitor(

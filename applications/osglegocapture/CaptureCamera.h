@@ -15,7 +15,7 @@ namespace osgLego
 
 class SceneReach;
 
-/** Where the camera of a capture stands, and what it sees.
+/** The position and projection of a capture's camera.
  *
  *     CaptureCamera place(options.view, UpAxis::Z, 16.0 / 9.0);
  *     place.moveToDistance(node->getBound());
@@ -24,14 +24,14 @@ class SceneReach;
 class CaptureCamera
 {
 public:
-    /** @param aspect the width of the picture over its height. */
+    /** @param aspect the width of the picture, divided by its height. */
     CaptureCamera(const CaptureView& view, UpAxis upAxis, double aspect);
 
-    /** Stand the view's distance away from the middle of a sphere. */
+    /** Move the camera to the view's distance from the centre of a sphere. */
     void moveToDistance(const osg::BoundingSphere& bound);
 
-    /** Stand as near as all of a scene fits in.
-     * @param addScene gives the visitor all that is to be seen. */
+    /** Move the camera as near as possible with the whole scene in view.
+     * @param addScene passes everything that must be in view to the visitor. */
     void moveToFit(const osg::BoundingSphere& bound, const std::function<void(SceneReach&)>& addScene);
 
     void apply(osg::Camera& camera) const;
@@ -44,8 +44,8 @@ private:
     osg::Vec3d _right;
     osg::Vec3d _up;
     osg::Vec3d _toEye;
-    double _vertical;    // half of the angle of view, in radians
-    double _radii = 0.0; // from the middle of the sphere to the eye
+    double _vertical;    // half of the vertical field of view, in radians
+    double _radii = 0.0; // distance from the centre of the sphere to the eye, in radii
     osg::BoundingSphere _bound;
     osg::Vec3d _eye;
     osg::Vec3d _target;

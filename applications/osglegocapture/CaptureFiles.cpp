@@ -21,12 +21,12 @@ namespace
 const char* const STRAIGHT_ALPHA = "oiio:UnassociatedAlpha";
 const char* const OPENEXR = "openexr";
 
-/** The format that OpenImageIO writes for a file name; empty when there is none. */
+/** The format in which OpenImageIO writes a file with this name; empty if there is none. */
 std::string formatOf(const std::string& fileName)
 {
     const auto output = OIIO::ImageOutput::create(fileName);
     if (output) return output->format_name();
-    OIIO::geterror(); // or it stays for the next to ask
+    OIIO::geterror(); // clear the error, or the next call would get it
     return {};
 }
 
@@ -51,9 +51,9 @@ void checkPicturePlace(const std::string& fileName, bool isTransparent)
     const std::string format = formatOf(fileName);
     if (format.empty())
         throw cannotWrite(fileName, "its extension is not that of a picture; expected .png, .tif, .exr or another that "
-                                    "OpenImageIO writes");
+                                    "OpenImageIO supports");
     if (isTransparent && format != "png" && format != "tiff" && format != OPENEXR)
-        throw cannotWrite(fileName, "its format takes no transparent background; expected .png, .tif or .exr");
+        throw cannotWrite(fileName, "its format can't store a transparent background; expected .png, .tif or .exr");
 }
 
 void checkAreDistinct(const std::vector<std::string>& fileNames)
@@ -61,7 +61,7 @@ void checkAreDistinct(const std::vector<std::string>& fileNames)
     for (auto fileName = fileNames.begin(); fileName != fileNames.end(); ++fileName)
         for (auto other = fileNames.begin(); other != fileName; ++other)
             if (!fileName->empty() && !other->empty() && isSameFile(*fileName, *other))
-                throw cannotWrite(*fileName, "two outputs have this name; expected a file each");
+                throw cannotWrite(*fileName, "two outputs have this name; expected different files");
 }
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)

@@ -69,7 +69,7 @@ std::string readOcclusion(const std::string& text, CaptureOptions& options)
     return "--occlusion: " + error + " (or off alone)";
 }
 
-/** The numbers that an option takes, and their name in messages. */
+/** The valid range of an option's number, and its description in messages. */
 struct NumberRange
 {
     double minimum;
@@ -82,7 +82,7 @@ std::string readNumber(const char* option, const std::string& text, const Number
     char rest = 0;
     double read = 0.0;
     const bool isRead = std::sscanf(text.c_str(), "%lf%c", &read, &rest) == 1;
-    // Written so that NaN fails it.
+    // Written so that NaN is rejected.
     if (!isRead || !(read >= range.minimum && read <= range.maximum)) return badValue(option, text, range.text);
     number = read;
     return {};
@@ -98,7 +98,7 @@ std::string readContext(const std::string& text, ContextKind& kind)
     return {};
 }
 
-/** Throws when options don't go together. */
+/** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
     if (options.output.empty() && options.statistics.empty() && options.cells.empty() && options.reference.empty())
@@ -111,7 +111,7 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("-O has no mesh to read; expected MESH with it");
 }
 
-/** Turns a function that answers what is wrong into what CLI11 wants. */
+/** Converts a function that returns an error message into a callback for CLI11. */
 template <typename Reader>
 CLI::callback_t toCallback(const Reader& reader)
 {
@@ -180,7 +180,7 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
         ->type_name("OCCLUSION");
     app.add_option(
            "--probe", options.probe.file,
-           "Environment light: a latitude-longitude picture or an angular map of high dynamic range (a built-in sky)")
+           "Environment light: a latitude-longitude picture or an angular map with high dynamic range (a built-in sky)")
         ->type_name("FILE");
     app.add_option("--probe-turn",
                    toCallback(

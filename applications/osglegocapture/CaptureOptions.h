@@ -11,41 +11,41 @@
 namespace osgLego
 {
 
-/** Which way of making a GL context is used. */
+/** How the GL context is created. */
 enum class ContextKind
 {
-    AUTO, //!< EGL, and OSMesa where there is none
+    AUTO, //!< EGL, or OSMesa if EGL is not available
     EGL,
     OSMESA
 };
 
-/** Where the camera stands, around the middle of the model. */
+/** The camera, relative to the centre of the model. */
 struct CaptureView
 {
-    double azimuth = 30.0;   //!< degrees; 0 looks at the front, 90 at the right side of it
+    double azimuth = 30.0;   //!< degrees; 0: front view, 90: from the right
     double elevation = 25.0; //!< degrees above the horizon, -90 to 90
-    double distance = 0.0;   //!< radii of the mesh's bounding sphere from its middle; 0: as near as all of it fits in
+    double distance = 0.0;   //!< from the centre of the mesh's bounding sphere, in its radii; 0: as near as all fits in
     bool orthographic = false;
-    double near = 0.0; //!< radii before the camera of which nothing is drawn; 0: as it comes
+    double near = 0.0; //!< distance of the near plane, in the same radii; 0: automatic
 };
 
-/** The light from all around. */
+/** The environment light. */
 struct CaptureProbe
 {
     std::string file;  //!< empty: the built-in sky
-    double turn = 0.0; //!< degrees around the axis that is up
+    double turn = 0.0; //!< degrees about the up axis
     double intensity = 1.0;
 
     bool operator==(const CaptureProbe&) const = default;
 };
 
-/** What the command line of osglegocapture says. */
+/** The command line of osglegocapture. */
 struct CaptureOptions
 {
     std::string mesh;          //!< empty: the built-in model
-    std::string readerOptions; //!< for the reader of the mesh, as osgviewer's -O
+    std::string readerOptions; //!< for the reader of the mesh, like osgviewer's -O
     std::string output;
-    std::optional<LegoSettings> settings; //!< unset: 64, or what the file name of the mesh says
+    std::optional<LegoSettings> settings; //!< unset: 64, or the settings in the mesh's file name
     int width = 1280;
     int height = 720;
     CaptureView view;
@@ -54,18 +54,18 @@ struct CaptureOptions
     bool isOcclusionGiven = false; //!< whether the command line has the option, and not its default
     AmbientOcclusionSettings occlusion;
     bool original = false;
-    bool transparent = false; //!< the background
+    bool transparent = false; //!< whether the background is transparent
     ContextKind context = ContextKind::AUTO;
-    std::string statistics; //!< STANDARD_OUTPUT: to there
+    std::string statistics; //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
     std::string reference;
-    double threshold = DEFAULT_THRESHOLD; //!< of `reference`
+    double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 
     static constexpr const char* STANDARD_OUTPUT = "-";
 };
 
-/** Read the command line; help and mistakes are answered here.
- * @return the exit code when the program is to end now, nothing when it is to go on with `options`. */
+/** Read the command line, and print help and error messages.
+ * @return the exit code if the program must exit now; nothing if it should continue with `options`. */
 std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options);
 
 } // namespace osgLego

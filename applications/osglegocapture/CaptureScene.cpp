@@ -29,12 +29,12 @@ constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
-// Measured with llvmpipe, as the growth of resident memory by pixels: the frame buffer object and the picture, and the
+// Growth of resident memory per pixel, measured with llvmpipe: for the frame buffer object and the picture, and for the
 // buffers of an AmbientOcclusionScene.
 constexpr double BYTES_PER_PIXEL = 50.0;
 constexpr double OCCLUSION_BYTES_PER_PIXEL = 140.0;
 
-/** Finds the nodes of a class that a scene shows, but for those below one of them. */
+/** Finds the visible nodes of a class in a scene, without nodes below other nodes of that class. */
 template <typename Found>
 class Finder : public osg::NodeVisitor
 {
@@ -49,7 +49,7 @@ public:
             traverse(group);
     }
 
-    /** The first one; null without any. */
+    /** The first node; null if there is none. */
     Found* getFound() const { return _all.empty() ? nullptr : _all.front(); }
     std::vector<Found*> getAll() const { return _all; }
 
@@ -57,7 +57,8 @@ private:
     std::vector<Found*> _all;
 };
 
-/** Why a file that OpenSceneGraph finds can't be read; empty when the file system tells no reason, or nothing is found.
+/** The reason why a file found by OpenSceneGraph can't be read; empty if the file system gives none, or if it is not
+ * found.
  */
 std::string findObstacle(const std::string& fileName)
 {
@@ -65,12 +66,12 @@ std::string findObstacle(const std::string& fileName)
     return path.empty() ? std::string() : findObstacleToReading(path);
 }
 
-/** Why OpenSceneGraph has not read a file. */
+/** The reason why OpenSceneGraph has not read a file. */
 std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
 {
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
     if (!result.message().empty()) return result.message();
-    // Pseudo-loaders lengthen the name of a file, so that only they can tell whether it is there.
+    // Pseudo-loaders append to the name of a file, so that only they can know whether it exists.
     const bool isPlain =
         osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
     return isPlain ? "there is no such file" : "OpenSceneGraph can't read it";
@@ -109,7 +110,7 @@ CaptureScene::CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg
 
 void CaptureScene::prepare()
 {
-    // A pseudo-loader may have put a node around the mesh, or around a part of it, already.
+    // A pseudo-loader may already have put a LegoNode above the mesh or a part of it.
     if (_options.original || _options.settings) unwrapSource();
     _shown = _source;
     if (_options.original) return;
@@ -141,7 +142,7 @@ void CaptureScene::legolize()
         _shown = _lego;
     }
     _lego->setWaiting(true);
-    // Before the source is looked at, or it would be looked at again.
+    // Set before the source is examined, which would otherwise be repeated.
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
     if (!_lego->hasTriangles())
@@ -216,7 +217,7 @@ osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
     return _options.transparent ? drawTransparent(*image) : image;
 }
 
-/** Draw a picture that is there already, to see how long it takes when nothing is to be made anew. */
+/** Draw the picture again, to measure a frame without legolization. */
 void CaptureScene::timeFrame(osg::GraphicsContext& context)
 {
     context.makeCurrent();
@@ -228,8 +229,8 @@ void CaptureScene::timeFrame(osg::GraphicsContext& context)
     _drawingTime = elapsed(start);
 }
 
-/** From pictures over two backgrounds, since the alpha of a frame buffer is that of surfaces, blended or not, and not
- * how much of the background they hide. */
+/** Uses pictures over two backgrounds, since the alpha in a frame buffer belongs to the surfaces, whether blended or
+ * not; it does not tell how much of the background they hide. */
 osg::ref_ptr<osg::Image> CaptureScene::drawTransparent(const osg::Image& image)
 {
     const osg::ref_ptr<osg::Image> overBlack = new osg::Image(image, osg::CopyOp::DEEP_COPY_ALL);
@@ -244,7 +245,7 @@ double CaptureScene::estimateMemory() const
     return (BYTES_PER_PIXEL + (hasOcclusion ? OCCLUSION_BYTES_PER_PIXEL : 0.0)) * _options.width * _options.height;
 }
 
-/** Before anything is drawn, or OSG would tell of every shader that such a context can't compile. */
+/** Called before drawing: otherwise OSG would report every shader that an unsupported context can't compile. */
 void CaptureScene::checkSupport(osg::GraphicsContext& context) const
 {
     context.makeCurrent();
@@ -265,8 +266,8 @@ void CaptureScene::checkLegolized(const osg::State& state) const
 
 void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
 {
-    // The viewer's own camera draws nothing: the picture is made in a frame buffer object, so that its samples and
-    // formats are the same whatever the context's own are.
+    // The viewer's own camera draws nothing: the picture is drawn into a frame buffer object, so that samples and
+    // formats do not depend on the context.
     osg::Camera* window = _viewer.getCamera();
     window->setGraphicsContext(&context);
     window->setViewport(0, 0, context.getTraits()->width, context.getTraits()->height);
@@ -282,17 +283,17 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     camera->setViewport(0, 0, _options.width, _options.height);
     camera->setClearColor(_options.transparent ? BLACK : BACKGROUND);
     if (_options.view.near > 0.0) camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted however small they look
+    camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted even if they are small
     placeCamera(*camera);
     camera->addChild(_shown);
 
-    // A light over the left shoulder of this camera: head on, edges would drown.
+    // A light above the left of the camera: with a headlight, edges would hardly be visible.
     _viewer.setLightingMode(osg::View::NO_LIGHT);
     osg::ref_ptr<osg::LightSource> light = new osg::LightSource;
     light->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
     light->getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
     light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
-    // The full look has light from all around besides.
+    // The full look also has environment light.
     const bool isFull = _lego && _lego->getSettings().look == Look::FULL;
     const float diffuse = isFull ? 1.0f : 0.7f;
     light->getLight()->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0f));
@@ -312,7 +313,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
 
 void CaptureScene::placeCamera(osg::Camera& camera) const
 {
-    // By the mesh, not by the bricks that are there, so that pictures of both fit on each other.
+    // Placed according to the mesh, not its bricks, so that pictures of both match.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
     const osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
     const LegoSettings settings = getSettings();

@@ -14,33 +14,32 @@
 namespace osgLego
 {
 
-/** What is captured: a mesh, the bricks of it, and the camera in front of them.
+/** The captured scene: a mesh, its bricks, and the camera.
  *
  * Throws CaptureError. One thread.
  */
 class CaptureScene
 {
 public:
-    /** Read the mesh, or make the built-in one. */
+    /** Read the mesh, or create the built-in one. */
     explicit CaptureScene(const CaptureOptions& options);
 
-    /** Take a node, which may hold LegoNodes and AmbientOcclusionScenes of its own, in place of a mesh. */
+    /** Use a node instead of a mesh; it may contain LegoNodes and AmbientOcclusionScenes. */
     CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node);
 
-    /** Draw in a context, as often as it takes for the bricks to be there.
-     * @return the picture, its first row at the bottom: RGB of 8 bits, or, with a transparent background, RGBA, its
-     * colours not multiplied by alpha. */
+    /** Draw in a context, repeatedly until the bricks exist.
+     * @return the picture, bottom row first: 8-bit RGB or, with a transparent background, RGBA with straight alpha. */
     osg::ref_ptr<osg::Image> draw(osg::GraphicsContext& context);
 
-    /** About how much memory draw() takes for the pixels of the picture, most of it in buffers of GL, in bytes. */
+    /** The approximate memory that draw() needs for the pixels of the picture, mostly in GL buffers, in bytes. */
     double estimateMemory() const;
 
-    /** The node that makes the bricks; null when the mesh is drawn as it is. */
+    /** The node that makes the bricks; null if the original mesh is drawn. */
     LegoNode* getLegoNode() const { return _lego.get(); }
-    /** The node that adds ambient occlusion; null without. */
+    /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
     double getReadingTime() const { return _readingTime; }
-    /** Milliseconds of the last frame in which nothing was made anew. */
+    /** The time of the last frame without legolization, in milliseconds. */
     double getDrawingTime() const { return _drawingTime; }
 
 private:
@@ -60,10 +59,10 @@ private:
     LegoSettings getSettings() const;
 
     const CaptureOptions& _options;
-    osgViewer::Viewer _viewer; // closes the context when it goes
+    osgViewer::Viewer _viewer; // closes the context on destruction
     osg::ref_ptr<osg::Camera> _camera;
     osg::ref_ptr<osg::Node> _source;
-    LegoSettings _sourceSettings; // those of a node that a pseudo-loader had put around the mesh
+    LegoSettings _sourceSettings; // settings of the LegoNode that a pseudo-loader put above the mesh
     osg::ref_ptr<osg::Node> _shown;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;

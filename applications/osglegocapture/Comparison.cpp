@@ -24,7 +24,7 @@ bool hasAlpha(const OIIO::ImageBuf& picture)
     return picture.spec().alpha_channel == 3;
 }
 
-/** The channels in which two pictures are compared. */
+/** The channels to compare in two pictures. */
 OIIO::ImageBuf comparedChannels(const OIIO::ImageBuf& picture, bool withAlpha)
 {
     return OIIO::ImageBufAlgo::channels(toMultiplied(picture), withAlpha ? 4 : 3, {});
@@ -65,7 +65,7 @@ OIIO::ImageBuf createDifferencePicture(const OIIO::ImageBuf& picture, const OIIO
         OIIO::ImageBufAlgo::absdiff(comparedChannels(picture, withAlpha), comparedChannels(reference, withAlpha));
     if (withAlpha)
     {
-        // A difference of alpha alone is one of the picture over white.
+        // A difference in alpha only is shown as the difference of the pictures over white.
         const OIIO::ImageBuf alpha = OIIO::ImageBufAlgo::channels(difference, 3, {3, 3, 3});
         difference = OIIO::ImageBufAlgo::add(OIIO::ImageBufAlgo::channels(difference, 3, {}), alpha);
     }
@@ -78,7 +78,7 @@ OIIO::ImageBuf readReference(const std::string& fileName, int width, int height)
 {
     if (const std::string obstacle = findObstacleToReading(fileName); !obstacle.empty())
         throw CaptureError(EXIT_BAD_INPUT, "can't read '" + fileName + "': " + obstacle);
-    // Multiplied by alpha in 8 bits, colours would lose what the comparison is about.
+    // Multiplying 8-bit colours by alpha would lose the precision that the comparison needs.
     OIIO::ImageSpec asItIs;
     asItIs.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf reference(fileName, 0, 0, nullptr, &asItIs);

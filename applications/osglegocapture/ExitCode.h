@@ -6,7 +6,7 @@
 namespace osgLego
 {
 
-/** What osglegocapture ends with. */
+/** The exit codes of osglegocapture. */
 enum ExitCode : int
 {
     EXIT_FINE = 0,
@@ -17,7 +17,7 @@ enum ExitCode : int
     EXIT_NO_GL = 5        //!< no GL context that can make bricks
 };
 
-/** A failure with the code that the program ends with, and one sentence that says what is wrong and what is expected.
+/** A failure, with the exit code of the program, and one sentence on what is wrong and what is expected.
  */
 class CaptureError : public std::runtime_error
 {

@@ -17,7 +17,7 @@ namespace osgLego
 namespace
 {
 
-constexpr double MAXIMUM_COORDINATE = 1e18; // the library ignores triangles beyond
+constexpr double MAXIMUM_COORDINATE = 1e18; // the library ignores triangles beyond this
 constexpr double NOWHERE = -std::numeric_limits<double>::infinity();
 
 osg::Vec3d toPoint(const osg::Vec2d& vertex)
@@ -35,7 +35,7 @@ osg::Vec3d toPoint(const osg::Vec4d& vertex)
     return {vertex.x(), vertex.y(), vertex.z()};
 }
 
-/** Hands on the vertices that the primitives of a drawable use. */
+/** Passes on the vertices used by the primitives of a drawable. */
 class UsedVertices : public osg::PrimitiveFunctor
 {
 public:
@@ -161,7 +161,7 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
     const osg::BoundingBoxd bricks = grid.getNumCells() > 0 ? grid.getBrickBounds() : source.bounds;
     if (isNested)
     {
-        // Bricks of bricks: the outer ones are made of the inner ones.
+        // Nested LegoNodes: the outer bricks are made from the inner ones.
         for (unsigned int corner = 0; corner < 8; ++corner)
             addPoint(bricks.corner(corner) * _matrix);
         return;
@@ -179,7 +179,7 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
 
 void SceneReach::addPoint(const osg::Vec3d& point)
 {
-    // Written so that NaN fails it.
+    // Written so that NaN is rejected.
     for (const double coordinate : {point.x(), point.y(), point.z()})
         if (!(std::abs(coordinate) <= MAXIMUM_COORDINATE)) return;
     _surface.bounds.expandBy(point);

@@ -14,10 +14,10 @@
 namespace osgLego
 {
 
-/** How far a scene reaches along some directions, its LegoNodes as far as their bricks may reach.
+/** The extent of a scene along given directions, including the possible extent of the bricks of its LegoNodes.
  *
- * Bricks lie within a cell of the surface and inside the grid, so that they need not be there yet, and a mesh reaches
- * as far as the bricks that would be made of it.
+ * Bricks are within one cell of the surface and inside the grid, so their extent is known before they exist. A mesh has
+ * the same extent as the bricks that would be made from it.
  *
  *     SceneReach reach({osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0)});
  *     reach.addSource(*mesh, settings);
@@ -28,15 +28,15 @@ class SceneReach : public osg::NodeVisitor
 public:
     META_NodeVisitor(osgLego, SceneReach)
 
-    /** @param directions in the coordinates of the nodes that are visited, of any length. */
+    /** @param directions vectors of any length, in the coordinates of the visited nodes. */
     explicit SceneReach(const std::vector<osg::Vec3d>& directions);
 
-    /** Take in the bricks that settings make of a node. */
+    /** Add the bricks made from a node with the given settings. */
     void addSource(osg::Node& source, const LegoSettings& settings);
 
-    /** For each direction the largest product of it with a point of the scene. */
+    /** For each direction, its largest scalar product with a point of the scene. */
     const std::vector<double>& getReach() const { return _surface.reach; }
-    /** Whether there was any point. */
+    /** Whether any point was added. */
     bool isValid() const { return _surface.bounds.valid(); }
 
     void apply(osg::Group& group) override;
@@ -44,7 +44,7 @@ public:
     void apply(osg::Drawable& drawable) override;
 
 private:
-    /** The points that share one grid. */
+    /** Points with the same grid. */
     struct Surface
     {
         osg::Matrixd toScene; //!< from the coordinates of the grid

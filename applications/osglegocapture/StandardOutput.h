@@ -6,8 +6,8 @@
 namespace osgLego
 {
 
-/** Keeps standard output for one text: while this lives, everything that the program and its libraries print there goes
- * to standard error. One at a time. */
+/** Reserves standard output for one text: while this object exists, everything else that the program and its libraries
+ * print to standard output is redirected to standard error. Only one object may exist at a time. */
 class StandardOutput
 {
 public:
@@ -16,11 +16,11 @@ public:
     StandardOutput(const StandardOutput&) = delete;
     StandardOutput& operator=(const StandardOutput&) = delete;
 
-    /** Write the text. Throws CaptureError when it can't be written. */
+    /** Write the text. Throws CaptureError if it can't be written. */
     void write(const std::function<void(std::ostream&)>& write) const;
 
 private:
-    int _descriptor; // of standard output as it was
+    int _descriptor; // the original standard output
 };
 
 } // namespace osgLego

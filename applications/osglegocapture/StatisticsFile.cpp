@@ -18,7 +18,7 @@ nlohmann::ordered_json toJson(const Vector& vector)
     return {vector.x, vector.y, vector.z};
 }
 
-/** To the microsecond: what is behind that is noise. */
+/** Round to microseconds: further digits are noise. */
 double rounded(double milliseconds)
 {
     return std::round(1000.0 * milliseconds) / 1000.0;

@@ -10,8 +10,7 @@ namespace
 
 constexpr int OPAQUE = 255;
 
-/** How much of the background a pixel hides. A background shows by the same part in all channels; the mean of them
- * rounds least. */
+/** The opacity of a pixel. It is the same for all channels; their mean has the smallest rounding error. */
 int alphaOf(const unsigned char* overBlack, const unsigned char* overWhite)
 {
     int shown = 0;

@@ -23,7 +23,7 @@ namespace osgLego
 namespace
 {
 
-/** Says on a terminal what is being done; elsewhere, nothing. */
+/** Shows progress on a terminal; prints nothing if standard error is not a terminal. */
 class Progress
 {
 public:
@@ -44,7 +44,7 @@ private:
     bool _isTerminal = isatty(STDERR_FILENO) != 0;
 };
 
-/** Where the difference to a reference goes: beside the output, or beside nothing. */
+/** The file for the difference to a reference: next to the output or, without an output, in the current folder. */
 std::string differenceNameOf(const CaptureOptions& options)
 {
     const std::filesystem::path path(options.output.empty() ? std::filesystem::path(options.reference).filename()
@@ -54,14 +54,14 @@ std::string differenceNameOf(const CaptureOptions& options)
 
 osg::ref_ptr<osg::GraphicsContext> createContext()
 {
-    constexpr int UNUSED_SIZE = 16; // the picture has a frame buffer of its own
+    constexpr int UNUSED_SIZE = 16; // the picture has its own frame buffer
     std::string error;
     osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
     if (!context) throw CaptureError(EXIT_NO_GL, error);
     return context;
 }
 
-/** Say so before the picture takes gigabytes, which machines that swap, or end programs, may not have. */
+/** Warn before a picture takes gigabytes: if memory is short, the machine may swap or kill the program. */
 void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
 {
     constexpr double GIGABYTE = 1e9;
@@ -79,7 +79,7 @@ int capture(const CaptureOptions& options)
     const bool statisticsToOutput = options.statistics == CaptureOptions::STANDARD_OUTPUT;
     std::optional<StandardOutput> standardOutput;
     if (statisticsToOutput) standardOutput.emplace();
-    // Before the work, which may be long.
+    // Check before the work, which may take long.
     const std::string statisticsFile = statisticsToOutput ? std::string() : options.statistics;
     checkPicturePlace(options.output, options.transparent);
     checkPlace(statisticsFile);
@@ -120,15 +120,15 @@ int capture(const CaptureOptions& options)
 }
 
 #if !defined(OSGLEGO_OSMESA)
-/** Go on as the program that is linked with OSMesa instead of EGL; a process can have one of them only. Comes back only
- * when there is no such program. */
+/** Continue as the program that is linked with OSMesa instead of EGL, since a process can use only one of them. Returns
+ * only by an exception, if there is no such program. */
 void becomeOsMesa(char** argv)
 {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
     const std::string other = self.string() + "-osmesa";
     execv(other.c_str(), argv);
-    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to go on with; expected --context egl");
+    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to create an OSMesa context; expected --context egl");
 }
 
 bool hasEgl()
@@ -138,7 +138,7 @@ bool hasEgl()
 }
 #endif
 
-/** Let OSG find the plugins of the tree that this program stands in, built or installed. */
+/** Let OSG find the plugins of the build or installation that contains this program. */
 void findOwnPlugins()
 {
     std::error_code error;

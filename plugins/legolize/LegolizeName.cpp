@@ -22,7 +22,7 @@ bool isBracketed(std::string_view text)
            ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
 }
 
-/** The last dot that is not inside brackets; npos when there is none. */
+/** The last dot outside brackets; npos if there is none. */
 std::string::size_type findLastDot(std::string_view name)
 {
     int depth = 0;
@@ -47,7 +47,7 @@ bool isSettingsOption(std::string_view option)
     if (isNumber(first)) return true;
     const auto equals = first.find('=');
     if (equals == std::string_view::npos) return false;
-    // Digits before a key are a resolution without its comma, which the settings refuse by name.
+    // Digits before a key are a resolution without a comma; LegolizeSettings::parse reports the missing comma.
     const auto begin = first.find_first_not_of("0123456789");
     return LegolizeSettings::isKey(std::string(first.substr(begin, equals - begin)));
 }
@@ -57,7 +57,7 @@ char closingOf(char bracket)
     return bracket == '(' ? ')' : ']';
 }
 
-/** A letter of a name and its place. */
+/** Describe a character of a name and its position. */
 std::string describe(const std::string& name, std::string::size_type place)
 {
     return std::string("'") + name[place] + "' as character " + std::to_string(place + 1) + " of '" + name + "'";
@@ -94,13 +94,14 @@ bool LegolizeName::parse(const std::string& name, LegolizeName& result)
 std::string LegolizeName::findLoneBracket(const std::string& name)
 {
     std::vector<std::string::size_type> open;
-    for (auto place = name.rfind('/') + 1; place < name.size(); ++place) // from 0 without a folder
+    for (auto place = name.rfind('/') + 1; place < name.size(); ++place) // from 0 if there is no folder
     {
         const char letter = name[place];
         if (letter == '(' || letter == '[') open.push_back(place);
         if (letter != ')' && letter != ']') continue;
         const char opening = letter == ')' ? '(' : '[';
-        if (open.empty()) return describe(name, place) + " closes no bracket; expected '" + opening + "' before it";
+        if (open.empty())
+            return describe(name, place) + " has no opening bracket; expected '" + opening + "' before it";
         if (name[open.back()] != opening)
             return describe(name, place) + " closes '" + name[open.back()] + "'; expected '" +
                    closingOf(name[open.back()]) + "'";

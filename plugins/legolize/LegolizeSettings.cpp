@@ -59,19 +59,19 @@ bool readOcclusion(const std::string& value, Occlusion& occlusion)
     return false;
 }
 
-/** Read one of the loader's own items. @return what is wrong with it; empty when nothing is. */
+/** Read one of the loader's own items. @return an error message, empty if there is no error. */
 std::string readOwnItem(const Item& item, LegolizeSettings& settings)
 {
     const auto& [key, value] = item;
     if (key == "occlusion" && !readOcclusion(value, settings.occlusion))
         return "bad value '" + value + "' for occlusion; expected off, low, medium or high";
     if (key == "probe" && value.empty())
-        return "no value for probe; expected the name of a picture of high dynamic range, without commas";
+        return "no value for probe; expected the name of a high dynamic range picture, without commas";
     if (key == "probe") settings.probe = value;
     return {};
 }
 
-/** Read the items that are the loader's own. @return what is wrong with them; empty when nothing is. */
+/** Read the loader's own items. @return an error message, empty if there is no error. */
 std::string readOwnItems(const std::vector<Item>& items, LegolizeSettings& settings)
 {
     for (std::size_t index = 0; index < items.size(); ++index)

@@ -6,18 +6,18 @@
 #include <optional>
 #include <string>
 
-/** What can be asked of `.legolize`: the keys of osgLego::LegoSettings, and two more.
+/** The settings of `.legolize`: the keys of osgLego::LegoSettings, and two more.
  *
  * | key       | values                 | default                                                    |
  * |-----------|------------------------|------------------------------------------------------------|
- * | occlusion | off, low, medium, high | medium; with look=plain off                                |
+ * | occlusion | off, low, medium, high | medium; off with look=plain                                |
  * | probe     | a picture's file name  | the built-in sky                                           |
  *
- * The file name stands as it is, up to the next comma.
+ * The file name is not quoted and ends at the next comma.
  */
 struct LegolizeSettings
 {
-    /** off, low, medium, high; unset: as the look has it. */
+    /** off, low, medium, high; unset: depends on the look. */
     enum class Occlusion
     {
         BY_LOOK,
@@ -31,13 +31,13 @@ struct LegolizeSettings
     Occlusion occlusion = Occlusion::BY_LOOK;
     std::string probe; //!< empty: the built-in sky
 
-    /** The settings of the ambient occlusion in force; unset: none. */
+    /** The settings of ambient occlusion; unset: no ambient occlusion. */
     std::optional<osgLego::AmbientOcclusionSettings> getOcclusion() const;
 
-    /** Read `key=value` separated by commas; keys that the text does not name keep the values that `settings` had.
-     * @return false, with one sentence in `error` and `settings` unchanged, on a mistake. */
+    /** Read `key=value` separated by commas. Settings whose keys are not given keep their values.
+     * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */
     static bool parse(const std::string& text, LegolizeSettings& settings, std::string& error);
 
-    /** Whether there is a key of that name. */
+    /** Whether a name is a key. */
     static bool isKey(const std::string& name);
 };

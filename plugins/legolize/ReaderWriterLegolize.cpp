@@ -11,16 +11,16 @@
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
 
-/** The pseudo-loader `.legolize`: reads the file whose name comes before, and puts it under an osgLego::LegoNode; and
- * that, unless `look=plain` or `occlusion=off` is asked for, under an osgLego::AmbientOcclusionScene.
+/** The pseudo-loader `.legolize`: reads the file named before the extension and puts it under an osgLego::LegoNode.
+ * This is put under an osgLego::AmbientOcclusionScene, unless `look=plain` or `occlusion=off` is given.
  *
  *     osgviewer bunny.ply.legolize
  *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"
  *     osgviewer bunny.ply.legolize -O "64,proportions=plate"
  *     osgviewer sample.legolize
  *
- * Settings are those of LegolizeSettings; those in the name count for more than those of the options. What of the
- * options is no setting is handed on to the reader of the file. */
+ * See LegolizeSettings for the settings; those in the name override those in the options. Options that are not settings
+ * are passed to the reader of the file. */
 class ReaderWriterLegolize : public osgDB::ReaderWriter
 {
 public:
@@ -32,15 +32,15 @@ public:
         supportsOption("proportions=cube|brick|plate", "the shape of a cell");
         supportsOption("up=y|z", "the axis along which studs point");
         supportsOption("method=points|exact", "the method of voxelization");
-        supportsOption("target=projected|addressed", "what a texel stands for");
+        supportsOption("target=projected|addressed", "how pixels of the frame buffer object are assigned to cells");
         supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
-        supportsOption("edge=<number>", "the longest edge that subdivision leaves, in cells, 0.0625 to 4");
+        supportsOption("edge=<number>", "the longest edge after subdivision, in cells, 0.0625 to 4");
         supportsOption("device=auto|gpu|cpu", "whether the CPU or the GPU makes the bricks");
         supportsOption("drawing=auto|triangles|splats", "how bricks are rasterized");
         supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
         supportsOption("occlusion=off|low|medium|high",
-                       "the quality of ambient occlusion: medium, with look=plain off");
-        supportsOption("probe=<file>", "the light from all around: a picture of high dynamic range");
+                       "the quality of ambient occlusion; by default medium, or off with look=plain");
+        supportsOption("probe=<file>", "the environment light: a high dynamic range picture");
     }
 
     const char* className() const override { return "legolize pseudo-loader"; }
@@ -72,14 +72,14 @@ public:
             const std::string obstacle = findObstacle(parsed.fileName, name, rest);
             if (!obstacle.empty()) return ReadResult(obstacle);
         }
-        // Not "not handled": the reader of .legolize has done its part, and there is no use in looking for others.
+        // Don't return "not handled": this is the reader of .legolize, and osgDB need not search for another one.
         if (result.notHandled()) return ReadResult("there is no reader for '" + parsed.fileName + "'");
         if (!result.validNode()) return result;
         return legolize(result.getNode(), settings, *probe, name);
     }
 
 private:
-    /** Why a file can't be read, as far as its name and the file system tell; empty when they don't. */
+    /** The reason why a file can't be read, if it is in the name or the file system; otherwise empty. */
     static std::string findObstacle(const std::string& fileName, const std::string& name, const Options* options)
     {
         const std::string path = osgDB::findDataFile(fileName, options);
@@ -88,7 +88,8 @@ private:
         return obstacle.empty() ? obstacle : "can't read '" + fileName + "': " + obstacle;
     }
 
-    /** The light from all around, upright; null, with the reason in `error`, when its picture can't be had. */
+    /** Read the environment light and turn it upright. @return null, with the reason in `error`, if its picture can't
+     * be used. */
     static osg::ref_ptr<osgLego::LightProbe> readProbe(const LegolizeSettings& settings, const Options* options,
                                                        std::string& error)
     {

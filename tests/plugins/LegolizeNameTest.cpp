@@ -46,7 +46,7 @@ TEST(LegolizeName, ABracketWithoutItsCounterpartIsNamedWithItsPlace)
     EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.[8,edge=0.5.legolize"),
               "'[' as character 7 of 'a.obj.[8,edge=0.5.legolize' is not closed; expected ']' before '.legolize'");
     EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.8).legolize"),
-              "')' as character 8 of 'a.obj.8).legolize' closes no bracket; expected '(' before it");
+              "')' as character 8 of 'a.obj.8).legolize' has no opening bracket; expected '(' before it");
     EXPECT_EQ(LegolizeName::findLoneBracket("a.obj.(8].legolize"),
               "']' as character 9 of 'a.obj.(8].legolize' closes '('; expected ')'");
     for (const char* name : {"a.obj.(8).legolize", "a.obj.(8).[9].legolize", "b(c/a.obj.8.legolize"})
