@@ -21,7 +21,7 @@ void note(std::size_t size)
 
 } // namespace
 
-// These replace those of the standard library in the whole program; the other forms call them.
+// These operators replace those of the standard library in the whole program; the other forms call them.
 void* operator new(std::size_t size)
 {
     note(size);

@@ -23,7 +23,7 @@ std::string getGlText(GLenum name)
     return text ? text : "unknown";
 }
 
-/** The processor's name as Linux gives it. */
+/** The name of the processor, from Linux. */
 std::string findProcessor()
 {
     std::ifstream file("/proc/cpuinfo");

@@ -9,12 +9,12 @@
 namespace osgLego
 {
 
-/** A context to measure in, current when this returns. Throws std::runtime_error when there is none.
- * @param width, height of its own frame buffer, in pixels. */
+/** Create a context to measure in and make it current. Throws std::runtime_error if this fails.
+ * @param width, height the size of its own frame buffer, in pixels. */
 osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width = 16, int height = 16);
 
-/** A document of figures, as yet with the name of the benchmark, and with where and when it was measured: renderer,
- * version of GL, processor, threads, commit, date.
+/** Create a document of figures that contains the name of the benchmark and the environment: renderer, version of GL,
+ * processor, threads, commit, date.
  * @param context is made current. */
 nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context);
 

@@ -22,7 +22,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/** Gives every vertex a colour by its place in its geometry's bounds. */
+/** Gives every vertex a colour according to its position in the bounds of its geometry. */
 class PlaceColorizer : public osg::NodeVisitor
 {
 public:
@@ -58,7 +58,7 @@ bool hasColors(const SceneTriangles& scene)
                        });
 }
 
-/** The value of the last ",up=", which is cut off; empty when there is none. */
+/** Remove the last ",up=" and return its value; empty if there is none. */
 std::string takeUpAxis(std::string& text)
 {
     constexpr std::string_view KEY = ",up=";

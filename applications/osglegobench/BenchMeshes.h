@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** A mesh to measure with, by name. */
+/** A mesh to measure with. */
 struct MeshSource
 {
     std::string name = "car";
@@ -27,11 +27,11 @@ std::vector<MeshSource> findMeshSources(const std::string& folder);
 /** The Stanford bunny of a folder, or the built-in car where it is missing. */
 MeshSource findBunny(const std::string& folder);
 
-/** Read a mesh. One without colours gets colours per vertex, from the vertex's position, so that no method is spared
- * the work of colours. Throws std::runtime_error when it can't be read or has no triangles. */
+/** Read a mesh. A mesh without colours gets colours per vertex, from the vertex's position, so that every method has to
+ * handle colours. Throws std::runtime_error if it can't be read or has no triangles. */
 osg::ref_ptr<osg::Node> readMesh(const MeshSource& source);
 
-/** Lay a grid around a mesh that was read. */
+/** Create the grid for a mesh that has been read. */
 BenchMesh createBenchMesh(const MeshSource& source, osg::Node& node, unsigned int resolution);
 
 } // namespace osgLego

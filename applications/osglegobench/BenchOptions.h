@@ -20,26 +20,26 @@ struct BenchOptions
     bool isQuick = false;
     std::string jsonFile;
 
-    /** @param usualResolutions those measured by default, for --help. */
+    /** @param usualResolutions the default resolutions, for --help. */
     void addTo(CLI::App& command, const std::string& usualResolutions);
 
-    /** All meshes to measure. Checks before hours of measuring that the file can be written. Throws
+    /** All meshes to measure. Also checks that the file can be written, before hours of measuring. Throws
      * std::runtime_error. */
     std::vector<MeshSource> getMeshes() const;
     /** The only mesh of a subcommand that measures one: the first of --mesh, else the bunny or the car. As above. */
     MeshSource getMesh() const;
-    /** Those of --resolution, else the default ones of a quick or a usual run. */
+    /** The resolutions of --resolution or, without it, the defaults of a quick or normal run. */
     std::vector<unsigned int> getResolutions(const std::vector<unsigned int>& quick,
                                              const std::vector<unsigned int>& usual) const;
 
-    /** Write a document to --json, completely or not at all, or to the standard output. Throws std::runtime_error. */
+    /** Write a document to --json (an atomic write) or to standard output. Throws std::runtime_error. */
     void write(const nlohmann::ordered_json& document) const;
 
 private:
     void checkFile() const;
 };
 
-/** How often something is timed. */
+/** The number of timed runs. */
 struct BenchRuns
 {
     unsigned int numRuns = 7;

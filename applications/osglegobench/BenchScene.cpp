@@ -77,7 +77,7 @@ double FrameViewer::timeFrame(const char* group)
     if (push) push(GL_DEBUG_SOURCE_APPLICATION, 0, -1, group);
     _viewer.frame();
     if (pop) pop();
-    glFinish(); // outside the group, as it is not the frame's own wait
+    glFinish(); // outside the group, since this wait is not part of the frame
     return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
 }
 

@@ -16,38 +16,40 @@
 namespace osgLego
 {
 
-/** A mesh in bricks, and the point that it is viewed from. */
+/** A mesh in bricks, and its viewpoint. */
 struct BenchScene
 {
-    /** A mesh at a resolution, with default settings otherwise. */
+    /** A mesh at a resolution, with all other settings at their defaults. */
     BenchScene(const MeshSource& source, unsigned int resolution);
 
-    /** The bricks of the mesh, which frames wait for. Throws std::runtime_error when it can't be read. */
+    /** Create a node with the bricks of the mesh; frames wait for them. Throws std::runtime_error if the mesh can't be
+     * read. */
     osg::ref_ptr<LegoNode> createLego() const;
-    /** Let a camera look at bricks of some bounds. */
+    /** Point a camera at bricks with the given bounds. */
     void placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const;
 
     MeshSource mesh;
     LegoSettings settings;
-    double azimuth = 30.0; //!< degrees, as of osglegocapture's --view
+    double azimuth = 30.0; //!< degrees, like osglegocapture's --view
     double elevation = 25.0;
     double distance = 3.5; //!< radii of the bricks' bounding sphere
 };
 
-/** A viewer of a context of its own, without a display, whose camera draws into the context's own frame buffer. Throws
- * std::runtime_error when there is no GL by EGL. One thread. */
+/** A viewer with its own context, without a display, whose camera draws into the context's own frame buffer. Throws
+ * std::runtime_error if EGL provides no GL. One thread. */
 class FrameViewer
 {
 public:
     /** @param size in pixels. */
     explicit FrameViewer(const glm::ivec2& size);
 
-    /** Show a scene graph, its bounding sphere seen as a scene says. */
+    /** Show a scene graph from the viewpoint of a scene. */
     void show(osg::Node& node, const BenchScene& scene);
-    /** Draw, without waiting until that is done. */
+    /** Draw without waiting for completion. */
     void drawFrame() { _viewer.frame(); }
-    /** @param group marks its GL commands in traces of apitrace, in which scripts/bench counts.
-     * @return milliseconds of a frame, the last command finished. */
+    /** Draw a frame and wait for its completion.
+     * @param group marks its GL commands in traces of apitrace, where scripts/bench counts them.
+     * @return the duration in milliseconds. */
     double timeFrame(const char* group = "frame");
     /** The picture drawn last. */
     osg::ref_ptr<osg::Image> read() const;
@@ -61,7 +63,7 @@ private:
     osg::ref_ptr<osg::GraphicsContext> _context;
 };
 
-/** Throws std::runtime_error, with the reason, unless a node has its bricks in a viewer's context. */
+/** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context. */
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer);
 
 } // namespace osgLego

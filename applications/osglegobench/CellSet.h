@@ -27,7 +27,7 @@ public:
     /** False for cells outside the grid. */
     bool contains(const glm::ivec3& cell) const { return isInside(cell) && _bits[numberOf(cell)]; }
 
-    /** @param cell inside the grid. @return whether it is new. */
+    /** Add a cell inside the grid. @return whether it is new. */
     bool insert(const glm::ivec3& cell)
     {
         auto bit = _bits[numberOf(cell)];

@@ -5,12 +5,12 @@
 namespace osgLego
 {
 
-// Each of these adds a subcommand, which runs as its callback, writes one JSON document, and throws
-// std::runtime_error where it can't go on.
+// Each function adds a subcommand. The subcommand runs as a callback, writes one JSON document, and throws
+// std::runtime_error if it fails.
 
 /** Time, exactness and colours of contenders, on meshes at several resolutions. */
 void addVoxelizeCommand(CLI::App& app);
-/** Time and picture of a frame, beside the reference that draws every face and every stud. */
+/** Time and picture of a frame, compared with the reference that draws every face and every stud. */
 void addFrameCommand(CLI::App& app);
 /** Memory, times and counts of frames of one scene. */
 void addDrawCommand(CLI::App& app);

@@ -24,16 +24,16 @@ struct BenchMesh
     osg::ref_ptr<const GridTriangles> triangles;
 };
 
-/** A way of finding the bricks of a mesh, measured beside others.
+/** A method of finding the bricks of a mesh, to be compared with others.
  *
  * Preconditions:
- * 1. Every call comes from one thread, with one and the same context current.
- * 2. Its GL state is OSG's or the default. A contender restores the state that it changes.
+ * 1. All functions are called from one thread, with the same context current.
+ * 2. The GL state is OSG's or the default. A contender restores the state that it changes.
  */
 class Contender
 {
 public:
-    /** Names of the stages of a run, and their milliseconds. */
+    /** The names of the stages of a run, and their times in milliseconds. */
     using Stages = std::vector<std::pair<std::string, double>>;
 
     virtual ~Contender() = default;
@@ -42,21 +42,21 @@ public:
     virtual std::string getName() const = 0;
     virtual bool hasColors() const = 0;
 
-    /** Make the objects that a program would make once for a mesh and a grid: programs, textures of the grid's size.
-     * Not timed.
-     * @return why it can't, in one sentence; empty when it can. */
+    /** Create the objects that an application would create once for a mesh and a grid: programs, textures of the grid's
+     * size. Not timed.
+     * @return an error message, in one sentence; empty on success. */
     virtual std::string prepare(const BenchMesh& mesh, osg::GraphicsContext& context) = 0;
 
-    /** From triangles in main memory to points of the visible bricks (cell, colour, open sides, 12 bytes each) in a
-     * buffer of the renderer.
-     * @return milliseconds, the last command finished. */
+    /** Process the triangles in main memory into points of the visible bricks (cell, colour, open sides, 12 bytes each)
+     * in a GL buffer, and wait for completion.
+     * @return the duration in milliseconds. */
     virtual double run() = 0;
 
-    /** The stages of the last run, the same ones after every run; empty when there is only one. The stage "gpu" is the
-     * time between two of GL's time stamps; software renderers have none. */
+    /** The stages of the last run, the same ones after every run; empty if there is only one. The stage "gpu" is the
+     * time between two GL time stamps; software renderers don't have it. */
     virtual Stages getStages() const { return {}; }
 
-    /** The cells that the last run found, visible or not. Not timed. */
+    /** The cells found by the last run, visible or not. Not timed. */
     virtual osg::ref_ptr<const BrickModel> getBricks() = 0;
 
     /** Release the objects of prepare() and run(). */

@@ -20,7 +20,7 @@ namespace osgLego
 namespace
 {
 
-/** The exact method without GL, legolizeOnCpu, its bricks uploaded to the renderer. */
+/** The exact method without GL, legolizeOnCpu, followed by an upload of the bricks. */
 class CpuContender : public NativeContender
 {
 public:
@@ -33,7 +33,8 @@ protected:
 
 constexpr const char* OPENVDB_LIBRARY = "osglegobench_openvdb.so";
 
-/** The library beside this program, in a build or an installation; elsewhere it is looked for in OSG_LIBRARY_PATH. */
+/** The path of the library in this program's build or installation; if it is not there, it is searched in
+ * OSG_LIBRARY_PATH. */
 std::string findOpenVdbLibrary()
 {
     namespace fs = std::filesystem;
@@ -42,10 +43,10 @@ std::string findOpenVdbLibrary()
     return fs::exists(beside, ignored) ? beside.string() : OPENVDB_LIBRARY;
 }
 
-/** Add those of a library that is built only where OpenVDB is installed. */
+/** Add the contenders of a library that is built only if OpenVDB is installed. */
 void addOpenVdb(ContenderList& contenders)
 {
-    // Never unloaded, since contexts keep managers of its GL objects.
+    // Never unloaded, since contexts reference managers of its GL objects.
     static osgDB::DynamicLibrary* const library = osgDB::DynamicLibrary::loadLibrary(findOpenVdbLibrary());
     if (!library) return;
     using Create = Contender*(bool isNarrow);
@@ -54,7 +55,7 @@ void addOpenVdb(ContenderList& contenders)
         contenders.emplace_back(create(isNarrow));
 }
 
-/** The contender of a name, moved out of all of them. */
+/** Move the contender with the given name out of `all`, or create one for settings of a LegoNode. */
 std::unique_ptr<Contender> take(const std::string& name, ContenderList& all)
 {
     if (name.find('=') != std::string::npos) return std::make_unique<LegoNodeContender>(name, name);

@@ -14,8 +14,8 @@ using ContenderList = std::vector<std::unique_ptr<Contender>>;
 /** All contenders, in the order of tables. */
 ContenderList createContenders();
 
-/** Those of some names, or all when there is no name. A name with a '=' is a text of LegoSettings, of the method that a
- * LegoNode is to use. Throws std::runtime_error for any other name that no contender has. */
+/** The contenders with the given names, or all if there are none. A name that contains '=' is a text of LegoSettings:
+ * the method to be used by a LegoNode. Throws std::runtime_error for an unknown name. */
 ContenderList createContenders(const std::vector<std::string>& names);
 
 } // namespace osgLego

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 
 struct DrawOptions : BenchOptions
 {
-    std::string look = "full"; // "none": a box of OSG's own instead of bricks
+    std::string look = "full"; // "none": an osg::Box instead of bricks
     std::string device = "auto";
     std::string drawing = "auto";
     bool hasOcclusion = false;
@@ -44,9 +44,9 @@ struct DrawOptions : BenchOptions
     }
 };
 
-/** Draw the same frame again and again.
- * @param lego null where there are no bricks.
- * @param isDirtied whether the bricks are made anew in each frame. */
+/** Draw the same frame repeatedly.
+ * @param lego null if there are no bricks.
+ * @param isDirtied whether the source is legolized again in each frame. */
 ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFrames, bool isDirtied)
 {
     const auto countLegolizations = [&]
@@ -66,7 +66,7 @@ ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFra
             {"milliseconds", createSpread(times)}};
 }
 
-/** The drawing that Drawing::AUTO stands for here, or the one asked for. */
+/** The requested drawing; if it is Drawing::AUTO, the one used with this renderer. */
 std::string findDrawing(const DrawOptions& options)
 {
     if (options.drawing != "auto") return options.drawing;
@@ -80,11 +80,11 @@ osg::ref_ptr<osg::Node> createBox()
     return geode;
 }
 
-/** The peak of memory once the first frame is drawn, then times and counts of frames. */
+/** Measure the peak memory after the first frame, then times and counts of frames. */
 ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
 {
     constexpr double MEBIBYTE = 1024.0 * 1024.0;
-    constexpr unsigned int NUM_FRAMES_BEFORE = 20; // longer than idle passes are kept
+    constexpr unsigned int NUM_FRAMES_BEFORE = 20; // more than idle passes are kept
     const BenchScene scene = options.createScene();
     const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr : scene.createLego();
     const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();

@@ -30,11 +30,11 @@ struct FrameOptions : BenchOptions
     glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
 };
 
-/** "plain" and "full" are those of LegoSettings; "occlusion" is the full look under an AmbientOcclusionScene, and
- * "buffer" its bricks alone, without the passes behind them. */
+/** "plain" and "full" are looks of LegoSettings; "occlusion" is the full look under an AmbientOcclusionScene, and
+ * "buffer" only its bricks, without the following passes. */
 constexpr std::array LOOKS{"plain", "full", "buffer", "occlusion"};
 
-/** The same bricks twice in front of one camera: drawn by the reference's shaders, and as they are now. */
+/** The same bricks twice in front of one camera: drawn with the reference shaders, and with the current ones. */
 class FramePair
 {
 public:
@@ -47,11 +47,11 @@ public:
         _ways = {createWay(reference, look), createWay(scene, look)};
         for (const osg::ref_ptr<osg::Group>& way : _ways)
             _root->addChild(way);
-        // With a stencil test, here one that everything passes, no block of bricks is left out for being turned away.
+        // A stencil test, which always passes here, prevents the drawing from skipping back-facing blocks of bricks.
         _ways[0]->getOrCreateStateSet()->setMode(GL_STENCIL_TEST, osg::StateAttribute::ON);
         _viewer.show(*_root, scene);
         {
-            const ReferenceShaders shaders; // programs are made in the first frame
+            const ReferenceShaders shaders; // programs are created in the first frame
             draw(0);
         }
         draw(1);
@@ -84,11 +84,11 @@ private:
     bool _isBuffer;
     FrameViewer _viewer;
     osg::ref_ptr<osg::Group> _root = new osg::Group;
-    std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and the present way
+    std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and the current drawing
 };
 
-/** The difference of two pictures in levels of 255. They are the same if nobody would see it: less than one level, and
- * in at most one of a hundred pixels that bricks cover more than two. */
+/** The difference of two pictures in levels of 255. They count as equal if nobody could see it: the mean is less than
+ * one level, and at most one in a hundred of the pixels covered by bricks differs by more than two. */
 ordered_json compare(const osg::Image& a, const osg::Image& b)
 {
     int largest = 0;
@@ -119,7 +119,7 @@ ordered_json compare(const osg::Image& a, const osg::Image& b)
             {"same", rootMeanSquare < 1.0 && numPixels * 100 <= numDrawn}};
 }
 
-/** Draw frames in both ways in turn. */
+/** Draw frames alternately with both. */
 ordered_json compareWays(const BenchScene& scene, const std::string& view, const std::string& look,
                          const FrameOptions& options)
 {

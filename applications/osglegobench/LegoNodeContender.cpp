@@ -13,7 +13,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int VIEW_SIZE = 16; // pixels; nothing is seen in it
+constexpr int VIEW_SIZE = 16; // pixels; nothing is visible
 
 } // namespace
 
@@ -41,8 +41,8 @@ std::string LegoNodeContender::prepare(const BenchMesh& mesh, osg::GraphicsConte
     return drawFrame();
 }
 
-/** A view of the context that is drawn only when this contender runs; the cameras of a viewer are all drawn whenever
- * one is. */
+/** A view of the context that is drawn only if this contender runs. Cameras of one viewer would all be drawn together.
+ */
 void LegoNodeContender::createView()
 {
     _frameStamp = new osg::FrameStamp;
@@ -55,20 +55,20 @@ void LegoNodeContender::createView()
     _view->getCamera()->setReadBuffer(GL_FRONT);
     _view->setProjectionMatrixAsPerspective(30.0, 1.0, 0.1, 100.0);
     _view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    // All bricks together are too small to be drawn; the passes, which nothing culls, still run.
+    // The bricks as a whole are too small to be drawn; the passes are never culled and still run.
     _view->setCullingMode(osg::CullSettings::SMALL_FEATURE_CULLING);
     _view->setSmallFeatureCullingPixelSize(1e9f);
     _view->setSceneData(_lego);
 }
 
-/** Mark an end of a frame by the GPU's own clock. */
+/** Record the start or end of a frame with the GPU's clock. */
 void LegoNodeContender::stampTime(std::size_t end) const
 {
     if (const GLuint query = _timeStamps[end].get(); query != 0)
         _context->getState()->get<osg::GLExtensions>()->glQueryCounter(query, GL_TIMESTAMP);
 }
 
-/** @return why there are no bricks now; empty when there are. */
+/** @return the reason why there are no bricks; empty if there are bricks. */
 std::string LegoNodeContender::drawFrame()
 {
     _context->makeCurrent();
@@ -95,7 +95,7 @@ double LegoNodeContender::run()
 
 osg::ref_ptr<const BrickModel> LegoNodeContender::getBricks()
 {
-    // Off in runs, since reading back takes time that a program does not spend.
+    // Off during runs, since applications don't spend time on reading back.
     _lego->setReadBack(true);
     const std::string failure = drawFrame();
     osg::ref_ptr<const BrickModel> bricks = _lego->getBricks(_context->getState()->getContextID());

@@ -14,15 +14,15 @@
 namespace osgLego
 {
 
-/** A method of this library as a program uses it: a LegoNode in a scene, legolized anew in each run.
+/** A method of this library as applications use it: a LegoNode in a scene, legolized again in each run.
  *
- * Its time is the sum of the stages from triangles in the grid to points of bricks, each waited for, without
- * flattening, which no other contender does, and without the frame around it. The bricks are not drawn.
+ * Its time is the sum of the stages from triangles in the grid to points of bricks, waiting for the end of each. It
+ * does not include flattening, which no other contender does, nor the rest of the frame. The bricks are not drawn.
  */
 class LegoNodeContender : public Contender
 {
 public:
-    /** @param settings the method as a text of LegoSettings; all else comes with the mesh. */
+    /** @param settings the method as a text of LegoSettings; all other settings come with the mesh. */
     LegoNodeContender(std::string name, std::string settings);
 
     std::string getName() const override { return _name; }
@@ -44,7 +44,8 @@ private:
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<osg::FrameStamp> _frameStamp;
     osg::ref_ptr<osgUtil::SceneView> _view;
-    std::array<GlQuery, 2> _timeStamps; // of the GPU, at both ends of a frame; none where it has no clock of its own
+    std::array<GlQuery, 2>
+        _timeStamps; // of the GPU, at the start and end of a frame; unused if the renderer has no clock
 };
 
 } // namespace osgLego

@@ -15,7 +15,7 @@ std::string NativeContender::prepare(const BenchMesh& mesh, osg::GraphicsContext
 
 double NativeContender::run()
 {
-    _bricks = nullptr; // releasing the last ones is not a part of finding new ones
+    _bricks = nullptr; // releasing the previous bricks is not part of finding new ones
     const osg::GLExtensions& extensions = *_context->getState()->get<osg::GLExtensions>();
     const osg::Timer& timer = *osg::Timer::instance();
     const osg::Timer_t start = timer.tick();

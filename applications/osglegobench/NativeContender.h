@@ -8,8 +8,8 @@
 namespace osgLego
 {
 
-/** The common part of contenders that find bricks without GL: they end where those on the GPU do, with points in a
- * buffer of GL. */
+/** The base class of contenders that find bricks without GL. They produce the same result as those on the GPU: points
+ * in a GL buffer. */
 class NativeContender : public Contender
 {
 public:
@@ -21,9 +21,9 @@ public:
 
 protected:
     /** Find the covered cells.
-     * @return them as bricks; null where createPoints() does without. */
+     * @return the cells as bricks; null if createPoints() does not need them. */
     virtual osg::ref_ptr<const BrickModel> findCells() = 0;
-    /** The points of the visible bricks among them. */
+    /** Create the points of the visible bricks among these cells. */
     virtual std::vector<BrickPoint> createPoints() { return createBrickPoints(*_bricks).points; }
 
     const GridTriangles& getTriangles() const { return *_triangles; }

@@ -49,13 +49,13 @@ ordered_json compareWithRays(const BenchScene& scene, const char* quality, const
     return row;
 }
 
-/** The milliseconds of drawing bricks and of each pass after it: medians. */
+/** The median times of drawing bricks and of each following pass, in milliseconds. */
 ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
 {
     scene.settings.resolution = 128;
     OcclusionView view(scene, SIZE);
     const AmbientOcclusionSettings settings = createSettings(quality);
-    view.draw(settings); // legolizes, and makes programs
+    view.draw(settings); // legolizes and creates programs
     std::map<std::string, std::vector<double>> all;
     for (int frame = 0; frame < numFrames; ++frame)
     {
@@ -111,7 +111,7 @@ void addOcclusionCommand(CLI::App& app)
         "occlusion", "Ambient occlusion: its error against rays cast at the bricks, and the time of each pass");
     const auto options = std::make_shared<OcclusionOptions>();
     options->addTo(*command, "fixed");
-    command->add_option("--rays", options->numRays, "Rays a pixel (512)")->check(CLI::Range(1, 65536));
+    command->add_option("--rays", options->numRays, "Rays per pixel (512)")->check(CLI::Range(1, 65536));
     command->add_option("--stride", options->stride, "Compare every nth pixel along both axes (3)")
         ->check(CLI::Range(1, 100));
     command->add_option("--frames", options->numFrames, "Timed frames; 0: none (5)")->check(CLI::Range(0, 1000));

@@ -28,14 +28,14 @@ osg::Vec4 getColor(const osg::Image& image, const glm::ivec2& pixel)
     return image.getColor(static_cast<unsigned int>(pixel.x), static_cast<unsigned int>(pixel.y));
 }
 
-/** Visibility (0 to 1) and bent normal of a pixel, as one of two methods computes them. */
+/** Visibility (0 to 1) and bent normal of a pixel, computed by one of the two methods. */
 struct Sample
 {
     double visibility;
     glm::dvec3 bentNormal;
 };
 
-/** The error of ambient occlusion in screen space, gathered pixel by pixel. */
+/** The error of screen-space ambient occlusion, accumulated pixel by pixel. */
 class OcclusionError
 {
 public:
@@ -126,7 +126,7 @@ OcclusionView::Ray OcclusionView::getRay(const glm::ivec2& pixel) const
     return {origin, glm::normalize(toGlm(osg::Vec3d(x, y, 1.0) * toModel) - origin)};
 }
 
-/** A direction as AmbientOcclusionOutput encodes it, in the model's coordinates. */
+/** Decode a direction written by AmbientOcclusionOutput and convert it to model coordinates. */
 glm::dvec3 OcclusionView::readDirection(const osg::Image& image, const glm::ivec2& pixel) const
 {
     const osg::Vec4 color = getColor(image, pixel);
@@ -154,7 +154,7 @@ nlohmann::ordered_json OcclusionView::compare(AmbientOcclusionSettings settings,
             const Ray ray = getRay(pixel);
             const glm::dvec3 origin = caster.toCaster(osg::Vec3d(ray.origin.x, ray.origin.y, ray.origin.z));
             const auto distance = caster.findNearest(origin, ray.direction, 1e9);
-            // Along silhouettes the picture and the ray may disagree on which pixels show bricks.
+            // At silhouettes, the picture and the ray may disagree on whether a pixel shows bricks.
             if (!distance || shown.a() == 0.0f) continue;
             const BrickRayCaster::Occlusion rays =
                 caster.sampleOcclusion(origin + *distance * ray.direction, readDirection(*normals, pixel),

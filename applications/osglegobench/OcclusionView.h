@@ -14,21 +14,21 @@ namespace osgLego
 class OcclusionView
 {
 public:
-    /** @param size of pictures, in pixels. */
+    /** @param size the size of pictures, in pixels. */
     OcclusionView(const BenchScene& scene, const glm::ivec2& size);
 
-    /** @return RGBA of floats, the first row at the bottom. */
+    /** @return single-precision RGBA, bottom row first. */
     osg::ref_ptr<osg::Image> draw(const AmbientOcclusionSettings& settings);
-    /** Milliseconds of the passes of the last picture. */
+    /** The times of the passes of the last picture, in milliseconds. */
     AmbientOcclusionTimes getTimes() const { return _occlusion->getTimes(_viewer.getContextID()); }
 
-    /** Compare with rays cast from the points that pixels show.
+    /** Compare with rays cast from the points shown by pixels.
      * @param numRays per pixel.
      * @param stride compare one of `stride` * `stride` pixels.
-     * @return pixels, how many were compared; rootMeanSquare and mean error (above 0 is too bright) of visibility;
-     * constant, the root mean square error of the best picture of one grey; bentMean and bentMost (95 % of the pixels),
-     * degrees between bent normals; irradiance, the root mean square error of irradiance times visibility over its
-     * mean. */
+     * @return pixels: the number of pixels compared; rootMeanSquare and mean: errors of visibility (a positive mean is
+     * too bright); constant: the root mean square error of the best uniformly grey picture; bentMean and bentMost (95 %
+     * of the pixels): angles between bent normals in degrees; irradiance: the root mean square error of irradiance
+     * times visibility, divided by its mean. */
     nlohmann::ordered_json compare(AmbientOcclusionSettings settings, int numRays, int stride);
 
 private:

@@ -13,7 +13,7 @@ namespace
 
 constexpr std::array<std::uint8_t, 3> GREY{160, 160, 160};
 
-/** Triangles as OpenVDB asks for them, so that nothing has to be copied. */
+/** An adapter that passes triangles to OpenVDB without copying them. */
 class TriangleAdapter
 {
 public:
@@ -36,7 +36,7 @@ public:
         const GridBatch& batch = *_batches[static_cast<std::size_t>(end - _ends.begin())];
         const std::size_t first = *end - batch.getNumTriangles();
         const glm::vec3& place = batch.vertices[3 * (triangle - first) + corner].position;
-        // A voxel's centre has whole numbers for coordinates, a cell's centre halves.
+        // The centres of voxels have integer coordinates, those of cells half-integer ones.
         position = openvdb::Vec3d(place.x, place.y, place.z) - openvdb::Vec3d(0.5);
     }
 
@@ -45,7 +45,7 @@ private:
     std::vector<std::size_t> _ends; // the number of triangles up to the end of each batch
 };
 
-/** The bricks of the cells near a mesh. Cells outside the grid may be as near to a mesh on its bounds. */
+/** The bricks of the cells near a mesh. Cells outside the grid are skipped; they can also be near the mesh. */
 std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm::ivec3& dimensions)
 {
     constexpr float HALF_A_CELL = 0.5f;
@@ -65,13 +65,13 @@ std::vector<Brick> collectBricks(const openvdb::FloatGrid& distances, const glm:
     return bricks;
 }
 
-/** OpenVDB's meshToVolume, a distance field without colours: a cell is covered when its centre is no further than half
- * a cell from the mesh. That has no tunnels, but misses cells that the mesh only grazes. */
+/** OpenVDB's meshToVolume, a distance field without colours: a cell is covered if its centre is at most half a cell
+ * from the mesh. This leaves no tunnels, but misses cells that the mesh only grazes. */
 class OpenVdbContender : public NativeContender
 {
 public:
-    /** @param isNarrow ask for the least that meshToVolume can compute, unsigned distances within one cell, instead of
-     * its default, signed distances within three cells. */
+    /** @param isNarrow use the cheapest mode of meshToVolume, unsigned distances up to one cell, instead of its
+     * default, signed distances up to three cells. */
     explicit OpenVdbContender(bool isNarrow) : _isNarrow(isNarrow) {}
 
     std::string getName() const override { return _isNarrow ? "openvdb, narrow" : "openvdb"; }

@@ -12,8 +12,7 @@ namespace osgLego
 namespace
 {
 
-/** Whether an axis crossed with an edge keeps the triangle, which is given from the box's centre, apart from the box.
- */
+/** Whether an axis separates the triangle, given relative to the box's centre, from the box. */
 bool isApart(const std::array<glm::vec3, 3>& triangle, const glm::vec3& halfSize, const glm::vec3& axis)
 {
     const float a = glm::dot(axis, triangle[0]);
@@ -23,8 +22,8 @@ bool isApart(const std::array<glm::vec3, 3>& triangle, const glm::vec3& halfSize
     return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
 }
 
-/** Whether a triangle and a box have a point in common, as in Akenine-Moller, Fast 3D Triangle-Box Overlap Testing,
- * 2001: thirteen axes, one after another, in single precision, the box closed on all sides. Independent of
+/** Whether a triangle and a box have a point in common, according to Akenine-Moller, Fast 3D Triangle-Box Overlap
+ * Testing, 2001: tests thirteen axes in single precision, for a box closed on all sides. Independent of
  * TriangleOverlap. */
 bool overlapsBox(const std::array<glm::vec3, 3>& triangle, const glm::vec3& center, const glm::vec3& halfSize)
 {
@@ -87,7 +86,7 @@ std::uint8_t PlainLoopContender::findOpenSides(const glm::ivec3& cell) const
     {
         glm::ivec3 step(0);
         step[axis] = 1;
-        const auto bit = 2 * static_cast<unsigned int>(axis); // of SIDE_LEFT and its like
+        const auto bit = 2 * static_cast<unsigned int>(axis); // of the lower side on this axis, such as SIDE_LEFT
         if (cell[axis] == 0 || _cells[numberOf(cell - step)] == 0) sides |= 1u << bit;
         if (cell[axis] + 1 == _dimensions[axis] || _cells[numberOf(cell + step)] == 0) sides |= 2u << bit;
     }

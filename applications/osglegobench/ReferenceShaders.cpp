@@ -10,7 +10,7 @@
 namespace osgLego
 {
 
-/** The files by name; made at build time, see CMakeLists.txt. */
+/** The files by name; generated at build time, see CMakeLists.txt. */
 const std::map<std::string_view, std::string_view>& getReferenceShaders();
 
 namespace

@@ -6,13 +6,13 @@
 namespace osgLego
 {
 
-/** Makes programs, as long as it exists, use the shaders of shaders/reference, which draw every face and every stud.
+/** While this object exists, programs use the shaders in shaders/reference, which draw every face and every stud.
  *
- * They are the frozen baseline of the figures: they do not follow changes of shaders/, and keep their own copy of the
- * dimensions in BrickDimensions.h.
+ * These shaders are the frozen baseline of the figures: they do not follow changes in shaders/, and have their own copy
+ * of the dimensions in BrickDimensions.h.
  *
- * They are built in and written to a temporary folder that OSGLEGO_SHADER_PATH names. One at a time, one thread. Throws
- * std::runtime_error when that folder can't be created. */
+ * They are embedded in the program and written to a temporary folder, to which OSGLEGO_SHADER_PATH is set. Only one
+ * object may exist at a time; one thread. Throws std::runtime_error if the folder can't be created. */
 class ReferenceShaders
 {
 public:

@@ -14,7 +14,7 @@ double readPeakMemory()
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
         if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024.0;
-    throw std::runtime_error("/proc/self/status tells no VmHWM");
+    throw std::runtime_error("/proc/self/status has no VmHWM");
 }
 
 void resetPeakMemory()

@@ -6,7 +6,7 @@ namespace osgLego
 /** The peak of this process's resident memory (VmHWM), in MiB. Throws std::runtime_error. */
 double readPeakMemory();
 
-/** Let the peak begin anew at the memory resident now. */
+/** Reset the peak to the memory that is resident now. */
 void resetPeakMemory();
 
 } // namespace osgLego

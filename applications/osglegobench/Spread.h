@@ -9,7 +9,7 @@
 namespace osgLego
 {
 
-/** The value below which a share of sorted values lies, interpolated.
+/** The interpolated quantile of sorted values.
  * @param values at least one. */
 inline double getQuantile(const std::vector<double>& values, double share)
 {

@@ -16,14 +16,15 @@ namespace
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/** Twice the signed area of two points and the origin of a plane. Corners are floats and centres halves, so that this
- * is exact but for corners that float keeps finer than a millionth of a cell. */
+/** Twice the signed area of the triangle formed by two points of a plane and its origin. Corners are single-precision
+ * numbers and centres half-integers, so that this is exact except for corners with digits below a millionth of a cell.
+ */
 double areaOf(double u1, double v1, double u2, double v2)
 {
     return u1 * v2 - u2 * v1;
 }
 
-/** Whether a triangle crosses the segment from a cell's centre to that of the next along an axis. */
+/** Whether a triangle crosses the segment from a cell's centre to the centre of the next cell along an axis. */
 bool crosses(const Corners& corners, const glm::ivec3& cell, int axis)
 {
     const int axisU = (axis + 1) % 3;
@@ -48,7 +49,7 @@ bool crosses(const Corners& corners, const glm::ivec3& cell, int axis)
     return depth >= 0.0 && depth < 1.0;
 }
 
-/** A segment by its lower cell and its axis; a cell may lie one below the grid. */
+/** A segment, given by its lower cell and its axis; the cell may be one below the grid. */
 std::uint64_t numberOf(const glm::ivec3& cell, int axis)
 {
     constexpr unsigned int BITS = 20;
@@ -58,7 +59,7 @@ std::uint64_t numberOf(const glm::ivec3& cell, int axis)
     return number;
 }
 
-/** Note the segments to and from an empty cell that a triangle crosses. */
+/** Record the segments to and from an empty cell that a triangle crosses. */
 void collect(const Corners& corners, const glm::ivec3& cell, const CellSet& covered,
              std::vector<std::uint64_t>& segments)
 {
@@ -72,7 +73,7 @@ void collect(const Corners& corners, const glm::ivec3& cell, const CellSet& cove
     }
 }
 
-/** Call a function with each triangle's corners and the cells that it overlaps. */
+/** Call a function with each triangle's corners and the cells that the triangle overlaps. */
 template <typename Function>
 void visitTriangles(const GridTriangles& triangles, const Function& function)
 {
@@ -110,7 +111,7 @@ VoxelQuality VoxelTruth::compare(const BrickModel& found, bool hasColors) const
 {
     CellSet cells(_cells.getDimensions());
     std::size_t numRight = 0;
-    std::size_t numOutside = 0; // of the grid: as wrong as can be
+    std::size_t numOutside = 0; // outside the grid; always wrong
     for (const Brick& brick : found.getBricks())
         if (!cells.isInside(brick.getCell()))
             ++numOutside;
@@ -128,7 +129,7 @@ VoxelQuality VoxelTruth::compare(const BrickModel& found, bool hasColors) const
 std::size_t VoxelTruth::countTunnels(const CellSet& covered) const
 {
     std::vector<std::uint64_t> segments;
-    // A triangle that crosses a segment overlaps the cell of the one end or of the other.
+    // A triangle that crosses a segment overlaps the cell at one end or at the other.
     visitTriangles(*_triangles,
                    [&](const Corners& corners, const std::vector<glm::ivec3>& cells)
                    {

@@ -13,22 +13,23 @@
 namespace osgLego
 {
 
-/** How close the bricks of a contender are to the truth. */
+/** A contender's bricks, compared with the true ones. */
 struct VoxelQuality
 {
-    std::size_t numCells = 0; //!< that it found
-    double precision = 0.0;   //!< the share of them that a triangle overlaps
-    double recall = 0.0;      //!< the share of cells that a triangle overlaps which it found
-    /** Segments between the centres of two empty face-neighbours that a triangle crosses: holes in the surface. Cells
-     * outside the grid are empty. A segment contains its lower end and not its upper, so that no surface is counted
-     * twice along an axis; a triangle that lies along a segment does not cross it. */
+    std::size_t numCells = 0; //!< number of cells found
+    double precision = 0.0;   //!< the fraction of the cells found that a triangle overlaps
+    double recall = 0.0;      //!< the fraction of the cells that a triangle overlaps that were found
+    /** The number of segments between the centres of two empty face-neighbours that are crossed by a triangle: holes in
+     * the surface. Cells outside the grid are empty. A segment includes its lower end but not its upper end, so that no
+     * surface is counted twice along an axis; a triangle parallel to a segment does not cross it. */
     std::size_t numTunnels = 0;
-    /** The mean difference of a channel in cells that both have, in levels of 255; of contenders with colours. */
+    /** The mean difference of colour channels in the cells that both have, in levels of 255; only for contenders with
+     * colours. */
     std::optional<double> colorError;
 };
 
-/** The cells of a grid that triangles overlap, by TriangleOverlap in double precision, to compare contenders with; the
- * colours to compare with are those of legolizeOnCpu. */
+/** The reference for contenders: the cells of a grid that triangles overlap, from TriangleOverlap in double precision,
+ * with the colours of legolizeOnCpu. */
 class VoxelTruth
 {
 public:

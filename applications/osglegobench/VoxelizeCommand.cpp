@@ -46,7 +46,7 @@ public:
         attempt(
             [&]
             {
-                glFinish(); // commands that the contender before left unfinished are not to be timed
+                glFinish(); // don't time unfinished commands of the previous contender
                 const double time = _contender->run();
                 if (counts) note(time, _contender->getStages());
             });
@@ -111,7 +111,7 @@ private:
     std::string _failure;
 };
 
-/** Let all contenders run once, then all of them once more, so that changes of the machine's load affect all alike. */
+/** Run all contenders once, then all once more, and so on, so that changes of the machine's load affect all equally. */
 void runInTurns(std::vector<Entrant>& entrants, const BenchRuns& runs)
 {
     for (unsigned int run = 0; run < runs.numWarmUps + runs.numRuns; ++run)
@@ -144,8 +144,8 @@ ordered_json measure(const BenchMesh& mesh, const ContenderList& contenders, con
     return result;
 }
 
-/** Let contenders run at a low resolution, so that memory that does not depend on the grid, as of compiled shaders, is
- * there before the peak is reset. */
+/** Run contenders at a low resolution, so that memory that does not depend on the grid, such as compiled shaders, is
+ * allocated before the peak is reset. */
 double takePeakBefore(const MeshSource& source, osg::Node& node, const ContenderList& contenders,
                       osg::GraphicsContext& context)
 {

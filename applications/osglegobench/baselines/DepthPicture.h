@@ -18,17 +18,17 @@ namespace osgLego
 /** An orthographic picture of a grid along one of its axes, one pixel per column of cells: depths, and colours with an
  * alpha of 1 where there is a surface.
  *
- * Depth is the position along the axis over a power of two, for either direction of view, so that the numbers of cells
- * are read back without rounding.
+ * Depth is the position along the axis divided by a power of two, for both view directions, so that the numbers of
+ * cells are read back without rounding.
  */
 class DepthPicture
 {
 public:
-    /** @param numDepths depth textures, of which one is drawn to at a time.
-     * @return why there can be none, in one sentence; empty when there is one. */
+    /** @param numDepths the number of depth textures; one at a time is drawn to.
+     * @return an error message, in one sentence; empty on success. */
     std::string create(const osg::State& state, const glm::ivec3& dimensions, int axis, std::size_t numDepths);
 
-    /** Clear the picture and draw to it from here on. @param depth of an empty pixel, 0 or 1. */
+    /** Clear the picture and bind it for drawing. @param depth the depth of an empty pixel, 0 or 1. */
     void begin(const osg::State& state, std::size_t depthTexture, double depth) const;
     /** Set the uniforms of depth_picture.vert. */
     void setUniforms(const ProgramUniforms& uniforms) const;
@@ -38,7 +38,7 @@ public:
     void readCells(GatheredCells& cells);
 
 private:
-    // A frame buffer for each, since to attach another texture costs more than to bind another frame buffer.
+    // A frame buffer for each, since attaching another texture is more expensive than binding another frame buffer.
     struct Target
     {
         GlTexture depth;
@@ -57,7 +57,7 @@ private:
     std::vector<float> _readDepths;
 };
 
-/** The number of cells that the depths from 0 to 1 stand for, along a side of so many: the next power of two. */
+/** The number of cells for depths from 0 to 1, given the number of cells along the axis: the next power of two. */
 float getDepthRange(int numCells);
 
 } // namespace osgLego

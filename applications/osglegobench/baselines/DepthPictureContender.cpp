@@ -45,7 +45,7 @@ void DepthPictureContender::gatherCells(osg::State& state, GatheredCells& cells)
 
 void DepthPictureContender::drawBothEnds(osg::State& state, DepthPicture& picture, GatheredCells& cells) const
 {
-    // The view from the other end is the same picture with the farthest surface in front.
+    // The view from the opposite direction is the same picture, but with the farthest surface in front.
     for (const bool isFromFarEnd : {false, true})
     {
         glDepthFunc(isFromFarEnd ? GL_GEQUAL : GL_LEQUAL);
@@ -59,8 +59,8 @@ void DepthPictureContender::peel(osg::State& state, DepthPicture& picture, Gathe
 {
     ProgramUniforms(state).set("previousDepth", PREVIOUS_DEPTH_UNIT);
     glDepthFunc(GL_LESS);
-    // No pixel has more layers than there are triangles: an end even if GL rounds the depth that it stores differently
-    // from the depth that it passes to the shader.
+    // No pixel has more layers than there are triangles. This limit ends the loop even if GL rounds the stored depth
+    // differently from the depth that it passes to the shader.
     const std::size_t mostLayers = getTriangles().getNumTriangles();
     for (std::size_t layer = 0; layer < mostLayers && drawLayer(state, picture, layer); ++layer)
         picture.readCells(cells);

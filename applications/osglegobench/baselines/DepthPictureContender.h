@@ -10,13 +10,13 @@
 namespace osgLego
 {
 
-/** Two methods that take the cells at the depths of pictures along x, y and z, with the colours drawn with them. Both
- * miss cells whose surface falls between the centres of pixels on all axes.
+/** Two methods that find the cells, with their colours, from depth pictures along x, y and z. Both miss cells whose
+ * surface is between the centres of pixels along all axes.
  *
  * Six depth buffers: Karabassi, Papaioannou, Theoharis, "A Fast Depth-Buffer-Based Voxelization Algorithm", 1999: the
- * nearest surface and the farthest. The published method fills all cells between both depths along all three axes, a
- * solid; here only the surface counts, as for all contenders. Surfaces that no axis sees from outside (cavities, folds)
- * are not found.
+ * nearest surface and the farthest. The published method creates a solid: it fills all cells between both depths along
+ * all three axes. Here only the surface is needed, as for all contenders. Surfaces not visible from outside along any
+ * axis (cavities, folds) are not found.
  *
  * Layers of depth: Passalis, Toderici, Theoharis, Kakadiaris, "General Voxelization Algorithm with Scalable GPU
  * Implementation", 2007: every layer is the nearest surface behind the last one, until an occlusion query finds

@@ -78,12 +78,12 @@ std::string DominantAxisContender::createVolume(osg::State& state)
     state.get<osg::GLExtensions>()->glTexStorage3D(GL_TEXTURE_3D, 1, GL_R32UI, dimensions.x, dimensions.y,
                                                    dimensions.z);
     glBindTexture(GL_TEXTURE_3D, 0);
-    return takeOutOfMemoryError() ? "there is no memory for a 3D texture of the grid's size" : "";
+    return takeOutOfMemoryError() ? "there is not enough memory for a 3D texture of the grid's size" : "";
 }
 
 void DominantAxisContender::reserve(const osg::State& state, std::size_t numCells)
 {
-    _capacity = std::max(numCells, std::size_t(1)); // GL binds no buffer without bytes
+    _capacity = std::max(numCells, std::size_t(1)); // GL can't bind an empty buffer
     _cells = GlBuffer(state);
     uploadBuffer(state, GL_SHADER_STORAGE_BUFFER, _cells, std::vector<std::uint32_t>(_capacity), GL_DYNAMIC_COPY);
     _points = GlBuffer(state);
@@ -94,7 +94,7 @@ void DominantAxisContender::findBricks(osg::State& state)
 {
     drawCells(state);
     _numCells = readCounters(state)[0];
-    // The estimate was too small; the next run has room.
+    // The estimate was too small; the next run has enough capacity.
     if (_numCells > _capacity)
     {
         reserve(state, _numCells);
@@ -141,7 +141,7 @@ void DominantAxisContender::drawCells(osg::State& state) const
     const int size = longestSideOf(getGrid());
     _clearTexture(_volume.get(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     setCounters(state, {0, 0});
-    // Without attachments, as large as pictures along any axis.
+    // A frame buffer without attachments, large enough for pictures along any axis.
     extensions.glBindFramebuffer(GL_FRAMEBUFFER_EXT, _framebuffer.get());
     extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
     extensions.glFramebufferParameteri(GL_FRAMEBUFFER_EXT, GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);

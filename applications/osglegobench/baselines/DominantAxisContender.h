@@ -15,15 +15,15 @@ namespace osgLego
 /** Rasterization along each triangle's dominant axis: Crassin, Green, "Octree-Based Sparse Voxelization Using the GPU
  * Hardware Rasterizer", 2012, up to the list of voxels from which an octree would be built.
  *
- * A geometry shader turns every triangle to the axis along which it covers most pixels; fragments write to a texture of
- * the grid's size, colours as a running mean (compare and swap), and the first in a cell appends it to a list. The
- * points of visible bricks are made from that list by a compute shader: nothing is read back but counters.
+ * A geometry shader projects every triangle along the axis on which it covers most pixels. Fragments write the running
+ * mean of colours (compare and swap) to a texture of the grid's size, and the first fragment in a cell appends the cell
+ * to a list. A compute shader creates the points of visible bricks from this list: only counters are read back.
  *
- * The thin kind takes the cell at each pixel's centre, so that walls leak where they slip between centres. The
- * conservative one enlarges triangles by half a pixel (Hasselgren, Akenine-Moller, Ohlsson, "Conservative
- * Rasterization", 2005), within their bounds, and takes all cells that the triangle's plane passes in a pixel; it finds
- * cells too many, as neither the outline nor the plane is tested against the cell itself, and loses some along needles
- * so thin that their plane drowns in rounding.
+ * The thin variant uses the cell at each pixel's centre, so that walls have holes where they are between centres. The
+ * conservative variant enlarges triangles by half a pixel (Hasselgren, Akenine-Moller, Ohlsson, "Conservative
+ * Rasterization", 2005), within their bounds, and uses all cells of a pixel that the triangle's plane intersects. It
+ * finds too many cells, since neither the outline nor the plane is tested against the cell itself, and misses some
+ * along triangles so thin that rounding spoils their plane.
  */
 class DominantAxisContender : public GlContender
 {

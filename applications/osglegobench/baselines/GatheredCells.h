@@ -14,17 +14,17 @@
 namespace osgLego
 {
 
-/** The cells that a contender finds, gathered on the CPU in any order, with duplicates.
+/** Gathers the cells that a contender finds, on the CPU, in any order, possibly with duplicates.
  *
- * One bit per cell records those found, so that neither gathering nor the search for open sides visits the whole grid;
- * only clearing the bits does. */
+ * One bit per cell records the cells found, so that neither gathering nor the search for open sides visits the whole
+ * grid; only clearing the bits does. */
 class GatheredCells
 {
 public:
-    /** Empty the set, for a grid of so many cells along each axis. */
+    /** Clear the set, for a grid with the given number of cells along each axis. */
     void reset(const glm::ivec3& dimensions);
 
-    /** Add a cell. The first colour that it is given stays. @param color as in a BrickPoint. */
+    /** Add a cell. If it is added again, it keeps its first colour. @param color as in a BrickPoint. */
     void add(const glm::ivec3& cell, std::uint32_t color)
     {
         const std::size_t number = numberOf(cell);
@@ -59,7 +59,7 @@ private:
     std::vector<BrickPoint> _visible;
 };
 
-/** Turn points into the bricks of a model; their open sides are found anew. */
+/** Convert points to the bricks of a model; their open sides are computed again. */
 osg::ref_ptr<const BrickModel> createModel(const BrickGrid& grid, const std::vector<BrickPoint>& points);
 
 } // namespace osgLego

@@ -13,7 +13,7 @@
 namespace osgLego
 {
 
-/** The shaders of this folder by their names; made at build time, see CMakeLists.txt. */
+/** The shaders in this folder by name; generated at build time, see CMakeLists.txt. */
 const ShaderLibrary::Sources& getBaselineShaders();
 
 std::string GlContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& context)
@@ -24,7 +24,7 @@ std::string GlContender::prepare(const BenchMesh& mesh, osg::GraphicsContext& co
     const GlRestoration restoration(*_state);
     createBatches(*_state);
     std::string error = createObjects(*_state);
-    if (takeOutOfMemoryError() && error.empty()) error = "there is no memory for textures of this grid's size";
+    if (takeOutOfMemoryError() && error.empty()) error = "there is not enough memory for textures of this grid's size";
     return error;
 }
 
@@ -83,7 +83,7 @@ void GlContender::release()
     releaseObjects();
     _batches.clear();
     _triangles = nullptr;
-    // At once: the next contender may need the memory.
+    // Release immediately: the next contender may need the memory.
     if (_state.valid()) osg::flushAllDeletedGLObjects(_state->getContextID());
     _state = nullptr;
 }

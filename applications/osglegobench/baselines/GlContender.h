@@ -14,8 +14,8 @@
 namespace osgLego
 {
 
-/** The common part of contenders that draw the triangles of a mesh by programs of their own: the triangles on the GPU,
- * the time taken, and a GL state that is restored. */
+/** The base class of contenders that draw the triangles of a mesh with their own programs. It uploads the triangles,
+ * measures the time, and restores the GL state. */
 class GlContender : public Contender
 {
 public:
@@ -25,16 +25,16 @@ public:
     void release() final;
 
 protected:
-    // All of these are called with a plain GL state, which they need not restore.
+    // The following functions are called with a plain GL state, which they need not restore.
 
-    /** @return why it can't, in one sentence; empty when it can. */
+    /** @return an error message, in one sentence; empty on success. */
     virtual std::string createObjects(osg::State& state) = 0;
-    /** Turn the triangles, which are on the GPU by now, into points of bricks in a buffer. */
+    /** Process the triangles, which are already on the GPU, into points of bricks in a buffer. */
     virtual void findBricks(osg::State& state) = 0;
     virtual osg::ref_ptr<const BrickModel> readBricks(osg::State& state) = 0;
     virtual void releaseObjects() = 0;
 
-    /** Draw the triangles by the program that the state has applied, with the inputs of
+    /** Draw the triangles with the program that the state has applied, with the inputs of
      * shaders/passes/surface_color.glsl. */
     void draw(osg::State& state) const;
     const GridTriangles& getTriangles() const { return *_triangles; }

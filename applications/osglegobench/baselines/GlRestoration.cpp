@@ -32,7 +32,7 @@ GlRestoration::~GlRestoration()
     _state.setActiveTextureUnit(0);
     glPopClientAttrib();
     glPopAttrib();
-    // OSG remembers the state that it applied last, which is no longer GL's.
+    // OSG caches the state that it applied last, which is no longer GL's state.
     _state.haveAppliedAttribute(osg::StateAttribute::PROGRAM);
     _state.haveAppliedTextureAttribute(0, osg::StateAttribute::TEXTURE);
 }

@@ -32,8 +32,8 @@ inline void deleteGlQuery(const osg::GLExtensions& extensions, GLuint name)
 using GlFramebuffer = GlObject<createGlFramebuffer, deleteGlFramebuffer>;
 using GlQuery = GlObject<createGlQuery, deleteGlQuery>;
 
-/** Gives raw GL calls a plain state (every test and blending off, all masks open, pixels packed byte by byte) and
- * restores the context's state when it is destroyed. Needs the context current. */
+/** Sets a plain state for raw GL calls (all tests and blending off, all masks enabled, pixels packed byte by byte), and
+ * restores the context's state on destruction. Needs the context current. */
 class GlRestoration
 {
 public:
@@ -46,21 +46,21 @@ private:
     osg::State& _state;
 };
 
-/** Compile and link. @return why that can't be done, in one sentence; empty when it is done. */
+/** Compile and link a program. @return an error message, in one sentence; empty on success. */
 std::string linkProgram(osg::Program& program, osg::State& state);
 
-/** The value of an integer state of GL. */
+/** The value of an integer GL state. */
 int getGlInteger(GLenum name);
 
 /** @param limit GL_MAX_TEXTURE_SIZE or the like.
- * @return why there can be no texture with a side of so many cells, in one sentence; empty when there can. */
+ * @return an error message, in one sentence, if a texture can't have a side of this many cells; otherwise empty. */
 std::string checkTextureSide(int numCells, GLenum limit);
 
-/** A two-dimensional texture without content that is not filtered. */
+/** Create a two-dimensional texture without content and without filtering. */
 GlTexture createGlTexture2D(const osg::State& state, GLenum internalFormat, GLenum format, GLenum type,
                             const glm::ivec2& size);
 
-/** Replace the content of a buffer by a vector's. */
+/** Replace the content of a buffer with that of a vector. */
 template <typename Value>
 void uploadBuffer(const osg::State& state, GLenum target, const GlBuffer& buffer, const std::vector<Value>& values,
                   GLenum usage)

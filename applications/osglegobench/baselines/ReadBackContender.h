@@ -8,7 +8,8 @@
 namespace osgLego
 {
 
-/** A contender that reads pictures of the mesh back, gathers their cells on the CPU, and uploads points of bricks. */
+/** The base class of contenders that read pictures of the mesh back, gather their cells on the CPU, and upload points
+ * of bricks. */
 class ReadBackContender : public GlContender
 {
 protected:

@@ -13,11 +13,11 @@ namespace osgLego
 
 /** Slice maps: Eisemann, Decoret, "Fast Scene Voxelization and Applications", 2006.
  *
- * The mesh is drawn once, along z, without depth test; every fragment sets the bit of its cell in the bits of its
- * column, which the logic operation OR gathers. As published, but for 128 bits a target (four 32-bit integers) instead
- * of 32, and the bit computed instead of looked up. Several targets are drawn to at once, and more passes follow only
- * where these do not suffice (beyond 1024 layers with GL's minimum of eight). No colours: a bit is all there is of a
- * cell. Walls along z fall between pixels.
+ * The mesh is drawn once, along z, without depth test. Every fragment sets the bit of its cell in the bits of its
+ * column, using GL's logic operation OR. This is the published method, except that a target has 128 bits (four 32-bit
+ * integers) instead of 32, and the bit is computed instead of looked up. Several targets are drawn to at once; more
+ * passes follow only if these do not suffice (beyond 1024 layers with GL's minimum of eight targets). There are no
+ * colours, since a cell has only one bit. Walls parallel to z are missed between pixels.
  */
 class SliceMapContender : public ReadBackContender
 {

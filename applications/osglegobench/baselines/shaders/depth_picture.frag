@@ -1,5 +1,5 @@
-// A picture of the grid along one of its axes: the colour of the nearest surface, and, when peeling, of the nearest
-// behind the layer before.
+// A picture of the grid along one of its axes: the colour of the nearest surface or, when peeling, of the nearest
+// surface behind the previous layer.
 
 noperspective in vec2 coordinate;
 noperspective in vec3 color;

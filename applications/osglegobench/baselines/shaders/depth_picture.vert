@@ -1,10 +1,11 @@
-// A picture of the grid along one of its axes, one pixel a column of cells. Depth counts cells, over a power of two.
+// A picture of the grid along one of its axes, one pixel per column of cells. Depth is in cells, divided by a power
+// of two.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 2) in vec2 vertexCoordinate;
 layout(location = 3) in uvec2 vertexColorAndLevel;
 
-uniform int axis;          // along which the picture looks
+uniform int axis;          // the view axis
 uniform vec2 pictureSize;  // cells
 uniform float depthRange;  // cells from depth 0 to depth 1
 

@@ -1,4 +1,4 @@
-// Dominant axis: every fragment joins the running mean of its cell, and lists the cell when it is the first there.
+// Dominant axis: every fragment updates the running mean of its cell, and appends the cell to the list if it is the first.
 #extension GL_ARB_shader_image_load_store : require
 #extension GL_ARB_shader_storage_buffer_object : require
 #extension GL_ARB_shading_language_420pack : require
@@ -15,7 +15,7 @@ flat in vec3 highest;
 flat in vec2 slope;
 #endif
 
-layout(binding = 0, r32ui) coherent uniform uimage3D volume; // mean colour, and how many joined it in the highest byte; 0: empty
+layout(binding = 0, r32ui) coherent uniform uimage3D volume; // mean colour; fragments in the highest byte; 0: empty
 layout(std430, binding = 0) buffer Counters { uint numCells; uint numPoints; };
 layout(std430, binding = 1) buffer Cells { uint cells[]; };
 
@@ -26,7 +26,7 @@ uniform ivec3 gridSize;
 void listCell(ivec3 cell)
 {
     uint number = atomicAdd(numCells, 1u);
-    // Cells beyond the capacity are counted all the same: the count is the capacity needed.
+    // Cells beyond the capacity are counted, too: the count is the required capacity.
     if (number >= uint(cells.length())) return;
     uvec3 place = uvec3(cell);
     uvec3 size = uvec3(gridSize);
@@ -62,7 +62,7 @@ void main()
     cell[across] = int(gl_FragCoord.x);
     cell[up] = int(gl_FragCoord.y);
 #ifdef IS_CONSERVATIVE
-    // Pixels that the triangle's bounds do not touch belong to the spikes of sharp corners.
+    // Pixels outside the triangle's bounds belong to spikes at sharp corners.
     vec2 pixel = floor(gl_FragCoord.xy);
     if (any(lessThan(highest.xy, pixel)) || any(greaterThanEqual(lowest.xy, pixel + 1.0))) discard;
     float reach = 0.5 * (abs(slope.x) + abs(slope.y));

@@ -1,4 +1,5 @@
-// Dominant axis: every triangle is projected along the axis of its normal's largest part, where it covers most pixels.
+// Dominant axis: every triangle is projected along the axis of its normal's largest component, so that it covers most
+// pixels.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -7,10 +8,10 @@ in vec3 position[];
 in vec2 coordinate[];
 in vec4 colorAndLevel[];
 
-uniform float pictureSize; // cells, along both sides
+uniform float pictureSize; // cells, the same for both sides
 
 flat out int axis;
-noperspective out float place; // along the axis
+noperspective out float place; // position along the axis
 noperspective out vec2 surfaceCoordinate;
 noperspective out vec3 surfaceTint;
 flat out float level;
@@ -18,10 +19,10 @@ flat out float level;
 #ifdef IS_CONSERVATIVE
 flat out vec3 lowest; // of the triangle's bounds, the last component along the axis
 flat out vec3 highest;
-flat out vec2 slope;  // by which the place changes from pixel to pixel
+flat out vec2 slope;  // change of the position from pixel to pixel
 
-// A line in the plane, moved outwards by half a pixel as a square pixel sees it; and by a little more, since GL rounds
-// vertices to fractions of a pixel, and leaves out centres that lie on an edge.
+// A line in the plane, moved outwards by half of a square pixel, and slightly more, since GL rounds vertices to fractions
+// of a pixel and can omit centres exactly on an edge.
 vec3 outwardLine(vec2 from, vec2 to, float side)
 {
     vec3 line = side * cross(vec3(from, 1.0), vec3(to, 1.0));
@@ -47,7 +48,7 @@ void main()
         corners[corner] =
             vec3(position[corner][(axis + 1) % 3], position[corner][(axis + 2) % 3], position[corner][axis]);
 
-    // Barycentric coordinates of the vertices to come, of which the third follows.
+    // Barycentric coordinates of the output vertices; the third one follows from these two.
     mat3 weights = mat3(1.0);
 #ifdef IS_CONSERVATIVE
     vec3 along = corners[1] - corners[0];
@@ -57,7 +58,7 @@ void main()
     slope = vec2(along.z * across.y - across.z * along.y, across.z * along.x - along.z * across.x) / doubleArea;
     lowest = min(corners[0], min(corners[1], corners[2]));
     highest = max(corners[0], max(corners[1], corners[2]));
-    // Near the first corner, so that no digits are lost.
+    // Relative to the first corner, so that no digits are lost.
     vec2 origin = corners[0].xy;
     vec3 lines[3];
     for (int corner = 0; corner < 3; ++corner)

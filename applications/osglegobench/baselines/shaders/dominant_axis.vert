@@ -1,4 +1,4 @@
-// Dominant axis, the vertices: handed on as they are.
+// Dominant axis, vertex shader: passes the vertices through.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 2) in vec2 vertexCoordinate;

@@ -1,4 +1,4 @@
-// Dominant axis: a point for every listed cell that has an empty neighbour, or for every one of them.
+// Dominant axis: creates a point for every listed cell with an empty neighbour, or for all listed cells.
 
 layout(local_size_x = 256) in;
 

@@ -1,10 +1,10 @@
-// Slice maps: the bit of the fragment's cell among those of its column, 128 to a target. GL's logic operation ORs it to
-// what is there.
+// Slice maps: outputs the bit of the fragment's cell, with 128 bits of the column per target. GL's logic operation
+// combines it with the stored bits by OR.
 
 layout(location = 0) out uvec4 slices[NUM_TARGETS];
 
 uniform float depthRange; // cells from depth 0 to depth 1
-uniform int firstLayer;   // of the first target
+uniform int firstLayer;   // the first layer in the first target
 
 void main()
 {

@@ -1,4 +1,4 @@
-// Slice maps: the grid seen along z, one pixel a column of cells. Depth counts cells, over a power of two.
+// Slice maps: the grid seen along z, one pixel per column of cells. Depth is in cells, divided by a power of two.
 
 layout(location = 0) in vec3 vertexPosition;
 

@@ -1,6 +1,6 @@
-// The surface of a brick: rounded edges that make joints between bricks, a relief on the stud, a little of its own in
-// each. All of it is averaged over the pixel: slopes add up, and what they vary by goes into the roughness.
-// Lengths are in widths of a cell.
+// The surface of a brick: rounded edges that form joints between bricks, a relief on the stud, and a slight variation from
+// brick to brick. All of it is averaged over the pixel: slopes are summed, and their variance is added to the roughness.
+// Lengths are in cell widths.
 
 in vec3 eyePosition;
 in vec3 eyeNormal;
@@ -8,19 +8,19 @@ in vec2 coordinate;
 flat in uint color;
 flat in uint detail;
 
-uniform vec3 cellProportions; // of a cell's edges to its width
+uniform vec3 cellProportions; // the cell's edge lengths, divided by its width
 uniform int upAxis;
 uniform bool hasJoints;
 uniform float variation;    // 1: as much as real bricks differ; 0: none
-uniform float roughness;    // as perceived: the square root of the microfacets' slope
-uniform float reliefHeight; // of the relief's highest point, in radii of the stud's disk; 0: no relief
-uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and the mean of their squares
+uniform float roughness;    // perceptual: the square root of the microfacets' slope
+uniform float reliefHeight; // height of the relief's highest point, in radii of the stud's disk; 0: no relief
+uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and their mean square
 
 const float EDGE = 0.045;       // the width of a rounded edge; 0.36 mm of 8 mm
-const float EDGE_SLOPE = 0.9;   // where it ends
-const float GAP = 0.014;        // half the gap between two bricks, 0.1 mm, and what light does not reach into
+const float EDGE_SLOPE = 0.9;   // the slope at its outer end
+const float GAP = 0.014;        // half the gap between two bricks, 0.1 mm, which light does not reach
 const float GAP_DARKNESS = 0.75;
-const float TILT = 0.006;       // of faces that are never perfectly flat
+const float TILT = 0.006;       // tilt of faces, which are never perfectly flat
 const float SHADE = 0.03;
 const float DISK_RADIUS = 0.3;
 const float STUD_HEIGHT = 0.2125;
@@ -30,13 +30,13 @@ const uint STUD_WALL = 1u;
 struct Surface
 {
     vec3 color;
-    vec3 normal;    // of the face or stud
-    vec3 shading;   // with what is bent
-    float openness; // 1, and less in the gap of a joint
+    vec3 normal;    // the geometric normal of the face or stud
+    vec3 shading;   // the normal used for shading, with edges, relief and tilt
+    float openness; // 1; less in the gap of a joint
     float roughness;
 };
 
-// What edges and relief add up to within the pixel.
+// The combined effect of edges and relief within the pixel.
 struct Bend
 {
     vec2 slope;
@@ -44,7 +44,7 @@ struct Bend
     float openness;
 };
 
-// The slope of a rounded edge, summed up from the edge to a distance from it; beyond the edge is its mirror image.
+// The integral of a rounded edge's slope, from the edge to a given distance; beyond the edge the profile is mirrored.
 float sumOfSlopes(float place)
 {
     float t = min(abs(place), EDGE);
@@ -57,8 +57,8 @@ float sumOfSquares(float place)
     return sign(place) * EDGE_SLOPE * EDGE_SLOPE * (t - t * t / EDGE + t * t * t / (3.0 * EDGE * EDGE));
 }
 
-// The mean slope of one edge, its variance, and how much of the gap behind it is seen, over a pixel of some width. Behind
-// an edge that is a brick's last there is nothing of this side; at a silhouette the pixel's middle may lie there.
+// The mean slope of one edge, its variance, and the visible part of the gap behind it, over a pixel of the given width. If
+// the edge is the brick's last, the surface ends there; at a silhouette the pixel's centre may be beyond it.
 vec3 edgeAt(float place, float width, bool isFilled)
 {
     float first = place - 0.5 * width;
@@ -86,8 +86,8 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
     vec3 right = edgeAt(size.x - place.x, width.x, (filled & 2u) != 0u);
     vec3 lower = edgeAt(place.y, width.y, (filled & 4u) != 0u);
     vec3 upper = edgeAt(size.y - place.y, width.y, (filled & 8u) != 0u);
-    // Beyond half a brick a pixel holds edges of which this one knows nothing: slopes of opposite sides cancel out, and of
-    // the rest there is as much as in all of the brick.
+    // A pixel wider than half a brick also covers edges of other bricks, which are not known here: the slopes of opposite
+    // sides cancel out; for the rest, the mean over the whole brick is used.
     vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
     vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
     vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
@@ -96,7 +96,7 @@ Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
                 1.0 - GAP_DARKNESS * min(gap.x + gap.y, 1.0));
 }
 
-// Of the stud's wall: up, towards the rim.
+// The wall of a stud; heights are measured upwards, towards the rim.
 Bend bendWall(float height, float width)
 {
     vec3 rim = edgeAt(STUD_HEIGHT - height, width, false);
@@ -114,14 +114,14 @@ Bend bendDisk(vec2 place, float width)
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
 }
 
-// A number from -1 to 1 that is the brick's own.
+// Pseudo-random numbers of the brick, from -1 to 1.
 vec3 ownNumbers()
 {
     uint number = detail >> 16;
     return vec3(number & 31u, number >> 5 & 31u, number >> 10 & 63u) / vec3(15.5, 15.5, 31.5) - 1.0;
 }
 
-// From the axes of the grid to the eye's.
+// The direction of an axis of the grid in eye coordinates.
 vec3 axisOf(int axis)
 {
     return normalize(gl_NormalMatrix[axis]);
@@ -165,7 +165,7 @@ Surface surfaceHere()
     surface.normal = normal;
     surface.shading = normalize(normal + bend.slope.x * u + bend.slope.y * v);
     surface.openness = bend.openness;
-    // The fourth power is the square of the slopes of the microfacets, to which those of the surface are added.
+    // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = min(sqrt(sqrt(pow(roughness, 4.0) + bend.variance)), 1.0);
     return surface;
 }

@@ -1,4 +1,4 @@
-// Polygonization, the plain look: Phong's model with the scene's lights, all by pixel.
+// Polygonization, the plain look: Phong's lighting model per pixel, with the scene's lights.
 
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
@@ -7,7 +7,7 @@ in vec3 eyePosition;
 in vec3 eyeNormal;
 flat in uint color;
 
-const float SPECULAR = 0.1; // of the light; the rest is what colours scatter
+const float SPECULAR = 0.1; // fraction of the light; the rest is diffuse
 const float SHININESS = 48.0;
 
 vec3 shade(vec3 albedo)

@@ -1,6 +1,6 @@
-// Polygonization (the paper, section III-C, Algorithm 5): a point becomes a brick's open sides (first invocation), and
-// the wall and the disk of its stud (second), unless another brick sits on it. Everything winds counter-clockwise seen
-// from outside.
+// Polygonization (the paper, section III-C, Algorithm 5): the first invocation turns a point into the open sides of a
+// brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
+// counter-clockwise as seen from outside.
 
 layout(points, invocations = 2) in;
 layout(triangle_strip, max_vertices = 50) out;
@@ -8,11 +8,11 @@ layout(triangle_strip, max_vertices = 50) out;
 flat in uvec3 brick[];
 
 uniform int upAxis;       // 1 or 2
-uniform float studHeight; // in cells; the radius lies across, where a cell is as wide as the pitch
+uniform float studHeight; // in cells; the radius needs no scale, since a cell is as wide as the pitch
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
-out vec2 coordinate; // faces: 0 to 1 across; disk: likewise; wall: around and up
+out vec2 coordinate; // faces and disk: 0 to 1 across; wall: 0 to 1 around and up
 flat out uint color;
 flat out uint detail; // see detailOf()
 
@@ -22,14 +22,14 @@ const uint STUD_DISK = 2u;
 
 const float STUD_RADIUS = 0.3;
 const int STUD_SIDES = 16;
-// Around the stud; a table, since not every machine has a quick cosine.
+// Directions around the stud, in a table, since the cosine is slow on some machines.
 const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
     vec2(1.0, 0.0), vec2(0.923879533, 0.382683432), vec2(0.707106781, 0.707106781), vec2(0.382683432, 0.923879533),
     vec2(0.0, 1.0), vec2(-0.382683432, 0.923879533), vec2(-0.707106781, 0.707106781), vec2(-0.923879533, 0.382683432),
     vec2(-1.0, 0.0), vec2(-0.923879533, -0.382683432), vec2(-0.707106781, -0.707106781), vec2(-0.382683432, -0.923879533),
     vec2(0.0, -1.0), vec2(0.382683432, -0.923879533), vec2(0.707106781, -0.707106781), vec2(0.923879533, -0.382683432));
 
-// A place in the spaces that vertices are needed in, or a step between two places.
+// A position in eye and clip coordinates, or the difference of two positions.
 struct Place
 {
     vec3 eye;
@@ -47,8 +47,8 @@ Place moved(Place place, float distance, Place step)
     return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
 }
 
-// What the surface is part of, for its joints and its variation: the part (2 bits), the axis of a face (2), whether it is
-// the upper one (1), which of the four cells beside a face are filled (4), and a number that is the brick's own (16).
+// Pack the details that joints and variation need: the part (2 bits), the axis of a face (2), whether the face is the upper
+// one on this axis (1), which of the four cells beside it are occupied (4), and a pseudo-random number of the brick (16).
 uint detailOf(uint part, int axis, bool upper, uint filled)
 {
     uint number = brick[0].x * 0x9e3779b1u ^ (brick[0].y & 0xffffu) * 0x85ebca77u;
@@ -115,7 +115,7 @@ void emitStud(vec3 center, vec3 up)
 
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
-        // The seam's two edges are the same edge, to the last digit.
+        // The first and the last edge are exactly the same.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
         vec3 normal = direction.x * normalU + direction.y * normalV;
         float around = float(side) / float(STUD_SIDES);

@@ -1,4 +1,4 @@
-// Polygonization, the vertices: one for each brick, handed on as it is.
+// Polygonization, vertex shader: passes on one vertex for each brick.
 
 layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
 

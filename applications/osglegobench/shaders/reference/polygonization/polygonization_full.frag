@@ -1,5 +1,5 @@
-// Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. Where ambient occlusion
-// follows (#define GEOMETRY_BUFFER), the light of the probe is left to it.
+// Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. If ambient occlusion
+// follows (#define GEOMETRY_BUFFER), it adds the light of the probe.
 
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
@@ -11,14 +11,14 @@
 #include "light/ambient_light.glsl"
 #endif
 
-uniform bool usesMaterial; // the specular of osg::Material in place of plastic
+uniform bool usesMaterial; // use the specular reflection of osg::Material instead of plastic's
 
 const float PLASTIC_REFLECTANCE = 0.04;
-const float LIGHT_SIZE = 0.12; // lights are no points; the slope by which they widen a highlight
-// A highlight of all that is reflected would be as bright as lights are small; flat faces before a headlight would drown.
+const float LIGHT_SIZE = 0.12; // lights are not points; the slope by which their size widens highlights
+// Physically correct highlights would be extremely bright, since lights are small; a headlight would wash out flat faces.
 const float HIGHLIGHT = 0.07;
 
-// Light that comes straight from the scene's lights; highlights by Phong's lobe, made as bright as it is narrow.
+// Direct light from the scene's lights; highlights use Phong's lobe, normalized so that a narrower one is brighter.
 vec3 directLight(Surface surface, vec3 albedo)
 {
     vec3 toEye = towardsEye(eyePosition);
