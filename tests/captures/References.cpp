@@ -21,7 +21,7 @@ namespace files = std::filesystem;
 
 constexpr double GLARING_TOLERANCE = 0.0002;
 
-/** A picture and the reference that is nearest to it. */
+/** A picture and the reference closest to it. */
 struct Comparison
 {
     std::string name;
@@ -96,7 +96,7 @@ Comparison compare(const files::path& result, const std::vector<files::path>& re
     return nearest;
 }
 
-/** Put what a row of the page shows beside the page. @return the row. */
+/** Write the pictures of a row next to the page. @return the row. */
 std::string addRow(const Comparison& comparison, const files::path& folder)
 {
     std::string cells;

@@ -8,7 +8,7 @@
 namespace osgLego::test
 {
 
-/** A line of a file of scenes: `NAME MESH OPTIONS...`, the options being osglegocapture's own. */
+/** A line of a file of scenes: `NAME MESH OPTIONS...`, with the options of osglegocapture. */
 struct SceneLine
 {
     std::string name;
@@ -16,14 +16,14 @@ struct SceneLine
     std::vector<std::string> options;
 };
 
-/** Read all lines but those that are empty or begin with `#`. Throws CaptureError. */
+/** Read all lines except those that are empty or begin with `#`. Throws CaptureError. */
 std::vector<SceneLine> readSceneFile(const std::string& fileName);
 
-/** Let osglegocapture's own reader read a line's options. Throws CaptureError.
- * @param folder that of the file of scenes, which its probes lie beside. */
+/** Read the options of a line as osglegocapture does. Throws CaptureError.
+ * @param folder the folder of the scene file, which also contains its probes. */
 CaptureOptions toCaptureOptions(const SceneLine& line, const std::string& folder, const std::string& output);
 
-/** Whether the mesh of a line can be had: the bunny may not have been fetched. */
+/** Whether the mesh of a line is available: the bunny may not have been fetched. */
 bool hasMesh(const SceneLine& line);
 
 } // namespace osgLego::test

@@ -28,7 +28,7 @@ namespace osgLego::test
 namespace
 {
 
-constexpr unsigned int RESOLUTION = 40; // a brick is some 5 pixels wide
+constexpr unsigned int RESOLUTION = 40; // a brick is about 5 pixels wide
 const osg::Vec4 GREY(0.75f, 0.75f, 0.72f, 1.0f);
 const osg::Vec4 GREEN(0.25f, 0.62f, 0.30f, 1.0f);
 const osg::Vec4 ORANGE(0.95f, 0.55f, 0.10f, 1.0f);
@@ -80,7 +80,7 @@ osg::ref_ptr<osg::Node> createGround()
     return createBox(osg::Vec3(0, 0, -0.05f), osg::Vec3(6.0f, 4.0f, 0.1f), GREY);
 }
 
-/** An upright pane across the car that what is behind it shows through. */
+/** A transparent upright pane across the car. */
 osg::ref_ptr<osg::Node> createPane(float x, const osg::Vec4& color)
 {
     osg::ref_ptr<osg::Node> pane = createBox(osg::Vec3(x, -1.15f, 0.6f), osg::Vec3(1.1f, 0.02f, 1.3f), color);
@@ -143,8 +143,8 @@ void main()
     gl_FragColor = vec4(vec3(0.35 + 0.4 * shadow2DProj(depths, place).r), 1.0);
 })";
 
-/** A camera of depths alone, which looks along the light's way; as osgShadow's techniques have it, which themselves
- * find no lights below a camera that renders to a texture. */
+/** A camera that draws only depth, in the direction of the light, like those of osgShadow's techniques. These can't be
+ * used here: they find no lights below a camera that renders to a texture. */
 osg::ref_ptr<osg::Camera> createShadowCamera(osg::Texture2D& depths, const osg::Vec3& toLight)
 {
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
@@ -207,7 +207,7 @@ osg::ref_ptr<osg::Node> createFog()
 {
     osg::ref_ptr<osg::Fog> fog = new osg::Fog;
     fog->setMode(osg::Fog::LINEAR);
-    fog->setStart(6.5f); // the middle of the car is some 9 away
+    fog->setStart(6.5f); // the centre of the car is about 9 away
     fog->setEnd(11.0f);
     fog->setColor(osg::Vec4(0.66f, 0.72f, 0.79f, 1.0f)); // the background's
     const osg::ref_ptr<osg::Group> scene = groupOf(occlusionOf(createLego(), createGround()));
@@ -248,7 +248,7 @@ osg::ref_ptr<osg::Node> createNoJoints()
     return occlusionOf(lego);
 }
 
-/** A ring around an arrow that points along +X, raised. */
+/** A raised ring around an arrow that points along +X. */
 osg::ref_ptr<osg::Image> createRelief()
 {
     constexpr int SIZE = 64;
@@ -277,7 +277,7 @@ osg::ref_ptr<osg::Node> createReliefImage()
     return occlusionOf(lego);
 }
 
-/** The car with a brick on its nose, of the nose's colour. @param cells how far from its place it lies. */
+/** The car with a brick of the same colour on its nose. @param cells the brick's offset. */
 osg::ref_ptr<osg::Node> createOneStud(int cells)
 {
     constexpr float CELL = 4.35f / RESOLUTION; // from the nose to the pipes' ends

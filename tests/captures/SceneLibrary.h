@@ -8,10 +8,11 @@
 namespace osgLego::test
 {
 
-/** A scene that no command line can say: bricks among other nodes, lights, state, and what LegoNode alone can set.
+/** Create a scene that can't be described on a command line: bricks among other nodes, lights, state, and settings that
+ * only LegoNode has.
  *
- * The first LegoNode is not moved, since the camera stands before it as it is.
- * @return the scene, LegoNodes and AmbientOcclusionScenes included; null when there is none of that name. */
+ * The first LegoNode is not transformed, since the camera is placed according to its own coordinates.
+ * @return the scene, including LegoNodes and AmbientOcclusionScenes; null if the name is unknown. */
 osg::ref_ptr<osg::Node> createLibraryScene(const std::string& name);
 
 } // namespace osgLego::test

@@ -47,15 +47,15 @@ void drawScene(const SceneLine& line, const std::string& folder, const std::stri
 {
     const CaptureOptions options = toCaptureOptions(line, folder, output);
     const std::unique_ptr<CaptureScene> scene = createScene(line, options);
-    // Its own, since the viewer closes it.
-    constexpr int UNUSED_SIZE = 16; // the picture has a frame buffer of its own
+    // A separate context, since the viewer closes it.
+    constexpr int UNUSED_SIZE = 16; // the picture has its own frame buffer
     std::string error;
     const osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
     if (!context) throw CaptureError(EXIT_NO_GL, error);
     writeSmallPicture(output, toImageBuf(*scene->draw(*context)));
 }
 
-/** The lines of the names, in the order of these; all without any. */
+/** The lines with the given names, in the order of the names; all lines if there are no names. */
 std::vector<SceneLine> choose(const std::vector<SceneLine>& lines, const std::vector<std::string>& names)
 {
     if (names.empty()) return lines;
