@@ -14,7 +14,7 @@ LegolizeSettings parsed(const std::string& text, LegolizeSettings settings = {})
     return settings;
 }
 
-/** The message about a text, which must change nothing. */
+/** The error message for a text, which must not change any setting. */
 std::string errorOf(const std::string& text)
 {
     LegolizeSettings settings;

@@ -42,7 +42,7 @@ protected:
         return osgDB::Registry::instance()->readNode(name, readOptions);
     }
 
-    /** The bricks that a reader's answer holds. */
+    /** The bricks in the result of a reader. */
     static osg::ref_ptr<LegoNode> findLego(osg::Object* object)
     {
         const auto* scene = dynamic_cast<AmbientOcclusionScene*>(object);
@@ -82,7 +82,7 @@ TEST_F(PseudoLoader, PutsBricksOfTheFullLookUnderAmbientOcclusion)
     EXPECT_TRUE(dynamic_cast<LegoNode*>(read(pathOf("ball.osgt.(16,look=plain).legolize")).getNode()));
 }
 
-/** A picture of light that comes from below alone. */
+/** A picture of light that comes only from below. */
 osg::ref_ptr<osg::Image> createLightFromBelow()
 {
     return createLatitudeLongitude(16, [](const osg::Vec3d& direction)
@@ -122,7 +122,7 @@ TEST_F(PseudoLoader, AProbeIsTheLightOfTheBricksAndOfTheOcclusionAroundThem)
         if (!scene) continue;
         EXPECT_NEAR(scene->getLightProbe()->getIrradiance(osg::Vec3d(0, 0, -1)).x(), 1.0, 0.1);
     }
-    // With y up, what comes from below comes from -y.
+    // With y up, light from below comes from -y.
     const osg::ref_ptr<const LightProbe> upright =
         readLego(pathOf("ball.osgt.(8,up=y,probe=" + probe + ").legolize"))->getLightProbe();
     EXPECT_NEAR(upright->getIrradiance(osg::Vec3d(0, -1, 0)).x(), 1.0, 0.1);
@@ -204,7 +204,7 @@ TEST_F(PseudoLoader, AFileWithALoneBracketInItsNameIsRead)
     EXPECT_TRUE(readLego(pathOf("odd(ball.osgt.16.legolize")));
 }
 
-/** Finds what bricks leave in a file: how many triangles, between which bounds, in which colours. */
+/** Collects the number, bounds and colours of the bricks' triangles in a file. */
 class Findings : public osg::NodeVisitor
 {
 public:
@@ -256,7 +256,7 @@ private:
     }
 };
 
-/** Messages that OSG writes while an object of this class is there. */
+/** The messages that OSG writes during the lifetime of an object of this class. */
 class Messages : public osg::NotifyHandler
 {
 public:
@@ -291,7 +291,7 @@ protected:
         ASSERT_GT(_colors.size(), 50u);
     }
 
-    /** Write the scene, read it back, and look at shape and bounds. */
+    /** Write the scene, read it back, and check shape and bounds. */
     Findings writeAndRead(const std::string& name) const
     {
         EXPECT_TRUE(osgDB::writeNodeFile(*_scene, pathOf(name))) << name;

@@ -26,7 +26,7 @@ namespace osgLego::test
 namespace
 {
 
-// Edges of the same triangles may be rounded to the other of two neighbouring pixels.
+// The same edges may be rounded to either of two neighbouring pixels.
 constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
 
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
@@ -38,7 +38,7 @@ void switchLighting(osg::Node& node, bool isOn)
                                                          osg::StateAttribute::PROTECTED);
 }
 
-/** Floor and wall, white, that meet in the axis x. */
+/** A white floor and wall that meet at the x axis. */
 osg::ref_ptr<osg::Group> createInnerEdge()
 {
     osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -56,7 +56,7 @@ osg::ref_ptr<osg::Geode> createBall(const osg::Vec3& center, float radius, const
     return geode;
 }
 
-/** A scene of bricks and of what is none: a ball upon a box of 8 x 8 x 2. */
+/** A scene of bricks and other nodes: a ball on a box of 8 x 8 x 2. */
 osg::ref_ptr<osg::Group> createMixedScene()
 {
     osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -70,7 +70,7 @@ const Viewpoint MIXED_VIEW{{12, -18, 14}, {4, 4, 1}};
 class AmbientOcclusionSceneTest : public LookTest
 {
 protected:
-    /** What a scene shows below a camera that renders to a texture. */
+    /** The picture of a scene below a camera that renders to a texture. */
     osg::ref_ptr<osg::Image> drawToTexture(osg::Node& scene, const Viewpoint& viewpoint, unsigned int samples,
                                            osg::Transform::ReferenceFrame frame = osg::Transform::ABSOLUTE_RF)
     {
@@ -154,7 +154,7 @@ TEST_F(AmbientOcclusionSceneTest, AnInnerEdgeSeesHalfOfTheSky)
 
 TEST_F(AmbientOcclusionSceneTest, BricksOccludeAndAreOccluded)
 {
-    // A wall of bricks on a wide one: the front of what is below, near and far from the edge of what stands out.
+    // A wall of bricks on a wider one: the front of the lower one, near and far from the edge of the protruding one.
     osg::ref_ptr<osg::Group> steps = new osg::Group;
     steps->addChild(createBrickBox({12, 1, 12}, "12"));
     const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("high,show=occlusion", steps);
@@ -544,14 +544,14 @@ osg::ref_ptr<LightProbe> createRedProbe()
 class ProbeInTheWorld : public AmbientOcclusionSceneTest
 {
 protected:
-    /** Compare the irradiance that is shown on three sides of a cube in the world with the probe's own. */
+    /** Compare the irradiance shown on three sides of a cube in the world with the probe's irradiance. */
     void expectIrradiance(const osg::Image& image, const LightProbe& probe, const Viewpoint& viewpoint)
     {
         for (const osg::Vec3d& normal : {osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0), osg::Vec3d(0, 1, 0),
                                          osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1)})
         {
             if (normal * (viewpoint.eye - normal * 2.0) < 2.0) continue; // turned away
-            // Between studs, where there are some.
+            // Between studs, if there are any.
             const osg::Vec3d place = normal * 2.0 + (normal.z() > 0.0 ? osg::Vec3d() : osg::Vec3d(0, 0, 0.2));
             const osg::Vec3d expected = probe.getIrradiance(normal);
             EXPECT_LT((colorAt(image, place) - expected).length(), normal.z() > 0.0 ? 0.25 : 0.03)

@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
 const osg::Vec4 GREEN(0.0f, 1.0f, 0.0f, 1.0f);
 
-/** Bricks under a group, and what the state around and other children do to them. */
+/** Bricks in a group, and the effects of the outer state and of other children on them. */
 class AmbientOcclusionState : public LookTest
 {
 protected:
@@ -37,7 +37,7 @@ protected:
         return draw(*root, _view);
     }
 
-    /** A quad behind the bricks, or before them, that shows its colour as it is. */
+    /** An unlit quad behind or in front of the bricks. */
     static osg::ref_ptr<osg::Geometry> createSheet(double y, const osg::Vec4& color)
     {
         osg::ref_ptr<osg::Geometry> sheet =

@@ -51,8 +51,8 @@ TEST(OcclusionNoise, AllNumbersAreFromZeroToOneAndEvenlySpread)
 TEST(OcclusionNoise, SquaresOfFourPixelsHaveNumbersFarApart)
 {
     const osg::ref_ptr<osg::Texture2D> noise = createOcclusionNoise();
-    // The mean over 4 x 4 pixels, which denoising comes to, is near that of all: 0.5; of independent numbers it would
-    // be off by 0.072 in the root mean square.
+    // The mean over 4 x 4 pixels, about the range of denoising, is near the mean of all pixels, 0.5; with independent
+    // numbers its root mean square error would be 0.072.
     double squares = 0.0;
     for (int row = 0; row < SIDE; row += 4)
         for (int column = 0; column < SIDE; column += 4)

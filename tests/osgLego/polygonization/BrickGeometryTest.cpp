@@ -20,7 +20,7 @@ namespace osgLego
 namespace
 {
 
-/** Sums up, triangle by triangle, the volume that a surface encloses and its area. */
+/** Sums the enclosed volume and the area of a surface, triangle by triangle. */
 struct Measure
 {
     double volume = 0.0;
@@ -43,7 +43,7 @@ osg::ref_ptr<const BrickModel> createModel(Proportions proportions, UpAxis up)
     return legolizeOnCpu(*test::createSphere(), settings);
 }
 
-/** The sum over all studs of how high their feet lie, along the up axis, and how many there are. */
+/** The sum of the heights of all studs' feet along the up axis, and the number of studs. */
 std::pair<double, int> sumOfStudFeet(const BrickModel& model)
 {
     const BrickGrid& grid = model.getGrid();
@@ -71,7 +71,7 @@ TEST(BrickGeometry, EnclosesTheVolumeOfBricksAndStudsWindingOutwards)
 
             const double pitch = grid.getPitch();
             const double radius = BrickDimensions::STUD_RADIUS * pitch;
-            // Of a stud with sixteen sides.
+            // The area of a stud with sixteen sides.
             const double disk = 8.0 * radius * radius * std::sin(std::numbers::pi / 8.0);
             const double stud = disk * BrickDimensions::STUD_HEIGHT * pitch;
             const double cell = grid.cellSize.x * grid.cellSize.y * grid.cellSize.z;
@@ -83,7 +83,7 @@ TEST(BrickGeometry, EnclosesTheVolumeOfBricksAndStudsWindingOutwards)
         }
 }
 
-/** Keeps the triangles that it is handed. */
+/** Stores the triangles passed to it. */
 struct Triangles
 {
     std::vector<std::array<osg::Vec3, 3>> corners;

@@ -21,7 +21,7 @@ double levelOf(const osg::Vec3d& color)
     return 255.0 * (color.x() + color.y() + color.z()) / 3.0;
 }
 
-/** The levels, 0 to 255, of what is drawn, in ascending order. */
+/** The levels, 0 to 255, of the drawn pixels, in ascending order. */
 std::vector<double> sortedLevels(const osg::Image& image)
 {
     std::vector<double> levels;
@@ -40,7 +40,7 @@ double quantileOf(const std::vector<double>& sorted, double share)
     return sorted.at(static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1)));
 }
 
-/** Bricks as osgviewer shows them: in a group, by the built-in sky and the headlight of a viewer. */
+/** Bricks as osgviewer shows them: in a group, lit by the built-in sky and the headlight of a viewer. */
 class BrickLight : public LookTest
 {
 protected:
@@ -55,13 +55,13 @@ protected:
         return createGroup("medium", lego);
     }
 
-    /** The colour of a face of a box of 4 x 4 x 4 bricks that is seen from some way off. */
+    /** The colour of a face of a box of 4 x 4 x 4 bricks, seen from a distance. */
     osg::Vec3d faceOf(const osg::Vec4& color, const osg::Vec3d& toEye, const osg::Vec3d& face)
     {
         const osg::ref_ptr<osg::Node> group = createGroup("medium", createBrickBox({4, 4, 4}, "4", color));
         const osg::Vec3d middle(2, 2, 2);
         const osg::ref_ptr<osg::Image> image = draw(*group, {middle + toEye * 20.0, middle});
-        // Between four studs, and the middle of a brick beside the middle.
+        // Between four studs, and the centre of a brick next to the centre.
         osg::Vec3d place = middle + face * 2.0;
         for (int axis = 0; axis < 3; ++axis)
             if (face[axis] == 0.0) place[axis] += face.z() > 0.5 ? 0.1 : 0.5;

@@ -58,7 +58,7 @@ TEST_F(BrickLook, JointsMakeAGridOfDarkLines)
         group->setEnabled(isOccluded);
         wall->setAppearance(appearance);
         const osg::ref_ptr<osg::Image> image = draw(*group, WALL_VIEW);
-        // The means of columns, and of rows, by their place in a brick.
+        // The means of columns and of rows, by their position in a brick.
         std::vector<double> columns(PIXELS);
         std::vector<double> rows(PIXELS);
         constexpr int ALL = WIDTH / PIXELS * PIXELS;
@@ -130,7 +130,7 @@ TEST_F(BrickLook, BricksDifferAsMuchAsIsAskedForAndAlwaysInTheSameWay)
     {
         appearance.variation = variation;
         const osg::ref_ptr<osg::Image> image = draw(*createWall(appearance), WALL_VIEW);
-        // Neighbouring bricks, so that what changes slowly over the wall has no part.
+        // Neighbouring bricks, so that slow changes over the wall are ignored.
         double sum = 0.0;
         int count = 0;
         for (int row = PIXELS / 2; row < HEIGHT; row += PIXELS)
@@ -188,7 +188,7 @@ TEST_F(BrickLook, FogHidesTheBricksInBothLooks)
             EXPECT_LT((half - (clear + osg::Vec3d(1.0, 0.5, 0.0)) * 0.5).length(), 0.05) << look << isOccluded;
             fog->setEnd(20.0f);
             const osg::Vec3d all = readColor(*draw(*group, WALL_VIEW), 53, 53);
-            // What is none of a group's bricks of the full look may be occluded by a little.
+            // Bricks without the full look may be slightly occluded in a group.
             EXPECT_LT((all - osg::Vec3d(1.0, 0.5, 0.0)).length(), 0.03) << look << isOccluded;
         }
 }
@@ -253,7 +253,7 @@ TEST_F(BrickLook, HighlightsAreTheMaterialsWhereThatIsAskedFor)
         group->setLightProbe(createDarkProbe());
         group->setEnabled(isOccluded);
         group->getOrCreateStateSet()->setAttributeAndModes(material);
-        // The headlight shines straight upon the wall.
+        // The headlight is perpendicular to the wall.
         const osg::Vec3d plastic = readColor(*draw(*group, WALL_VIEW), WIDTH / 2 + 7, HEIGHT / 2 + 7);
         EXPECT_NEAR(plastic.x(), plastic.y(), 0.02) << isOccluded;
         BrickAppearance appearance;

@@ -21,7 +21,7 @@ class Ranges : public ::testing::Test
 protected:
     Ranges() { _grid.dimensions = glm::ivec3(64); }
 
-    /** The numbers of the blocks that are found. */
+    /** The numbers of the blocks found. */
     std::vector<int> find(const std::vector<BrickBlock>& blocks, const osg::Vec3d& eye, const osg::Vec3d& target,
                           bool showsInsides = false)
     {

@@ -18,7 +18,7 @@ namespace osgLego::test
 namespace
 {
 
-/** Compares bricks drawn as splats, or by triangles without those turned away, with every face and stud drawn. */
+/** Compares bricks drawn as splats, or as triangles without back-facing ones, with every face and stud drawn. */
 class BrickSplats : public LookTest
 {
 protected:
@@ -40,16 +40,16 @@ protected:
         return draw(*group, viewpoint);
     }
 
-    /** What is offset is drawn by triangles; this offset moves nothing. */
+    /** Bricks with a polygon offset are drawn as triangles; this offset has no effect. */
     static void forceTriangles(osg::StateSet& stateSet)
     {
         stateSet.setAttributeAndModes(new osg::PolygonOffset(0.0f, 0.0f));
     }
 
-    /** Where the stencil counts all faces are drawn; this test lets everything pass. */
+    /** With a stencil test, all faces are drawn; this one always passes. */
     static void forceAllFaces(osg::StateSet& stateSet) { stateSet.setMode(GL_STENCIL_TEST, osg::StateAttribute::ON); }
 
-    /** How many pixels the ways differ by. */
+    /** The number of pixels that differ. */
     std::size_t countDifference(osg::Node& node, const Viewpoint& viewpoint)
     {
         const osg::ref_ptr<osg::Image> all = drawWith(node, viewpoint, forceAllFaces);

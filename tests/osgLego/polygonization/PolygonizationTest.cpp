@@ -22,7 +22,7 @@ namespace
 class Polygonization : public GlTest, public ::testing::WithParamInterface<const char*>
 {
 protected:
-    /** Draw bricks, or their triangles, with an ordinary node that sticks through them. */
+    /** Draw bricks, or their triangles, with an ordinary node that intersects them. */
     osg::ref_ptr<osg::Image> draw(osg::Node& bricks, const std::function<void(osg::StateSet&)>& change = {})
     {
         osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -30,7 +30,7 @@ protected:
         ball->addDrawable(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(0.2f, -0.5f, 0.4f), 0.45f)));
         root->addChild(ball);
         root->addChild(&bricks);
-        // Plain colours: the light of the two is not to be the same.
+        // Without lighting, which need not be the same for both.
         root->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
         if (change) change(*root->getStateSet());
         const osg::ref_ptr<osg::GraphicsContext> context = createContext();
@@ -49,7 +49,7 @@ protected:
         return lego;
     }
 
-    osg::ref_ptr<const BrickModel> _cells; // what was read back with the last picture
+    osg::ref_ptr<const BrickModel> _cells; // read back with the last picture
 
     static osg::ref_ptr<osg::Node> toTriangles(const LegoNode& lego)
     {
@@ -59,7 +59,7 @@ protected:
     }
 };
 
-// Edges of the same triangles may be rounded to the other of two neighbouring pixels.
+// The same edges may be rounded to either of two neighbouring pixels.
 constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
 
 TEST_P(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
@@ -77,7 +77,7 @@ TEST_P(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
 
 TEST_P(Polygonization, AStudOutOfPlaceWouldBeSeen)
 {
-    // That the comparison above can fail.
+    // Shows that the comparison above can fail.
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 0.1));
     moved->addChild(toTriangles(*lego));
@@ -104,7 +104,7 @@ TEST_P(Polygonization, IsLitByTheLightsThatAreOn)
                                             osg::StateAttribute::OVERRIDE);
         };
     };
-    // The full look has light without any.
+    // The full look has environment light even without any light.
     const osg::ref_ptr<LegoNode> lego = createLego("20,look=plain");
     const osg::ref_ptr<osg::Image> plain = draw(*lego, light(0));
     const osg::ref_ptr<osg::Image> lit = draw(*lego, light(3));
@@ -217,7 +217,7 @@ TEST_P(Polygonization, ClipPlanesCutTheBricks)
 
 TEST_P(Polygonization, ThePassesLeaveTheStateOfTheSceneAsItWas)
 {
-    // An ordinary node, textured, drawn after the bricks in the frame in which the passes run and in one in which not.
+    // An ordinary textured node, drawn after the bricks, in a frame in which the passes run and in one without them.
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
     osg::ref_ptr<osg::Group> root = new osg::Group;
     osg::ref_ptr<LegoNode> lego = createLego("24");

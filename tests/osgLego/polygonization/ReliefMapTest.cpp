@@ -16,7 +16,7 @@ int countLevels(const osg::Image& map)
     return static_cast<int>(map.getNumMipmapLevels());
 }
 
-/** The mean of a level's texels. */
+/** The mean of the texels of a level. */
 osg::Vec4d meanOf(const osg::Image& map, int level)
 {
     const int side = map.s() >> level;
@@ -62,7 +62,7 @@ TEST(ReliefMap, EveryLevelOfTheOwnReliefHasItsMeans)
 {
     const osg::ref_ptr<osg::Image> map = createReliefMap(nullptr);
     expectSound(*map);
-    // What rises falls again before the rim of the disk.
+    // Every rise is followed by a fall before the rim of the disk.
     EXPECT_NEAR(meanOf(*map, 0).x(), 0.0, 1e-4);
     EXPECT_NEAR(meanOf(*map, 0).y(), 0.0, 1e-4);
     EXPECT_GT(meanOf(*map, 0).z(), 0.5) << "there is a relief";

@@ -19,15 +19,14 @@ using BrickDimensions::STUD_RADIUS;
 
 constexpr double HEIGHT = 0.2;
 
-/** Whether the way from a point of a stud to the eye, by the middle of the stud's foot, goes past the top of its brick.
- */
+/** Whether the line from a point of a stud to the eye, relative to the centre of the stud's foot, misses its brick. */
 bool goesPastBrick(const glm::dvec3& point, const glm::dvec3& toEye)
 {
     const glm::dvec3 crossing = point - point.z / toEye.z * toEye;
     return std::max(std::abs(crossing.x), std::abs(crossing.y)) > 0.5;
 }
 
-/** Whether the rim of the stud is seen, of which more is seen from below than of all else. */
+/** Whether the rim of the stud is visible; from below, it is the last part of the stud to disappear. */
 bool isRimSeen(const glm::dvec3& eye, double eyeWeight)
 {
     for (int step = 0; step < 64; ++step)
