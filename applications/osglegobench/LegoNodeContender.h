@@ -44,8 +44,7 @@ private:
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<osg::FrameStamp> _frameStamp;
     osg::ref_ptr<osgUtil::SceneView> _view;
-    std::array<GlQuery, 2>
-        _timeStamps; // of the GPU, at the start and end of a frame; unused if the renderer has no clock
+    std::array<GlQuery, 2> _timeStamps; // at the start and end of a frame; unused if the renderer has no clock
 };
 
 } // namespace osgLego
