@@ -19,39 +19,39 @@ LegoPipeline::LegoPipeline(const LegoSettings& settings) :
 void LegoPipeline::setSettings(const LegoSettings& settings)
 {
     const std::lock_guard lock(_mutex);
-    if (!settings.givesSameBricks(_wishes.settings)) _isDirty = true;
-    _wishes.settings = settings;
+    if (!settings.givesSameBricks(_request.settings)) _isDirty = true;
+    _request.settings = settings;
     _display.setLook(settings.look, settings.drawing);
 }
 
 LegoSettings LegoPipeline::getSettings() const
 {
     const std::lock_guard lock(_mutex);
-    return _wishes.settings;
+    return _request.settings;
 }
 
 void LegoPipeline::setTiming(bool timing)
 {
     const std::lock_guard lock(_mutex);
-    if (std::exchange(_wishes.timing, timing) != timing) _isDirty = true;
+    if (std::exchange(_request.timing, timing) != timing) _isDirty = true;
 }
 
 bool LegoPipeline::getTiming() const
 {
     const std::lock_guard lock(_mutex);
-    return _wishes.timing;
+    return _request.timing;
 }
 
 void LegoPipeline::setReadBack(bool readBack)
 {
     const std::lock_guard lock(_mutex);
-    if (std::exchange(_wishes.readBack, readBack) != readBack) _isDirty = true;
+    if (std::exchange(_request.readBack, readBack) != readBack) _isDirty = true;
 }
 
 bool LegoPipeline::getReadBack() const
 {
     const std::lock_guard lock(_mutex);
-    return _wishes.readBack;
+    return _request.readBack;
 }
 
 void LegoPipeline::setAnnouncement(std::function<void()> announcement)
@@ -69,7 +69,7 @@ void LegoPipeline::Announcement::operator()()
 void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
-    if (!_watch.look(source, _wishes, _isDirty.exchange(false))) return;
+    if (!_watch.look(source, _request, _isDirty.exchange(false))) return;
     if (const osg::ref_ptr<const LegoSource> lego = _watch.getSource())
     {
         _store->expect(lego->revision, lego->triangles->getGrid());
@@ -98,7 +98,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     if (!source) return false;
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
-    if (isHopeless(state, *bricks, *source)) return false;
+    if (mustDrawSource(state, *bricks, *source)) return false;
     if (!bricks->isOf(source->revision))
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
     _display.cull(visitor);
@@ -123,21 +123,21 @@ bool LegoPipeline::mustWait(const ContextBricks& bricks) const
     return bricks.isEmpty() && !(newest && newest->hasPoints());
 }
 
-bool LegoPipeline::isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
+bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
 {
-    if (bricks.isHopeless() || bricks.getFailedRevision() == source.revision) return true;
+    if (bricks.isUnsupported() || bricks.getFailedRevision() == source.revision) return true;
     // Null until the context has been current; in such a first frame, drawing checks the requirements.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
     const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();
     if (missing.empty()) return false;
-    bricks.despair(state.getContextID(), missing);
+    bricks.markUnsupported(state.getContextID(), missing);
     return true;
 }
 
 bool LegoPipeline::isFit(const osg::State& state) const
 {
     const std::string& missing = GlRequirements::getMissing(state);
-    if (!missing.empty()) _store->getContext(state.getContextID())->despair(state.getContextID(), missing);
+    if (!missing.empty()) _store->getContext(state.getContextID())->markUnsupported(state.getContextID(), missing);
     return missing.empty();
 }
 

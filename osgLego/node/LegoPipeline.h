@@ -89,11 +89,11 @@ private:
     ~LegoPipeline() override = default;
 
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
-    bool isHopeless(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
+    bool mustDrawSource(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
     bool mustWait(const ContextBricks& bricks) const;
 
-    mutable std::mutex _mutex; // guards the wishes, the watch, the last bounds and the geometry
-    SourceWatch::Wishes _wishes;
+    mutable std::mutex _mutex; // guards the request, the watch, the last bounds and the geometry
+    SourceWatch::Request _request;
     SourceWatch _watch;
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _waiting{false};

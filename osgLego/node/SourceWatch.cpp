@@ -18,7 +18,7 @@ std::uint64_t makeRevision()
 
 } // namespace
 
-bool SourceWatch::look(const osg::Node& node, const Wishes& wishes, bool isDirty)
+bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDirty)
 {
     const SourceSignature& signature = _signatures.compute(node);
     if (!isDirty && signature == _signature) return false;
@@ -30,11 +30,11 @@ bool SourceWatch::look(const osg::Node& node, const Wishes& wishes, bool isDirty
     {
         source = new LegoSource;
         source->revision = makeRevision();
-        source->settings = wishes.settings;
-        source->triangles = GridTriangles::create(*scene, wishes.settings);
+        source->settings = request.settings;
+        source->triangles = GridTriangles::create(*scene, request.settings);
         source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-        source->timing = wishes.timing;
-        source->readBack = wishes.readBack;
+        source->timing = request.timing;
+        source->readBack = request.readBack;
     }
     _source = source;
     _signature = signature;

@@ -19,7 +19,7 @@ class SourceWatch
 {
 public:
     /** The options with which a source is legolized. */
-    struct Wishes
+    struct Request
     {
         LegoSettings settings;
         bool timing = false;
@@ -27,9 +27,9 @@ public:
     };
 
     /** Check a source, and flatten it if it has changed since the last check.
-     * @param isDirty flatten it in any case, as after a change of the wishes.
+     * @param isDirty flatten it in any case, as after a change of the request.
      * @return whether it was flattened. */
-    bool look(const osg::Node& node, const Wishes& wishes, bool isDirty);
+    bool look(const osg::Node& node, const Request& request, bool isDirty);
 
     /** The source of the last check; null if it has no visible triangles. */
     osg::ref_ptr<const LegoSource> getSource() const { return _source; }

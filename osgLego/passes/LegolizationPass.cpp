@@ -27,7 +27,7 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     ContextBricks& shown = *_workspace->getStore().getContext(contextID);
     if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
     {
-        shown.despair(contextID, missing);
+        shown.markUnsupported(contextID, missing);
         return;
     }
     const osg::ref_ptr<PassContext> context = _workspace->getContext(contextID);

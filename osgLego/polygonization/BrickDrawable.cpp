@@ -76,7 +76,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(contextID);
     if (const std::string& missing = GlRequirements::getMissing(state); !missing.empty())
     {
-        bricks->despair(contextID, missing);
+        bricks->markUnsupported(contextID, missing);
         return;
     }
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();

@@ -32,12 +32,12 @@ osg::ref_ptr<const BrickModel> ContextBricks::getModel() const
 void ContextBricks::show(const osg::State& state, GpuBricks&& made)
 {
     const std::lock_guard lock(_mutex);
-    bricks = std::move(made.bricks);
+    bricks = made.bricks;
     buffer = std::move(made.buffer);
     numBricks = made.numBricks;
     blocks.clear();
     _blockReader.start(state, buffer.get(), numBricks);
-    _model = std::move(made.model);
+    _model = made.model;
     const unsigned int numBefore = _statistics.numLegolizations;
     _statistics = made.statistics;
     _statistics.numLegolizations = numBefore + 1;
@@ -95,12 +95,12 @@ void ContextBricks::setFailure(std::uint64_t revision, const std::string& why)
         OSG_WARN << "osgLego: " << why << "; the source is drawn instead of bricks" << std::endl;
 }
 
-void ContextBricks::despair(unsigned int contextID, const std::string& why)
+void ContextBricks::markUnsupported(unsigned int contextID, const std::string& why)
 {
     {
         const std::lock_guard lock(_mutex);
         _failure = why;
-        _isHopeless = true;
+        _isUnsupported = true;
     }
     // Only one of the nodes in a context prints the warning.
     static std::mutex mutex;
@@ -134,7 +134,7 @@ void ContextBricks::release()
     clear();
     _failure.clear();
     _failedRevision = 0;
-    _isHopeless = false;
+    _isUnsupported = false;
 }
 
 } // namespace osgLego

@@ -46,7 +46,7 @@ public:
     /** The revision of the last source that could not be shown; 0 if there is none. */
     std::uint64_t getFailedRevision() const { return _failedRevision; }
     /** Whether the context lacks GL features that bricks need. */
-    bool isHopeless() const { return _isHopeless; }
+    bool isUnsupported() const { return _isUnsupported; }
     std::string getFailure() const;
     LegoStatistics getStatistics() const;
     osg::ref_ptr<const BrickModel> getModel() const;
@@ -62,7 +62,7 @@ public:
     /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
     /** Give up on the context, and report the reason once for all nodes in it. Locks the mutex. */
-    void despair(unsigned int contextID, const std::string& why);
+    void markUnsupported(unsigned int contextID, const std::string& why);
     /** Stop showing bricks. Locks the mutex. */
     void hide();
     /** Reset everything, and release the GL objects through OSG's deferred deletion. Locks the mutex. */
@@ -87,7 +87,7 @@ private:
     std::string _failure;
     std::atomic<std::uint64_t> _revision{0};
     std::atomic<std::uint64_t> _failedRevision{0};
-    std::atomic<bool> _isHopeless{false};
+    std::atomic<bool> _isUnsupported{false};
 };
 
 } // namespace osgLego

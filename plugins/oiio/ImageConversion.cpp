@@ -144,9 +144,9 @@ osg::ref_ptr<osg::Image> readWithOiio(const std::string& fileName, std::string& 
 {
     try
     {
-        OIIO::ImageSpec wishes;
-        wishes.attribute(STRAIGHT_ALPHA, 1);
-        const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(fileName, &wishes);
+        OIIO::ImageSpec request;
+        request.attribute(STRAIGHT_ALPHA, 1);
+        const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(fileName, &request);
         if (!input)
         {
             error = OIIO::geterror();
