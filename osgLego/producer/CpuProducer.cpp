@@ -3,7 +3,7 @@
 #include <osgLego/cpu/CpuVoxelizer.h>
 
 #include <atomic>
-#include <new>
+#include <exception>
 #include <utility>
 
 #include <oneapi/tbb/task_arena.h>
@@ -38,8 +38,10 @@ class CpuProducer::Job
 public:
     Job(const LegoSource& source, const std::function<void()>& announce) : _source(&source), _announce(announce)
     {
+        // A task that is cancelled before it begins never runs, but it is always destroyed, and this with it.
+        const std::shared_ptr<void> end(nullptr, [this](void*) { _hasEnded = true; });
         // Enqueued, so that a worker runs it even on a machine with one core, and even if no thread ever waits for it.
-        _arena.enqueue(_group.defer([this] { run(); }));
+        _arena.enqueue(_group.defer([this, end] { run(); }));
     }
     ~Job()
     {
@@ -71,9 +73,9 @@ private:
         {
             _bricks = makeSet(*_source);
         }
-        catch (const std::bad_alloc&)
+        catch (const std::exception&)
         {
-            // produce() reports the failure of a job that has ended without a set.
+            // Too many bricks for memory or for a container: the job ends without a set, which produce() reports.
         }
         const bool isMade = _bricks.valid();
         _hasEnded = true;

@@ -41,7 +41,9 @@ osg::BoundingBoxd BrickStore::getBounds() const
 double BrickStore::getPitch() const
 {
     const std::lock_guard lock(_mutex);
-    return _bricks ? _bricks->getGrid().getPitch() : _expectedGrid.getPitch();
+    // A set made on a GPU gives way to the expected one in the frame that is being culled.
+    const bool isShown = _bricks && (_bricks->hasPoints() || _bricks->getRevision() == _expectedRevision);
+    return isShown ? _bricks->getGrid().getPitch() : _expectedGrid.getPitch();
 }
 
 osg::ref_ptr<const BrickSet> BrickStore::getBricks() const

@@ -34,7 +34,7 @@ public:
     /** The bounds of the newest set and, until it is the expected one, of the expected bricks. In model units, studs
      * included; invalid if there are no bricks. */
     osg::BoundingBoxd getBounds() const;
-    /** The width of a brick in the newest set, or of an expected brick while there is no set; in model units. */
+    /** The width of the bricks that the next frame shows, in model units. */
     double getPitch() const;
 
     /** The bricks of a context ID; initially empty. */
