@@ -60,7 +60,7 @@ TEST(LegolizeSettings, SaysWhatWasExpected)
 {
     EXPECT_EQ(errorOf("occlusion=best"), "bad value 'best' for occlusion; expected off, low, medium or high");
     EXPECT_EQ(errorOf("occlusion="), "bad value '' for occlusion; expected off, low, medium or high");
-    EXPECT_NE(errorOf("64,probe=").find("expected the name of a picture"), std::string::npos);
+    EXPECT_NE(errorOf("64,probe=").find("expected the name of a high dynamic range picture"), std::string::npos);
     EXPECT_EQ(errorOf("occlusion=low,64,occlusion=low"), "'occlusion' is given twice");
     EXPECT_NE(errorOf("occlusion=low,2000").find("'2000' for resolution"), std::string::npos);
     for (const char* text : {"colour=red", "64,probe=a.exr,nonsense", "probe=my,park.exr", "occlusion=low,"})
