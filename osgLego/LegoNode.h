@@ -56,8 +56,7 @@ class LegoPipeline;
  * is checked once a frame, a viewer that runs on demand draws all the time, as with every node that has an update
  * callback.
  *
- * Functions may be called from the thread that updates the scene; those that return statistics or bricks, from any
- * thread.
+ * Functions may be called from the thread that updates the scene; those with a context ID from any thread.
  */
 class OSGLEGO_EXPORT LegoNode : public osg::Group
 {
@@ -94,16 +93,18 @@ public:
 
     /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
      * Off by default: the node keeps showing the previous bricks until the new ones are ready, and a newer change of
-     * the source cancels work on an older one. The first bricks are always waited for, since there is nothing else to
-     * show. */
+     * the source cancels work on an older one, though never twice in a row, so that a source that changes all the time
+     * is followed as fast as its bricks can be made. The first bricks are always waited for, since there is nothing
+     * else to show. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 
     /** Called when bricks made on the CPU are ready to be shown from the next frame on. Viewers that run on demand use
      * it to request that frame.
      *
-     * A worker thread calls ready(), which may only do what any thread may do, such as
-     * osgViewer::ViewerBase::requestRedraw(), and must not call the node. */
+     * A worker thread calls ready(), or a thread that waits for the bricks, such as the one in osgViewer's frame().
+     * ready() may only do what any thread may do, such as osgViewer::ViewerBase::requestRedraw(); it must not call the
+     * node, throw, or take a lock that a caller of the node holds. */
     class OSGLEGO_EXPORT BricksCallback : public osg::Referenced
     {
     public:

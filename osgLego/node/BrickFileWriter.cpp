@@ -39,10 +39,10 @@ bool storesNodes(const std::string& format)
 }
 
 // The formats written by OSG 3.6.5 that keep colours by vertex. All others keep them only as materials.
-constexpr std::array<std::string_view, 5> COLORS_BY_VERTEX{"dae", "flt", "ive", "osg", "osgjs"};
+constexpr std::array<std::string_view, 4> COLORS_BY_VERTEX{"flt", "ive", "osg", "osgjs"};
 constexpr std::array<std::string_view, 3> NO_COLORS{"3dc", "sta", "stl"};
-// Formats whose writers ignore osg::Geometry.
-constexpr std::array<std::string_view, 2> NO_GEOMETRY{"iv", "wrl"};
+// Formats whose writers ignore osg::Geometry or, like Debian's for .dae, report success without writing any file.
+constexpr std::array<std::string_view, 3> NO_GEOMETRY{"dae", "iv", "wrl"};
 
 BrickColors colorsOf(const std::string& format)
 {
@@ -73,11 +73,11 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node,
     if (storesNodes(format)) return write(node);
     const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));
     if (scene != &node && isOneOf(NO_GEOMETRY, format))
-        return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " leaves geometry out; expected " +
+        return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " leaves bricks out; expected " +
                            "another format for '" + fileName + "', such as .obj");
     WriteResult result = write(*scene);
     if (scene == &node || !result.success()) return result;
-    // Some writers, such as Debian's for .dae, write nothing and report success.
+    // Some writers write nothing and report success.
     if (!osgDB::containsServerAddress(fileName) && !osgDB::fileExists(fileName))
         return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " has written no file '" + fileName +
                            "'");

@@ -71,13 +71,15 @@ void LegoPipeline::refresh(const osg::Node& source)
     const std::lock_guard lock(_mutex);
     if (!_watch.look(source, _request, _isDirty.exchange(false))) return;
     if (const osg::ref_ptr<const LegoSource> lego = _watch.getSource())
-    {
         _store->expect(lego->revision, lego->triangles->getGrid());
-        return;
+    else
+    {
+        _cpuProducer->cancel();
+        _gpuProducer->cancel();
+        _store->clear(_watch.getRevision());
     }
-    _cpuProducer->cancel();
-    _gpuProducer->cancel();
-    _store->clear();
+    // Here, because picking and culling may come before the next update.
+    _display.dirtyBound();
 }
 
 bool LegoPipeline::update(unsigned int frame)
@@ -100,7 +102,10 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     if (mustDrawSource(state, *bricks, *source)) return false;
     if (!bricks->isOf(source->revision))
+    {
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
+        if (mustDrawSource(state, *bricks, *source)) return false;
+    }
     _display.cull(visitor);
     return true;
 }

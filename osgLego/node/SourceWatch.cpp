@@ -25,11 +25,12 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
+    _revision = makeRevision();
     osg::ref_ptr<LegoSource> source;
     if (scene->getNumTriangles() > 0)
     {
         source = new LegoSource;
-        source->revision = makeRevision();
+        source->revision = _revision;
         source->settings = request.settings;
         source->triangles = GridTriangles::create(*scene, request.settings);
         source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());

@@ -5,6 +5,8 @@
 #include <osgLego/flattening/SourceSignature.h>
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
+#include <cstdint>
+
 #include <osg/Node>
 #include <osg/ref_ptr>
 
@@ -31,6 +33,9 @@ public:
      * @return whether it was flattened. */
     bool look(const osg::Node& node, const Request& request, bool isDirty);
 
+    /** The number of the last source, or of its absence; higher after every change. */
+    std::uint64_t getRevision() const { return _revision; }
+
     /** The source of the last check; null if it has no visible triangles. */
     osg::ref_ptr<const LegoSource> getSource() const { return _source; }
 
@@ -38,6 +43,7 @@ private:
     SourceSignature _signature;
     SourceSignatures _signatures;
     SurfaceTextureCache _textures;
+    std::uint64_t _revision = 0;
     osg::ref_ptr<const LegoSource> _source;
 };
 

@@ -14,6 +14,14 @@ void PassWorkspace::setSource(const LegoSource& source, const BrickSet& bricks)
     _textures.clear();
 }
 
+void PassWorkspace::clearSource()
+{
+    const std::lock_guard lock(_mutex);
+    _source = nullptr;
+    _bricks = nullptr;
+    _textures.clear();
+}
+
 osg::ref_ptr<const LegoSource> PassWorkspace::getSource() const
 {
     const std::lock_guard lock(_mutex);

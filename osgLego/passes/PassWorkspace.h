@@ -71,7 +71,9 @@ public:
 
     /** Set the wanted source. @param bricks the set to deliver once its bricks are made. */
     void setSource(const LegoSource& source, const BrickSet& bricks);
-    /** The wanted source; null initially. */
+    /** Want no bricks any more: passes that have not begun do nothing. */
+    void clearSource();
+    /** The wanted source; null if there is none. */
     osg::ref_ptr<const LegoSource> getSource() const;
     /** The brick set of the wanted source. */
     osg::ref_ptr<const BrickSet> getBricks() const;

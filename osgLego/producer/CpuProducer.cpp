@@ -57,7 +57,12 @@ public:
     /** The set; null until the task has ended, and also if it was cancelled or ran out of memory. */
     osg::ref_ptr<const BrickSet> getBricks() const { return _hasEnded ? _bricks : nullptr; }
 
-    void cancel() { _group.cancel(); }
+    void cancel()
+    {
+        _isCancelled = true;
+        _group.cancel();
+    }
+    bool isCancelled() const { return _isCancelled; }
 
     /** Wait until the task has ended; this thread may work on it meanwhile. */
     void wait()
@@ -86,6 +91,7 @@ private:
     std::function<void()> _announce;
     osg::ref_ptr<const BrickSet> _bricks;
     std::atomic<bool> _hasEnded{false};
+    std::atomic<bool> _isCancelled{false};
     oneapi::tbb::task_arena _arena;
     oneapi::tbb::task_group _group;
     std::mutex _waitMutex;
@@ -100,24 +106,33 @@ CpuProducer::~CpuProducer() = default;
 
 void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits)
 {
-    const std::shared_ptr<Job> job = start(source);
+    bool isNew = false;
+    const std::shared_ptr<Job> job = start(source, waits, isNew);
     if (waits) job->wait();
-    if (!job->hasEnded()) return;
-    const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
-    if (!bricks)
-        _store->getContext(visitor.getState()->getContextID())
-            ->fail(source.revision, "there is not enough memory for the bricks; expected a lower resolution");
-    else if (waits)
+    // A set that was begun in this frame belongs to a later one, however fast it was made.
+    if (!job || (isNew && !waits) || !job->hasEnded() || job->isCancelled()) return;
+    if (const osg::ref_ptr<const BrickSet> bricks = job->getBricks())
         _store->deliver(*bricks);
+    else
+        _store->getContext(visitor.getState()->getContextID())
+            ->fail(source.revision, "there is not enough memory for all bricks; expected a lower resolution");
 }
 
-/** The job of a source: the current job if it has the same source, otherwise a new one that replaces it. */
-std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source)
+/** The job of a source: the one there is, or a new one in place of the job of another source.
+ * @return null if that job is to be finished first. */
+std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source, bool waits, bool& isNew)
 {
     const std::lock_guard lock(_mutex);
     if (_job && _job->isOf(source)) return _job;
+    const bool isRunning = _job && !_job->hasEnded();
+    // A source that changes faster than its bricks are made is shown as it was at times, or it would never be shown.
+    if (isRunning && _hasGivenUp && !waits) return nullptr;
+    _hasGivenUp = isRunning;
+    if (_job && !isRunning)
+        if (const osg::ref_ptr<const BrickSet> bricks = _job->getBricks()) _store->deliver(*bricks);
     retire();
     _job = std::make_shared<Job>(source, _announce);
+    isNew = true;
     return _job;
 }
 
@@ -145,7 +160,8 @@ void CpuProducer::retire()
 
 osg::ref_ptr<const BrickModel> CpuProducer::getModel(const LegoSource& source)
 {
-    const std::shared_ptr<Job> job = start(source);
+    bool isNew = false;
+    const std::shared_ptr<Job> job = start(source, true, isNew);
     job->wait();
     const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
     return bricks ? bricks->getModel() : nullptr;

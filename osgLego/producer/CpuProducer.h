@@ -37,12 +37,13 @@ private:
 
     ~CpuProducer() override;
 
-    std::shared_ptr<Job> start(const LegoSource& source);
+    std::shared_ptr<Job> start(const LegoSource& source, bool waits, bool& isNew);
     void retire();
 
     osg::ref_ptr<BrickStore> _store;
     std::function<void()> _announce;
     std::mutex _mutex;
+    bool _hasGivenUp = false;                   // whether the job before the present one was given up
     std::shared_ptr<Job> _job;                  // of the last source requested
     std::vector<std::shared_ptr<Job>> _retired; // cancelled, but possibly still running
 };

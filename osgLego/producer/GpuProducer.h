@@ -28,7 +28,7 @@ public:
 
     void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits) override;
     void update(unsigned int frame) override;
-    void cancel() override {}
+    void cancel() override { _workspace->clearSource(); }
     void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state) override;
 

@@ -1,18 +1,20 @@
 #include <osgLego/store/BlockReader.h>
 
 #include <osgLego/data/BrickPoints.h>
+#include <osgLego/gl/GlMemory.h>
 
 namespace osgLego
 {
 
 void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBricks)
 {
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     stop();
+    deleteFence(extensions);
     // In OpenGL 3.1, but missing from osg::GLExtensions.
     using CopyBuffer = void(GL_APIENTRY*)(GLenum, GLenum, GLintptr, GLintptr, GLsizeiptr);
     CopyBuffer copyBuffer = nullptr;
     if (numBricks == 0 || !osg::setGLExtensionFuncPtr(copyBuffer, "glCopyBufferSubData")) return;
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(numBricks) * sizeof(BrickPoint));
     _copy = GlBuffer(state);
     _numBricks = numBricks;
@@ -22,7 +24,11 @@ void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBrick
     copyBuffer(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, size);
     extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);
     extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    _fence = extensions.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    // Without memory for the copy, the bricks stay without blocks, and all of them are drawn.
+    if (takeOutOfMemoryError())
+        stop();
+    else
+        _fence = extensions.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
 void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
@@ -31,10 +37,10 @@ void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     const GLenum result = extensions.glClientWaitSync(_fence, 0, 0);
     if (result != GL_ALREADY_SIGNALED && result != GL_CONDITION_SATISFIED) return;
-    extensions.glDeleteSync(_fence);
+    deleteFence(extensions);
+    if (_numBricks == 0) return; // the copy was dropped
     extensions.glBindBuffer(GL_COPY_READ_BUFFER, _copy.get());
     const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(_numBricks) * sizeof(BrickPoint));
-    // If there was not enough memory for the copy, the bricks stay without blocks, and all of them are drawn.
     if (const void* points = extensions.glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, GL_MAP_READ_BIT))
     {
         blocks = findBlocks({static_cast<const BrickPoint*>(points), static_cast<std::size_t>(_numBricks)});
@@ -48,7 +54,17 @@ void BlockReader::stop()
 {
     _copy = GlBuffer();
     _numBricks = 0;
-    // The fence of an incomplete copy is left to the context, since it can only be deleted while that is current.
+}
+
+void BlockReader::forget()
+{
+    stop();
+    _fence = nullptr;
+}
+
+void BlockReader::deleteFence(const osg::GLExtensions& extensions)
+{
+    if (_fence) extensions.glDeleteSync(_fence);
     _fence = nullptr;
 }
 

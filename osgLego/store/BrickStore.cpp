@@ -13,19 +13,21 @@ void BrickStore::expect(std::uint64_t revision, const BrickGrid& grid)
 void BrickStore::deliver(const BrickSet& bricks)
 {
     const std::lock_guard lock(_mutex);
+    if (bricks.getRevision() < _leastRevision) return;
     if (_bricks && _bricks->getRevision() > bricks.getRevision()) return;
     // A source may have two sets: one that every context can upload, and one whose points are on a GPU.
     if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
     _bricks = &bricks;
 }
 
-void BrickStore::clear()
+void BrickStore::clear(std::uint64_t revision)
 {
     const std::lock_guard lock(_mutex);
     _expectedRevision = 0;
+    _leastRevision = revision;
     _bricks = nullptr;
     for (const auto& [contextID, bricks] : _contexts)
-        bricks->hide();
+        bricks->hide(revision);
 }
 
 osg::BoundingBoxd BrickStore::getBounds() const

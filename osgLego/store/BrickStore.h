@@ -27,7 +27,7 @@ public:
     /** Show a set from now on, unless a newer one has been delivered. */
     void deliver(const BrickSet& bricks);
     /** Show no bricks: the source has no triangles. */
-    void clear();
+    void clear(std::uint64_t revision);
     /** The newest set delivered; null if there is none. */
     osg::ref_ptr<const BrickSet> getBricks() const;
 
@@ -49,6 +49,7 @@ private:
     mutable std::mutex _mutex;
     std::uint64_t _expectedRevision = 0; // 0: nothing is expected
     BrickGrid _expectedGrid;
+    std::uint64_t _leastRevision = 0; // sets of older sources are not shown any more
     osg::ref_ptr<const BrickSet> _bricks;
     mutable std::map<unsigned int, osg::ref_ptr<ContextBricks>> _contexts;
 };

@@ -32,6 +32,7 @@ osg::ref_ptr<const BrickModel> ContextBricks::getModel() const
 void ContextBricks::show(const osg::State& state, GpuBricks&& made)
 {
     const std::lock_guard lock(_mutex);
+    if (made.bricks->getRevision() < _leastRevision) return;
     bricks = made.bricks;
     buffer = std::move(made.buffer);
     numBricks = made.numBricks;
@@ -48,7 +49,9 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
 
 void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
 {
-    if (_revision >= wanted.getRevision() || _failedRevision == wanted.getRevision()) return;
+    if (wanted.getRevision() < _leastRevision || _revision >= wanted.getRevision() ||
+        _failedRevision == wanted.getRevision())
+        return;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const std::vector<BrickPoint>& points = wanted.getPoints().points;
     GlBuffer uploaded(state);
@@ -110,9 +113,10 @@ void ContextBricks::markUnsupported(unsigned int contextID, const std::string& w
         OSG_WARN << "osgLego: " << why << "; sources are drawn instead of bricks" << std::endl;
 }
 
-void ContextBricks::hide()
+void ContextBricks::hide(std::uint64_t revision)
 {
     const std::lock_guard lock(_mutex);
+    _leastRevision = revision;
     clear();
 }
 
@@ -125,6 +129,9 @@ void ContextBricks::clear()
     blocks.clear();
     _blockReader.stop();
     _model = nullptr;
+    const unsigned int numLegolizations = _statistics.numLegolizations;
+    _statistics = LegoStatistics();
+    _statistics.numLegolizations = numLegolizations;
     _revision = 0;
 }
 
@@ -132,6 +139,7 @@ void ContextBricks::release()
 {
     const std::lock_guard lock(_mutex);
     clear();
+    _blockReader.forget();
     _failure.clear();
     _failedRevision = 0;
     _isUnsupported = false;

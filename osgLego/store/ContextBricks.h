@@ -64,7 +64,7 @@ public:
     /** Give up on the context, and report the reason once for all nodes in it. Locks the mutex. */
     void markUnsupported(unsigned int contextID, const std::string& why);
     /** Stop showing bricks. Locks the mutex. */
-    void hide();
+    void hide(std::uint64_t revision);
     /** Reset everything, and release the GL objects through OSG's deferred deletion. Locks the mutex. */
     void release();
 
@@ -85,6 +85,7 @@ private:
     osg::ref_ptr<const BrickModel> _model;
     LegoStatistics _statistics;
     std::string _failure;
+    std::uint64_t _leastRevision = 0; // bricks of older sources are not shown any more
     std::atomic<std::uint64_t> _revision{0};
     std::atomic<std::uint64_t> _failedRevision{0};
     std::atomic<bool> _isUnsupported{false};

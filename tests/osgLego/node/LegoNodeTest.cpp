@@ -330,6 +330,23 @@ TEST_F(LegoNodeTest, TimesAreMeasuredOnRequest)
     EXPECT_GT(statistics.extraction, 0.0);
 }
 
+TEST_F(LegoNodeTest, PickingFollowsAChangeWithoutAnUpdate)
+{
+    const auto isHitAt = [&](double x)
+    {
+        osg::ref_ptr<osgUtil::LineSegmentIntersector> intersector =
+            new osgUtil::LineSegmentIntersector(osg::Vec3d(x, -5.0, 0.06), osg::Vec3d(x, 5.0, 0.06));
+        osgUtil::IntersectionVisitor visitor(intersector);
+        _root->accept(visitor);
+        return intersector->containsIntersections();
+    };
+    EXPECT_TRUE(isHitAt(0.06));
+    _transform->setMatrix(osg::Matrix::translate(10.0, 0.0, 0.0));
+    _lego->dirty();
+    EXPECT_TRUE(isHitAt(10.06));
+    EXPECT_FALSE(isHitAt(0.06));
+}
+
 TEST_F(LegoNodeTest, SubdivisionContinuesUntilTheCountIsStable)
 {
     _lego->setSettings(parseSettings("16,edge=0.5"));

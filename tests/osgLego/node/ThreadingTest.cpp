@@ -92,6 +92,21 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
     expectLegolized();
 }
 
+TEST_P(Threading, PassesThatAreStillDrawnBringNoBricksBackWhenTheSourceHasGone)
+{
+    for (int repeat = 0; repeat < 30; ++repeat)
+    {
+        _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * repeat));
+        _viewer.frame();
+        _lego->removeChild(_source);
+        drawFrames(2);
+        EXPECT_FALSE(_lego->getBound().valid()) << repeat;
+        _lego->addChild(_source);
+    }
+    drawFrames(2);
+    expectLegolized();
+}
+
 TEST_P(Threading, ANodeMayBeAddedAndRemovedWhileItRuns)
 {
     for (int repeat = 0; repeat < 10; ++repeat)

@@ -142,6 +142,37 @@ TEST_F(CpuProducerTest, WithoutTrianglesNothingIsShownAndOldBricksDoNotReturn)
     EXPECT_TRUE(_lego->isLegolized(_contextID)) << "without older bricks to show, new ones are waited for";
 }
 
+TEST_F(CpuProducerTest, ASourceThatChangesInEveryFrameIsShownNowAndThen)
+{
+    // Its bricks take longer than a frame, so each frame finds a job still running. Without progress, this never ends.
+    _lego->setSettings(parseSettings("300,device=cpu,look=plain"));
+    drawFrame();
+    double height = 1.0;
+    while (countShown() < 3)
+    {
+        height += 0.001;
+        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
+        _viewer.frame();
+    }
+}
+
+TEST_F(CpuProducerTest, WithoutUpdateTraversalsNewSettingsAreShownToo)
+{
+    drawFrame();
+    _lego->setSettings(parseSettings("20,device=cpu"));
+    const auto renderFrame = [&]
+    {
+        _viewer.advance();
+        _viewer.eventTraversal();
+        _viewer.renderingTraversals();
+    };
+    renderFrame();
+    _announcements->waitFor(2);
+    while (!_lego->isLegolized(_contextID))
+        renderFrame();
+    EXPECT_EQ(countShown(), 2u);
+}
+
 TEST_F(CpuProducerTest, ANodeMayBeDeletedWhileItsBricksAreBeingMade)
 {
     drawFrame();
