@@ -23,8 +23,7 @@ struct BenchOptions
     /** @param usualResolutions the default resolutions, for --help. */
     void addTo(CLI::App& command, const std::string& usualResolutions);
 
-    /** All meshes to measure. Also checks that the file can be written, before hours of measuring. Throws
-     * std::runtime_error. */
+    /** All meshes to measure. Throws std::runtime_error, also if the file can't be written, before hours of work. */
     std::vector<MeshSource> getMeshes() const;
     /** The only mesh of a subcommand that measures one: the first of --mesh, else the bunny or the car. As above. */
     MeshSource getMesh() const;

@@ -22,8 +22,7 @@ struct BenchScene
     /** A mesh at a resolution, with all other settings at their defaults. */
     BenchScene(const MeshSource& source, unsigned int resolution);
 
-    /** Create a node with the bricks of the mesh; frames wait for them. Throws std::runtime_error if the mesh can't be
-     * read. */
+    /** Create a node with the mesh's bricks; frames wait for them. Throws std::runtime_error for an unreadable mesh. */
     osg::ref_ptr<LegoNode> createLego() const;
     /** Point a camera at bricks with the given bounds. */
     void placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const;

@@ -8,9 +8,8 @@
 namespace osgLego
 {
 
-/** The obvious method: tests every triangle with every cell of its bounds, using the published triangle/box test, and
- * marks covered cells in an array of all cells; then a loop over this array creates the points. One thread, no colours,
- * no optimization. */
+/** The obvious method: tests every triangle with every cell of its bounds by the published test, marks covered cells in
+ * an array of all cells, and loops over this array to create the points. One thread, no colours, no optimization. */
 class PlainLoopContender : public NativeContender
 {
 public:
