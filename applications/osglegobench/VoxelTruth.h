@@ -23,7 +23,7 @@ struct VoxelQuality
      * the surface. Cells outside the grid are empty. A segment includes its lower end but not its upper end, so that no
      * surface is counted twice along an axis; a triangle parallel to a segment does not cross it. */
     std::size_t numTunnels = 0;
-    /** Mean difference of colour channels in cells that both have, in levels of 255; only for contenders with colours. */
+    /** Mean difference of colour channels in cells that both have, in levels of 255; for contenders with colours. */
     std::optional<double> colorError;
 };
 
