@@ -52,6 +52,10 @@ public:
     {
         _extensions.glUniform2iv(find(name), 1, &value.x);
     }
+    void set(const UniformName& name, const glm::ivec4& value) const
+    {
+        _extensions.glUniform4iv(find(name), 1, &value.x);
+    }
     void set(const UniformName& name, const glm::vec2& value) const
     {
         _extensions.glUniform2fv(find(name), 1, &value.x);

@@ -36,12 +36,11 @@ void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::I
 }
 
 /** Create the convolved map for shaders/light/ambient_light.glsl, with the poles in the centres of the first and last
- * row. If harmonics are used instead, it is a single unused pixel. */
+ * row. */
 osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
 {
-    const bool isUsed = probe.usesConvolvedMap();
-    const int width = isUsed ? LightProbe::CONVOLVED_WIDTH : 1;
-    const int height = isUsed ? LightProbe::CONVOLVED_WIDTH / 2 + 1 : 1;
+    const int width = LightProbe::CONVOLVED_WIDTH;
+    const int height = LightProbe::CONVOLVED_WIDTH / 2 + 1;
     osg::ref_ptr<LightProbe> plain = new LightProbe(probe);
     plain->setRotation(osg::Quat());
     plain->setIntensity(1.0);
@@ -51,7 +50,7 @@ osg::ref_ptr<osg::Image> createConvolvedMap(const LightProbe& probe)
         for (int column = 0; column < width; ++column)
         {
             const double longitude = ((column + 0.5) / width - 0.5) * 2.0 * osg::PI;
-            const double latitude = isUsed ? (static_cast<double>(row) / (height - 1) - 0.5) * osg::PI : 0.0;
+            const double latitude = (static_cast<double>(row) / (height - 1) - 0.5) * osg::PI;
             const osg::Vec3d direction(std::sin(longitude) * std::cos(latitude),
                                        std::cos(longitude) * std::cos(latitude), std::sin(latitude));
             const osg::Vec3d light = plain->getIrradiance(direction);
@@ -101,11 +100,16 @@ void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
     for (unsigned int index = 0; index < coefficients.size(); ++index)
         polynomial->setElement(index, osg::Vec3(coefficients[index]));
     stateSet.addUniform(polynomial);
-    stateSet.addUniform(new osg::Uniform("usesConvolvedMap", probe.usesConvolvedMap()));
     stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
     stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));
-    setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *createConvolvedMap(probe), false);
+    if (probe.usesConvolvedMap())
+        setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *createConvolvedMap(probe), false);
     setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", *createLevels(probe), true);
+}
+
+std::string defineLightProbe(const LightProbe& probe)
+{
+    return probe.usesConvolvedMap() ? "#define CONVOLVED_MAP\n" : "";
 }
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include <osgLego/occlusion/AmbientOcclusionView.h>
 
 #include <osgLego/gl/PerVisit.h>
+#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
@@ -47,7 +48,7 @@ Effort effortOf(AmbientOcclusionQuality quality)
     case AmbientOcclusionQuality::MEDIUM:
         break;
     }
-    return {3, 8, 1.2f, 1.1f};
+    return {3, 8, 1.25f, 1.12f};
 }
 
 void setUpTexture(osg::Texture& texture, GLint internalFormat, GLenum format, GLenum type)
@@ -107,10 +108,10 @@ void attach(osg::FrameBufferObject& buffer, osg::Camera::BufferComponent compone
         buffer.setAttachment(component, osg::FrameBufferAttachment(dynamic_cast<osg::Texture2DMultisample*>(&texture)));
 }
 
-osg::ref_ptr<osg::Program> createProgram(const char* pass, const std::string& definitions = {})
+osg::ref_ptr<osg::Program> createProgram(const char* pass, const char* vertexShader, const std::string& definitions)
 {
-    return ShaderLibrary::createProgram(
-        pass, {"occlusion/screen.vert", ("occlusion/" + std::string(pass) + ".frag").c_str()}, definitions);
+    return ShaderLibrary::createProgram(pass, {vertexShader, ("occlusion/" + std::string(pass) + ".frag").c_str()},
+                                        definitions);
 }
 
 std::string define(const char* name, int value)
@@ -195,12 +196,19 @@ void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& ou
 
 AmbientOcclusionPrograms::AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality,
                                                    const LightProbe& probe) :
-    resolve(createProgram("occlusion_resolve", define("SAMPLES", samples))),
-    occlusion(createProgram("occlusion",
-                            define("SLICES", effortOf(quality).slices) + define("STEPS", effortOf(quality).steps))),
-    denoise(createProgram("occlusion_denoise")), composite(createProgram("occlusion_composite")),
-    noise(createOcclusionNoise()), light(new osg::StateSet)
+    noise(createOcclusionNoise()),
+    light(new osg::StateSet)
 {
+    const Effort effort = effortOf(quality);
+    const std::string definitions = define("SAMPLES", samples) + define("SLICES", effort.slices) +
+                                    define("STEPS", effort.steps) + define("TILE", ScreenPass::TILE);
+    constexpr const char* SCREEN = "occlusion/screen.vert";
+    constexpr const char* TILES = "occlusion/screen_tiles.vert";
+    resolve = createProgram("occlusion_resolve", SCREEN, definitions);
+    tiles = createProgram("occlusion_tiles", SCREEN, definitions);
+    occlusion = createProgram("occlusion", TILES, definitions);
+    denoise = createProgram("occlusion_denoise", TILES, definitions);
+    composite = createProgram("occlusion_composite", TILES, definitions + defineLightProbe(probe));
     applyLightProbe(probe, *light);
 }
 
@@ -232,32 +240,38 @@ void AmbientOcclusionView::createGeometryBuffer()
 void AmbientOcclusionView::createPasses()
 {
     const Effort effort = effortOf(_format.quality);
+    const auto create = [&](GLint format) { return createColorTexture(_format.size, format); };
     const osg::Vec4 nothing(NOTHING, 0.0f, 0.0f, 0.0f);
-    const osg::ref_ptr<osg::Texture2D> depthImage = createColorTexture(_format.size, GL_RG32F);
     osg::ref_ptr<osg::Texture> light = _light;
     osg::ref_ptr<osg::Texture> albedo = _albedo;
     osg::ref_ptr<osg::Texture> normals = _normals;
+    osg::ref_ptr<osg::Texture2D> depthImage;
     if (_format.samples == 1)
     {
+        depthImage = create(GL_R32F);
         _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light}, {"depthBuffer", _depth}});
         _resolve->setTargets({depthImage}, nothing);
     }
     else
     {
-        const auto resolved = [&](GLint format) { return createColorTexture(_format.size, format); };
-        const osg::ref_ptr<osg::Texture2D> lights = resolved(GL_RGBA16F_ARB);
-        const osg::ref_ptr<osg::Texture2D> albedos = resolved(GL_RGBA8);
-        const osg::ref_ptr<osg::Texture2D> allNormals = resolved(GL_RGBA16F_ARB);
+        const std::vector<osg::ref_ptr<osg::Texture2D>> targets{create(GL_RG32F), create(GL_RGBA16F_ARB),
+                                                                create(GL_RGBA8), create(GL_RGBA16F_ARB)};
         _resolve = new ScreenPass(
             *_programs->resolve,
             {{"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}});
-        _resolve->setTargets({depthImage, lights, albedos, allNormals}, nothing);
-        light = lights;
-        albedo = albedos;
-        normals = allNormals;
+        _resolve->setTargets(targets, nothing);
+        depthImage = targets[0];
+        light = targets[1];
+        albedo = targets[2];
+        normals = targets[3];
     }
 
-    const osg::ref_ptr<osg::Texture2D> rough = createColorTexture(_format.size, GL_RGBA16F_ARB);
+    const osg::ref_ptr<osg::Texture2D> tiles =
+        createColorTexture((_format.size + ScreenPass::TILE - 1) / ScreenPass::TILE, GL_R8);
+    _tiles = new ScreenPass(*_programs->tiles, {{"depthImage", depthImage}});
+    _tiles->setTargets({tiles}, osg::Vec4(), ScreenPass::TILE);
+
+    const osg::ref_ptr<osg::Texture2D> rough = create(GL_RGBA16F_ARB);
     _occlusion = new ScreenPass(*_programs->occlusion,
                                 {{"normalBuffer", normals}, {"depthImage", depthImage}, {"noise", _programs->noise}});
     _occlusion->setTargets({rough}, osg::Vec4());
@@ -265,7 +279,7 @@ void AmbientOcclusionView::createPasses()
     _occlusion->getStateSet()->addUniform(
         new osg::Uniform("falloff", static_cast<float>(AmbientOcclusionSettings::FALLOFF)));
 
-    const osg::ref_ptr<osg::Texture2D> smooth = createColorTexture(_format.size, GL_RGBA16F_ARB);
+    const osg::ref_ptr<osg::Texture2D> smooth = create(GL_RGBA16F_ARB);
     _denoise = new ScreenPass(*_programs->denoise,
                               {{"occlusion", rough}, {"depthImage", depthImage}, {"normalBuffer", normals}});
     _denoise->setTargets({smooth}, osg::Vec4());
@@ -286,12 +300,16 @@ void AmbientOcclusionView::createPasses()
     _shown = state.getOrCreateUniform("shown", osg::Uniform::INT);
     state.merge(*_programs->light);
     _composite->setSource(*_stage);
+    for (const osg::ref_ptr<ScreenPass>& pass : {_occlusion, _denoise, _composite})
+        pass->setTiles(*tiles);
+    _passes = {_resolve, _tiles, _occlusion, _denoise, _composite};
 }
 
 void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
 {
     _stage->reset();
     _stage->setFrameBufferObject(_geometryBuffer);
+    // Cameras among the children may inherit it.
     _stage->setViewport(new osg::Viewport(0, 0, _format.size.x, _format.size.y));
     _stage->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     _stage->setClearColor(osg::Vec4());
@@ -313,6 +331,10 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
     _stage->handOnPostRenderStages(outer);
     handOnPositionalState(*_stage, outer);
+    const PictureArea area = findArea(*_stage, _format.size);
+    if (area.isEmpty()) return;
+    const glm::ivec2 size = area.getSize();
+    _stage->setViewport(new osg::Viewport(area.begin.x, area.begin.y, size.x, size.y));
     outer.addPreRenderStage(_stage, ScreenPass::RENDER_ORDER);
 
     const double pitch = _stage->getPitch();
@@ -321,39 +343,40 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * scale * sceneRadius;
     _radius->set(effortOf(_format.quality).radius * static_cast<float>(settings.radius.value_or(usual)));
     _shown->set(static_cast<int>(settings.output));
-    const osg::Matrixd eyeToWorld = computeEyeToWorld(visitor);
     const osg::Viewport* viewport = visitor.getViewport();
-    const glm::ivec2 origin(viewport->x(), viewport->y());
-    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+    const PassView view{visitor.getProjectionMatrix(), rotationOf(computeEyeToWorld(visitor)),
+                        glm::ivec2(viewport->x(), viewport->y()), _format.size, area};
+    for (const osg::ref_ptr<ScreenPass>& pass : _passes)
     {
-        pass->setView(*visitor.getProjectionMatrix(), eyeToWorld, origin, _format.size);
+        pass->setView(view);
         pass->getNode().accept(visitor);
     }
 }
 
 void AmbientOcclusionView::setTiming(bool timing)
 {
-    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+    for (const osg::ref_ptr<ScreenPass>& pass : _passes)
         pass->setTiming(timing);
     _stage->setTiming(timing);
 }
 
 AmbientOcclusionTimes AmbientOcclusionView::getTimes() const
 {
-    return {_stage->getTime(), _resolve->getTime(), _occlusion->getTime(), _denoise->getTime(), _composite->getTime()};
+    return {_stage->getTime(), _resolve->getTime() + _tiles->getTime(), _occlusion->getTime(), _denoise->getTime(),
+            _composite->getTime()};
 }
 
 void AmbientOcclusionView::resizeGLObjectBuffers(unsigned int maxSize) const
 {
     _geometryBuffer->resizeGLObjectBuffers(maxSize);
-    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+    for (const osg::ref_ptr<ScreenPass>& pass : _passes)
         pass->resizeGLObjectBuffers(maxSize);
 }
 
 void AmbientOcclusionView::releaseGLObjects(osg::State* state) const
 {
     _geometryBuffer->releaseGLObjects(state);
-    for (const osg::ref_ptr<ScreenPass>& pass : {_resolve, _occlusion, _denoise, _composite})
+    for (const osg::ref_ptr<ScreenPass>& pass : _passes)
         pass->releaseGLObjects(state);
 }
 

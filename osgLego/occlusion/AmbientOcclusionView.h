@@ -6,6 +6,7 @@
 #include <osgLego/occlusion/ScreenPass.h>
 
 #include <functional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <osg/FrameBufferObject>
@@ -25,6 +26,7 @@ struct AmbientOcclusionPrograms : public osg::Referenced
     AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality, const LightProbe& probe);
 
     osg::ref_ptr<osg::Program> resolve;
+    osg::ref_ptr<osg::Program> tiles;
     osg::ref_ptr<osg::Program> occlusion;
     osg::ref_ptr<osg::Program> denoise;
     osg::ref_ptr<osg::Program> composite;
@@ -91,9 +93,11 @@ private:
     osg::ref_ptr<osg::StateSet> _transparentState;
 
     osg::ref_ptr<ScreenPass> _resolve;
+    osg::ref_ptr<ScreenPass> _tiles;
     osg::ref_ptr<ScreenPass> _occlusion;
     osg::ref_ptr<ScreenPass> _denoise;
     osg::ref_ptr<ScreenPass> _composite;
+    std::vector<osg::ref_ptr<ScreenPass>> _passes; // all of them, in order
     osg::ref_ptr<osg::Uniform> _radius;
     osg::ref_ptr<osg::Uniform> _shown;
 };

@@ -4,14 +4,33 @@
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/StateOverride.h>
 
+#include <glm/vec4.hpp>
 #include <osg/CullFace>
 #include <osg/PolygonMode>
 #include <osg/RenderInfo>
 #include <osg/Timer>
 #include <osg/Uniform>
+#include <osg/Viewport>
 
 namespace osgLego
 {
+
+namespace
+{
+
+constexpr unsigned int TILES_UNIT = 5; // above the inputs of every pass, below the maps of light probes
+
+void setViewport(osg::Camera& camera, const PictureArea& area)
+{
+    const glm::ivec2 size = area.getSize();
+    const osg::Viewport& present = *camera.getViewport();
+    // Replaced rather than changed: the frame that is being drawn may still use it.
+    if (present.x() != area.begin.x || present.y() != area.begin.y || present.width() != size.x ||
+        present.height() != size.y)
+        camera.setViewport(new osg::Viewport(area.begin.x, area.begin.y, size.x, size.y));
+}
+
+} // namespace
 
 ScreenPass::ScreenPass(osg::Program& program, const std::vector<Input>& inputs)
 {
@@ -35,11 +54,24 @@ ScreenPass::ScreenPass(osg::Program& program, const std::vector<Input>& inputs)
     setStateSet(stateSet);
 }
 
-void ScreenPass::setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor)
+void ScreenPass::setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor,
+                            int pixelsPerTexel)
 {
+    _pixelsPerTexel = pixelsPerTexel;
     _camera = new PassCamera(*this, targets, clearColor);
     _camera->setRenderOrder(osg::Camera::PRE_RENDER, RENDER_ORDER);
     applyInitialState(*getStateSet());
+}
+
+void ScreenPass::setTiles(osg::Texture2D& tiles)
+{
+    _drawsTiles = true;
+    osg::StateSet& stateSet = *getStateSet();
+    stateSet.setTextureAttribute(TILES_UNIT, &tiles, OVERRIDE_PROTECTED);
+    stateSet.addUniform(new osg::Uniform("tiles", static_cast<int>(TILES_UNIT)));
+    // Point sprites have the exact size; the size of other points is rounded.
+    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
 
 osg::Node& ScreenPass::getNode()
@@ -48,33 +80,46 @@ osg::Node& ScreenPass::getNode()
     return *this;
 }
 
-void ScreenPass::setView(const osg::RefMatrix& projection, const osg::Matrixd& eyeToWorld, const glm::ivec2& origin,
-                         const glm::ivec2& size)
+void ScreenPass::setView(const PassView& view)
 {
-    _projection = &projection;
-    _eyeToWorld = rotationOf(eyeToWorld);
-    _origin = origin;
-    _size = size;
+    _view = view;
+    if (_camera) setViewport(*_camera, view.area.dividedBy(_pixelsPerTexel));
 }
 
 void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
-    if (!state.getLastAppliedProgramObject() || !_projection) return;
+    if (!state.getLastAppliedProgramObject() || !_view.projection) return;
     if ((_source && _source->hasFailed()) || (_camera && !isTargetThere(state))) return;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const ProgramUniforms uniforms(state);
-    uniforms.set("sceneProjection", toGlsl(*_projection));
-    uniforms.set("pixelSize", 2.0f / glm::vec2(_size));
-    uniforms.set("origin", _origin);
-    uniforms.set("eyeToWorld", _eyeToWorld);
+    const PictureArea& area = _view.area;
+    uniforms.set("sceneProjection", toGlsl(*_view.projection));
+    uniforms.set("pixelSize", 2.0f / glm::vec2(_view.size));
+    uniforms.set("origin", _view.origin);
+    uniforms.set("eyeToWorld", _view.eyeToWorld);
+    uniforms.set("area", glm::ivec4(area.begin, area.end - 1));
     setFog(uniforms, state);
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw(uniforms);
     if (!_timing) return;
     glFinish();
     _time = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+}
+
+void ScreenPass::draw(const ProgramUniforms& uniforms) const
+{
+    if (!_drawsTiles)
+    {
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        return;
+    }
+    const glm::ivec2 size = _view.area.getSize();
+    uniforms.set("viewport",
+                 _camera ? glm::ivec4(_view.area.begin, size) : glm::ivec4(0, 0, _view.size.x, _view.size.y));
+    const glm::ivec2 count = _view.area.dividedBy(TILE).getSize();
+    glDrawArrays(GL_POINTS, 0, count.x * count.y);
 }
 
 void ScreenPass::resizeGLObjectBuffers(unsigned int maxSize)

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <osgLego/gl/PassCamera.h>
+#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/occlusion/GeometryBufferStage.h>
+#include <osgLego/occlusion/PictureArea.h>
 
 #include <atomic>
 #include <string>
@@ -17,7 +19,17 @@
 namespace osgLego
 {
 
-/** Runs a program for every pixel of a picture, by drawing one triangle that covers the picture.
+/** A picture that is computed in passes, as a camera sees it. */
+struct PassView
+{
+    osg::ref_ptr<const osg::RefMatrix> projection; //!< its near and far planes may still change before drawing
+    glm::mat3 eyeToWorld{1.0f};                    //!< a rotation
+    glm::ivec2 origin{0};                          //!< the lower left pixel of the picture in the frame
+    glm::ivec2 size{1};                            //!< pixels
+    PictureArea area;                              //!< the part of the picture that may show something
+};
+
+/** Runs a program for every pixel of a part of a picture.
  *
  * Input textures get the texture units 0, 1, ... in the given order. Also sets the uniforms of the scene declared in
  * shaders/occlusion/view_position.glsl and shaders/light/ambient_light.glsl. Used by one cull visitor.
@@ -36,17 +48,23 @@ public:
 
     ScreenPass(osg::Program& program, const std::vector<Input>& inputs);
 
+    /** The side of a tile, in pixels. */
+    static constexpr int TILE = 16;
+
     /** Draw before the frame into textures, which are first cleared to `clearColor`. Without targets, the pass draws
-     * into the frame itself. */
-    void setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor);
+     * into the frame itself.
+     * @param pixelsPerTexel of the picture, along both axes. */
+    void setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor,
+                    int pixelsPerTexel = 1);
 
     /** The node for a cull visitor: the camera or, for a pass without targets, the drawable itself. */
     osg::Node& getNode();
 
-    /** Set the scene's projection, whose near and far planes may still change before drawing; the rotation from eye
-     * coordinates to world coordinates; and the lower left corner and size of the picture in the frame, in pixels. */
-    void setView(const osg::RefMatrix& projection, const osg::Matrixd& eyeToWorld, const glm::ivec2& origin,
-                 const glm::ivec2& size);
+    /** Draw only the tiles for which a texture is above 0, instead of the whole area. The program must have the vertex
+     * shader screen_tiles.vert instead of screen.vert. */
+    void setTiles(osg::Texture2D& tiles);
+
+    void setView(const PassView& view);
 
     /** Skip this pass if the given stage could not draw. */
     void setSource(const GeometryBufferStage& source) { _source = &source; }
@@ -69,12 +87,13 @@ public:
 private:
     ~ScreenPass() override = default;
 
+    void draw(const ProgramUniforms& uniforms) const;
+
     osg::ref_ptr<PassCamera> _camera;
     osg::ref_ptr<const GeometryBufferStage> _source;
-    osg::ref_ptr<const osg::RefMatrix> _projection;
-    glm::mat3 _eyeToWorld{1.0f};
-    glm::ivec2 _origin{0};
-    glm::ivec2 _size{1};
+    int _pixelsPerTexel = 1;
+    bool _drawsTiles = false;
+    PassView _view;
     bool _timing = false;
     mutable std::atomic<double> _time{0.0};
 };

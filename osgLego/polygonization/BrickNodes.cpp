@@ -92,7 +92,8 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     constexpr const char* NAME = "polygonization_full";
     constexpr const char* FRAGMENTS = "polygonization/polygonization_full.frag";
     constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
-    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS);
+    const std::string light = defineLightProbe(probe);
+    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS, light);
     const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
     const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
@@ -102,7 +103,7 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     constexpr osg::StateAttribute::OverrideValue OFF = osg::StateAttribute::OFF | OVERRIDE_PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
         buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS);
+    _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS, light);
     _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
 }
 

@@ -1,9 +1,12 @@
-// Environment light: diffuse light from nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or a convolved map;
+// Environment light: diffuse light from nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or, with CONVOLVED_MAP, from
+// a convolved map;
 // reflections from maps that are filtered for each roughness.
 
-uniform vec3 irradiancePolynomial[9]; // see SphericalHarmonics
-uniform bool usesConvolvedMap;
+#if defined(CONVOLVED_MAP)
 uniform sampler2D convolvedMap;
+#else
+uniform vec3 irradiancePolynomial[9]; // see SphericalHarmonics
+#endif
 uniform sampler2D reflectionMap;
 uniform float probeIntensity;
 uniform mat3 worldToProbe;
@@ -20,6 +23,7 @@ vec2 toPicture(vec3 direction)
     return vec2(0.5 + around / (2.0 * PI), 1.0 - acos(clamp(direction.z, -1.0, 1.0)) / PI);
 }
 
+#if defined(CONVOLVED_MAP)
 // The poles are in the centres of the first and last row of the convolved map. This matters, since the normals of the
 // tops of bricks point exactly at a pole.
 vec2 toConvolved(vec3 direction)
@@ -28,6 +32,7 @@ vec2 toConvolved(vec3 direction)
     float rows = float(textureSize(convolvedMap, 0).y);
     return vec2(place.x, (0.5 + place.y * (rows - 1.0)) / rows);
 }
+#endif
 
 vec3 toProbe(vec3 eyeDirection)
 {
@@ -38,14 +43,15 @@ vec3 toProbe(vec3 eyeDirection)
 vec3 irradianceAt(vec3 eyeNormal)
 {
     vec3 n = normalize(toProbe(eyeNormal));
-    vec3 irradiance;
-    if (usesConvolvedMap)
-        irradiance = textureLod(convolvedMap, toConvolved(n), 0.0).rgb;
-    else
-        irradiance = irradiancePolynomial[0] + irradiancePolynomial[1] * n.y + irradiancePolynomial[2] * n.z +
-                     irradiancePolynomial[3] * n.x + irradiancePolynomial[4] * n.x * n.y +
-                     irradiancePolynomial[5] * n.y * n.z + irradiancePolynomial[6] * (3.0 * n.z * n.z - 1.0) +
-                     irradiancePolynomial[7] * n.x * n.z + irradiancePolynomial[8] * (n.x * n.x - n.y * n.y);
+#if defined(CONVOLVED_MAP)
+    // The polynomial is not computed as well: software renderers would execute both branches.
+    vec3 irradiance = textureLod(convolvedMap, toConvolved(n), 0.0).rgb;
+#else
+    vec3 irradiance = irradiancePolynomial[0] + irradiancePolynomial[1] * n.y + irradiancePolynomial[2] * n.z +
+                      irradiancePolynomial[3] * n.x + irradiancePolynomial[4] * n.x * n.y +
+                      irradiancePolynomial[5] * n.y * n.z + irradiancePolynomial[6] * (3.0 * n.z * n.z - 1.0) +
+                      irradiancePolynomial[7] * n.x * n.z + irradiancePolynomial[8] * (n.x * n.x - n.y * n.y);
+#endif
     return probeIntensity * max(irradiance, 0.0);
 }
 

@@ -11,8 +11,10 @@
 uniform sampler2D lightBuffer;
 uniform sampler2D albedoBuffer;
 uniform sampler2D normalBuffer;
-uniform sampler2D depthImage;
+uniform sampler2D depthImage; // z in eye coordinates and, with several samples per pixel, coverage
 uniform sampler2D occlusion;
+flat in ivec4 tile; // its lowest pixel, and the pixel beyond its highest
+
 uniform ivec2 origin; // the viewport's lower left pixel
 uniform float radius; // in units of eye coordinates
 uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
@@ -35,7 +37,10 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
     vec2 depth = texelFetch(depthImage, pixel, 0).rg;
-    if (depth.r < NOTHING) discard;
+    if (depth.r < NOTHING || any(lessThan(pixel, tile.xy)) || any(greaterThanEqual(pixel, tile.zw))) discard;
+#if SAMPLES == 1
+    depth.g = 1.0;
+#endif
     vec4 light = texelFetch(lightBuffer, pixel, 0);
     vec4 normals = texelFetch(normalBuffer, pixel, 0);
     vec4 bentAndVisibility = texelFetch(occlusion, pixel, 0);

@@ -1,5 +1,5 @@
 // Ambient occlusion, the first pass: resolves the geometry buffer to one depth per pixel, in eye coordinates, and the
-// covered fraction of the pixel. With several samples (#define SAMPLES), depth and normals come from the first covered
+// covered fraction of the pixel. With several samples (SAMPLES above 1), depth and normals come from the first covered
 // sample, which is at nearly the same position in each pixel, so that neighbours are consistent; light is averaged over
 // all covered samples.
 
@@ -70,7 +70,7 @@ void main()
     float depth = texelFetch(depthBuffer, pixel, 0).r;
     // Children that write no depth, such as skies, are recognized by their colour.
     if (depth >= 1.0 && texelFetch(lightBuffer, pixel, 0).a == 0.0) discard;
-    gl_FragData[0] = vec4(eyeDepthOf(depth), 1.0, 0.0, 0.0);
+    gl_FragData[0] = vec4(eyeDepthOf(depth));
 }
 
 #endif

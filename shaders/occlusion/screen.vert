@@ -1,6 +1,6 @@
-// A pass over every pixel: one triangle that covers the picture.
+// A pass over every pixel of the viewport, drawn as a strip of two triangles.
 
 void main()
 {
-    gl_Position = vec4(4.0 * float(gl_VertexID & 1) - 1.0, 4.0 * float(gl_VertexID >> 1) - 1.0, 0.0, 1.0);
+    gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0);
 }

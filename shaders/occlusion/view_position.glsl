@@ -3,6 +3,7 @@
 
 uniform mat4 sceneProjection;
 uniform vec2 pixelSize; // in a picture from -1 to 1: 2 / width, 2 / height
+uniform ivec4 area; // the lowest and highest pixels of the picture that may show something
 
 const float NOTHING = -1e14; // depths below this mark pixels without a surface
 

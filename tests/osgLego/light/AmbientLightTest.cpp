@@ -12,6 +12,13 @@ namespace osgLego::test
 namespace
 {
 
+#define AMBIENT_LIGHT                                                                                                  \
+    "#include \"light/ambient_light.glsl\"\n"                                                                          \
+    "void main() { result = vec4(irradianceAt(a.xyz), 1.0); }\n"
+
+constexpr const char* HARMONICS = AMBIENT_LIGHT;
+constexpr const char* CONVOLVED_MAP = "#define CONVOLVED_MAP\n" AMBIENT_LIGHT;
+
 class AmbientLight : public GlslFunctionTest
 {
 protected:
@@ -24,10 +31,10 @@ protected:
         const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
         applyLightProbe(probe, *stateSet);
         stateSet->addUniform(new osg::Uniform("eyeToWorld", toUniform(osg::Matrixd())));
-        const std::vector<glm::vec4> results = evaluate("tests/ambient_light.vert",
-                                                        "#include \"light/ambient_light.glsl\"\n"
-                                                        "void main() { result = vec4(irradianceAt(a.xyz), 1.0); }\n",
-                                                        arguments, *stateSet);
+        const bool hasMap = !defineLightProbe(probe).empty();
+        const std::vector<glm::vec4> results =
+            evaluate(hasMap ? "tests/convolved_map.vert" : "tests/ambient_light.vert",
+                     hasMap ? CONVOLVED_MAP : HARMONICS, arguments, *stateSet);
         for (std::size_t index = 0; index < results.size(); ++index)
         {
             const osg::Vec3d expected = probe.getIrradiance(createNormals()[index]);
