@@ -36,7 +36,7 @@ class AmbientOcclusionViews;
  * 2. Programs of the children write gl_FragColor, or every gl_FragData.
  * 3. Fog is set in the state above the group, not by the children.
  * 4. Projections map the near plane to depth 0 and a finite far plane to depth 1.
- * 5. The GPU has memory for 44 bytes per pixel, or 140 if the camera's target has several samples, for each camera and
+ * 5. The GPU has memory for 48 bytes per pixel, or 160 if the camera's target has several samples, for each camera and
  *    cull visitor (an osgViewer::View has two).
  * 6. When a context closes, the node is still in its scene, or releaseGLObjects() has been called before.
  *

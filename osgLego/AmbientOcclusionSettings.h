@@ -39,6 +39,7 @@ enum class AmbientOcclusionOutput
  * |---------|------------------------------------------------------------|------------------|
  * | quality | low, medium, high                                          | medium           |
  * | radius  | above 0, in world units                                    | 2.5 brick widths |
+ * | distant | on, off                                                    | on               |
  * | show    | picture, occlusion, bent-normals, irradiance, normals      | picture          |
  *
  * Every function may be called from any thread on an object that no other thread is changing.
@@ -54,10 +55,17 @@ struct OSGLEGO_EXPORT AmbientOcclusionSettings
     /** The greatest distance of occluders, in world units. Unset: RADIUS_IN_BRICKS brick widths or, if there are no
      * bricks, a twentieth of the scene's diameter. */
     std::optional<double> radius;
+    /** Whether bricks are also occluded by bricks of the same node that are farther away than the radius, up to a
+     * quarter of the longest side of the node's grid. This is computed once for each brick set, independently of the
+     * view; the rest is found in the picture. Without effect if `radius` is set. */
+    bool distant = true;
     AmbientOcclusionOutput output = AmbientOcclusionOutput::PICTURE;
 
     /** The first error in these values and what is expected instead, in one sentence; empty if there is none. */
     std::string check() const;
+
+    /** Whether distant bricks occlude, given both settings. */
+    bool hasDistant() const { return distant && !radius; }
 
     /** Read the text form. Settings whose keys are not given keep their values.
      * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */

@@ -27,13 +27,14 @@ struct OcclusionOptions : BenchOptions
 };
 
 constexpr glm::ivec2 SIZE(1280, 720);
-constexpr std::array QUALITIES{"low", "medium", "high"};
+constexpr std::array NEAR{"low,distant=off", "medium,distant=off", "high,distant=off"};
+constexpr std::array DISTANT{"low", "medium", "high"};
 
-AmbientOcclusionSettings createSettings(const char* quality)
+AmbientOcclusionSettings createSettings(const char* text)
 {
     AmbientOcclusionSettings settings;
     std::string error;
-    AmbientOcclusionSettings::parse(quality, settings, error);
+    AmbientOcclusionSettings::parse(text, settings, error);
     return settings;
 }
 
@@ -95,10 +96,11 @@ void runOcclusion(const OcclusionOptions& options)
     ordered_json document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
-    for (const BenchScene& scene : scenes)
-        for (const char* quality : QUALITIES)
-            document["errors"].push_back(compareWithRays(scene, quality, options));
-    for (const char* quality : QUALITIES)
+    for (const auto& qualities : {NEAR, DISTANT})
+        for (const BenchScene& scene : scenes)
+            for (const char* quality : qualities)
+                document["errors"].push_back(compareWithRays(scene, quality, options));
+    for (const char* quality : DISTANT)
         if (options.numFrames > 0) document["times"].push_back(timePasses(scenes.front(), quality, options.numFrames));
     options.write(document);
 }

@@ -2,6 +2,8 @@
 
 #include "Spread.h"
 
+#include <osgLego/data/DistantOcclusion.h>
+
 #include <common/BrickRayCaster.h>
 
 #include <algorithm>
@@ -146,6 +148,10 @@ nlohmann::ordered_json OcclusionView::compare(AmbientOcclusionSettings settings,
     const osg::ref_ptr<osg::Image> normals = drawOutput(AmbientOcclusionOutput::NORMALS);
     OcclusionError error;
     const BrickRayCaster caster(*_lego->getBricks());
+    const BrickGrid& grid = caster.getModel().getGrid();
+    const glm::dvec3 sides = glm::dvec3(grid.dimensions) * grid.cellSize / grid.getPitch();
+    const double reach = settings.hasDistant() ? DistantOcclusion::REACH * std::max({sides.x, sides.y, sides.z})
+                                               : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
     glm::ivec2 pixel;
     for (pixel.y = stride / 2; pixel.y < _size.y; pixel.y += stride)
         for (pixel.x = stride / 2; pixel.x < _size.x; pixel.x += stride)
@@ -156,10 +162,9 @@ nlohmann::ordered_json OcclusionView::compare(AmbientOcclusionSettings settings,
             const auto distance = caster.findNearest(origin, ray.direction, 1e9);
             // At silhouettes, the picture and the ray may disagree on whether a pixel shows bricks.
             if (!distance || shown.a() == 0.0f) continue;
-            const BrickRayCaster::Occlusion rays =
-                caster.sampleOcclusion(origin + *distance * ray.direction, readDirection(*normals, pixel),
-                                       AmbientOcclusionSettings::RADIUS_IN_BRICKS, AmbientOcclusionSettings::FALLOFF,
-                                       numRays, static_cast<std::uint32_t>(pixel.y * _size.x + pixel.x));
+            const BrickRayCaster::Occlusion rays = caster.sampleOcclusion(
+                origin + *distance * ray.direction, readDirection(*normals, pixel), reach,
+                AmbientOcclusionSettings::FALLOFF, numRays, static_cast<std::uint32_t>(pixel.y * _size.x + pixel.x));
             error.add({shown.r(), readDirection(*bent, pixel)}, {rays.visibility, rays.bentNormal});
         }
     return error.toJson();

@@ -17,6 +17,12 @@ BrickSet::BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel make
 {
 }
 
+const DistantOcclusion& BrickSet::getDistantOcclusion() const
+{
+    std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });
+    return *_distantOcclusion;
+}
+
 osg::ref_ptr<const BrickModel> BrickSet::getModel() const
 {
     std::call_once(_modelFlag,

@@ -3,6 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/data/BrickPoints.h>
+#include <osgLego/data/DistantOcclusion.h>
 
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,8 @@ public:
     bool hasPoints() const { return _hasPoints; }
     /** The visible bricks, block by block; empty unless hasPoints(). */
     const BrickPoints& getPoints() const { return _points; }
+    /** The distant occlusion of a set that hasPoints(), computed by the first call. */
+    const DistantOcclusion& getDistantOcclusion() const;
     /** Every covered cell. The first call may take as long as legolizeOnCpu(). */
     osg::ref_ptr<const BrickModel> getModel() const;
     /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */
@@ -52,6 +55,8 @@ private:
     BrickPoints _points;
     LegoStatistics _statistics;
     MakeModel _makeModel;
+    mutable std::once_flag _occlusionFlag;
+    mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
     mutable std::once_flag _modelFlag;
     mutable osg::ref_ptr<const BrickModel> _model;
 };

@@ -18,7 +18,8 @@ constexpr unsigned int REFLECTION_MAP_UNIT = 7;
  * May be called from any thread on a state set that no other thread uses. */
 void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet);
 
-/** The definitions that programs with shaders/light/ambient_light.glsl need for a probe. May be called from any thread. */
+/** The definitions that programs with shaders/light/ambient_light.glsl need for a probe. May be called from any thread.
+ */
 std::string defineLightProbe(const LightProbe& probe);
 
 } // namespace osgLego

@@ -61,7 +61,7 @@ void BrickDisplay::cull(osgUtil::CullVisitor& visitor)
     if (BrickStage* stage = BrickStage::find(visitor))
     {
         stage->noteBricks(_store->getPitch(), *visitor.getModelViewMatrix());
-        nodes->getBufferNode().accept(visitor);
+        nodes->getBufferNode(stage->hasDistantOcclusion()).accept(visitor);
         return;
     }
     visitor.pushStateSet(getViewState(visitor));

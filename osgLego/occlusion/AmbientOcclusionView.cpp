@@ -90,7 +90,7 @@ void avoidTextureStorage(osg::Texture2DMultisample& texture)
 }
 
 /** Create a texture with a format's number of samples, for a frame buffer object. */
-osg::ref_ptr<osg::Texture> createTarget(const AmbientOcclusionView::Format& format, GLint internalFormat, GLenum pixels)
+osg::ref_ptr<osg::Texture> createTarget(const OcclusionFormat& format, GLint internalFormat, GLenum pixels)
 {
     if (format.samples == 1) return createTexture(format.size, internalFormat, pixels, GL_FLOAT);
     osg::ref_ptr<osg::Texture2DMultisample> texture = new osg::Texture2DMultisample(format.samples, GL_TRUE);
@@ -194,14 +194,13 @@ void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& ou
 
 } // namespace
 
-AmbientOcclusionPrograms::AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality,
-                                                   const LightProbe& probe) :
-    noise(createOcclusionNoise()),
-    light(new osg::StateSet)
+AmbientOcclusionPrograms::AmbientOcclusionPrograms(const OcclusionFormat& format, const LightProbe& probe) :
+    noise(createOcclusionNoise()), light(new osg::StateSet)
 {
-    const Effort effort = effortOf(quality);
-    const std::string definitions = define("SAMPLES", samples) + define("SLICES", effort.slices) +
-                                    define("STEPS", effort.steps) + define("TILE", ScreenPass::TILE);
+    const Effort effort = effortOf(format.quality);
+    std::string definitions = define("SAMPLES", format.samples) + define("SLICES", effort.slices) +
+                              define("STEPS", effort.steps) + define("TILE", ScreenPass::TILE);
+    if (format.hasDistant) definitions += "#define DISTANT_OCCLUSION\n";
     constexpr const char* SCREEN = "occlusion/screen.vert";
     constexpr const char* TILES = "occlusion/screen_tiles.vert";
     resolve = createProgram("occlusion_resolve", SCREEN, definitions);
@@ -212,7 +211,7 @@ AmbientOcclusionPrograms::AmbientOcclusionPrograms(int samples, AmbientOcclusion
     applyLightProbe(probe, *light);
 }
 
-AmbientOcclusionView::AmbientOcclusionView(const Format& format, const AmbientOcclusionPrograms& programs) :
+AmbientOcclusionView::AmbientOcclusionView(const OcclusionFormat& format, const AmbientOcclusionPrograms& programs) :
     _format(format), _programs(&programs), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
     _childState(new osg::StateSet), _transparentState(new osg::StateSet)
 {
@@ -235,6 +234,9 @@ void AmbientOcclusionView::createGeometryBuffer()
     attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER1, *_albedo);
     attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER2, *_normals);
     attach(*_geometryBuffer, osg::Camera::DEPTH_BUFFER, *_depth);
+    if (!_format.hasDistant) return;
+    _distant = createTarget(_format, GL_RGBA8, GL_RGBA);
+    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER3, *_distant);
 }
 
 void AmbientOcclusionView::createPasses()
@@ -245,6 +247,7 @@ void AmbientOcclusionView::createPasses()
     osg::ref_ptr<osg::Texture> light = _light;
     osg::ref_ptr<osg::Texture> albedo = _albedo;
     osg::ref_ptr<osg::Texture> normals = _normals;
+    osg::ref_ptr<osg::Texture> distant = _distant;
     osg::ref_ptr<osg::Texture2D> depthImage;
     if (_format.samples == 1)
     {
@@ -254,11 +257,17 @@ void AmbientOcclusionView::createPasses()
     }
     else
     {
-        const std::vector<osg::ref_ptr<osg::Texture2D>> targets{create(GL_RG32F), create(GL_RGBA16F_ARB),
-                                                                create(GL_RGBA8), create(GL_RGBA16F_ARB)};
-        _resolve = new ScreenPass(
-            *_programs->resolve,
-            {{"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}});
+        std::vector<osg::ref_ptr<osg::Texture2D>> targets{create(GL_RG32F), create(GL_RGBA16F_ARB), create(GL_RGBA8),
+                                                          create(GL_RGBA16F_ARB)};
+        std::vector<ScreenPass::Input> inputs{
+            {"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}};
+        if (_distant)
+        {
+            targets.push_back(create(GL_RGBA8));
+            inputs.push_back({"distantBuffer", _distant});
+            distant = targets.back();
+        }
+        _resolve = new ScreenPass(*_programs->resolve, inputs);
         _resolve->setTargets(targets, nothing);
         depthImage = targets[0];
         light = targets[1];
@@ -286,11 +295,13 @@ void AmbientOcclusionView::createPasses()
     _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
     _denoise->getStateSet()->addUniform(_radius);
 
-    _composite = new ScreenPass(*_programs->composite, {{"lightBuffer", light},
-                                                        {"albedoBuffer", albedo},
-                                                        {"normalBuffer", normals},
-                                                        {"depthImage", depthImage},
-                                                        {"occlusion", smooth}});
+    std::vector<ScreenPass::Input> inputs{{"lightBuffer", light},
+                                          {"albedoBuffer", albedo},
+                                          {"normalBuffer", normals},
+                                          {"depthImage", depthImage},
+                                          {"occlusion", smooth}};
+    if (distant) inputs.push_back({"distantBuffer", distant});
+    _composite = new ScreenPass(*_programs->composite, inputs);
     osg::StateSet& state = *_composite->getStateSet();
     state.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), osg::StateAttribute::ON |
                                                                                        osg::StateAttribute::OVERRIDE |
@@ -323,6 +334,7 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
     osgUtil::RenderStage& outer = *outerBin->getStage();
     setUpStage(outer);
+    _stage->setDistantOcclusion(_format.hasDistant);
     visitor.setCurrentRenderBin(_stage);
     visitor.pushStateSet(_childState);
     cullChildren();

@@ -19,11 +19,22 @@
 namespace osgLego
 {
 
-/** The programs and textures shared by all views with the same quality and number of samples, since creating them is
+/** The values that determine buffers and programs. */
+struct OcclusionFormat
+{
+    glm::ivec2 size{1}; //!< pixels
+    int samples = 1;    //!< per pixel
+    AmbientOcclusionQuality quality = AmbientOcclusionQuality::MEDIUM;
+    bool hasDistant = false; //!< whether bricks write distant occlusion
+
+    bool operator==(const OcclusionFormat&) const = default;
+};
+
+/** The programs and textures shared by all views of the same format, whatever their size, since creating them is
  * expensive. */
 struct AmbientOcclusionPrograms : public osg::Referenced
 {
-    AmbientOcclusionPrograms(int samples, AmbientOcclusionQuality quality, const LightProbe& probe);
+    AmbientOcclusionPrograms(const OcclusionFormat& format, const LightProbe& probe);
 
     osg::ref_ptr<osg::Program> resolve;
     osg::ref_ptr<osg::Program> tiles;
@@ -44,19 +55,9 @@ private:
 class AmbientOcclusionView : public osg::Referenced
 {
 public:
-    /** The values that determine buffers and programs. */
-    struct Format
-    {
-        glm::ivec2 size{1}; //!< pixels
-        int samples = 1;    //!< per pixel
-        AmbientOcclusionQuality quality = AmbientOcclusionQuality::MEDIUM;
+    AmbientOcclusionView(const OcclusionFormat& format, const AmbientOcclusionPrograms& programs);
 
-        bool operator==(const Format&) const = default;
-    };
-
-    AmbientOcclusionView(const Format& format, const AmbientOcclusionPrograms& programs);
-
-    const Format& getFormat() const { return _format; }
+    const OcclusionFormat& getFormat() const { return _format; }
 
     /** Cull the children for the geometry buffer, then the passes and the composite.
      * @param sceneRadius the radius of the children's bound, in world units.
@@ -80,7 +81,7 @@ private:
     void createPasses();
     void setUpStage(osgUtil::RenderStage& outer);
 
-    Format _format;
+    OcclusionFormat _format;
     osg::ref_ptr<const AmbientOcclusionPrograms> _programs;
     osg::ref_ptr<GeometryBufferStage> _stage;
     osg::ref_ptr<osg::FrameBufferObject> _geometryBuffer;
@@ -88,6 +89,7 @@ private:
     osg::ref_ptr<osg::Texture> _albedo;
     osg::ref_ptr<osg::Texture> _normals;
     osg::ref_ptr<osg::Texture> _depth;
+    osg::ref_ptr<osg::Texture> _distant; // null without distant occlusion
     // They distinguish the children's state graphs from those of other nodes.
     osg::ref_ptr<osg::StateSet> _childState;
     osg::ref_ptr<osg::StateSet> _transparentState;

@@ -62,10 +62,11 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
         }
     }
 
-    AmbientOcclusionView::Format format;
+    OcclusionFormat format;
     format.size = {static_cast<int>(viewport->width()), static_cast<int>(viewport->height())};
     format.samples = samplesOf(*camera, state);
     format.quality = settings.quality;
+    format.hasDistant = settings.hasDistant();
     osg::ref_ptr<AmbientOcclusionView>& view = _views.find(visitor);
     if (!view || view->getFormat() != format) view = new AmbientOcclusionView(format, getPrograms(format, probe));
     if (!view->hasFailed()) return view;
@@ -73,11 +74,12 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
     return {};
 }
 
-const AmbientOcclusionPrograms& AmbientOcclusionViews::getPrograms(const AmbientOcclusionView::Format& format,
+const AmbientOcclusionPrograms& AmbientOcclusionViews::getPrograms(const OcclusionFormat& format,
                                                                    const LightProbe& probe)
 {
-    osg::ref_ptr<const AmbientOcclusionPrograms>& programs = _programs[{format.samples, format.quality}];
-    if (!programs) programs = new AmbientOcclusionPrograms(format.samples, format.quality, probe);
+    osg::ref_ptr<const AmbientOcclusionPrograms>& programs =
+        _programs[{format.samples, format.quality, format.hasDistant}];
+    if (!programs) programs = new AmbientOcclusionPrograms(format, probe);
     return *programs;
 }
 

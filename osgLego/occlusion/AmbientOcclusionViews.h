@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <osg/ref_ptr>
@@ -36,12 +36,13 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
-    const AmbientOcclusionPrograms& getPrograms(const AmbientOcclusionView::Format& format, const LightProbe& probe);
+    const AmbientOcclusionPrograms& getPrograms(const OcclusionFormat& format, const LightProbe& probe);
     void warn(unsigned int contextID, const std::string& why);
 
     mutable std::mutex _mutex;
     PerVisit<osg::ref_ptr<AmbientOcclusionView>> _views;
-    std::map<std::pair<int, AmbientOcclusionQuality>, osg::ref_ptr<const AmbientOcclusionPrograms>> _programs;
+    using Variant = std::tuple<int, AmbientOcclusionQuality, bool>;
+    std::map<Variant, osg::ref_ptr<const AmbientOcclusionPrograms>> _programs;
     std::vector<unsigned int> _warned; // IDs of contexts with a warning
 };
 

@@ -26,6 +26,8 @@ public:
     /** Move the POST_RENDER cameras among the children to the outer stage, so that they are drawn after it. */
     void handOnPostRenderStages(osgUtil::RenderStage& outer);
 
+    void setDistantOcclusion(bool isOn) { _hasDistantOcclusion = isOn; }
+    bool hasDistantOcclusion() const override { return _hasDistantOcclusion; }
     void noteBricks(double pitch, const osg::Matrixd& modelView) override;
     /** The width of the widest bricks in this frame, in eye coordinates; 0 if there are none. */
     double getPitch() const { return _pitch; }
@@ -49,6 +51,7 @@ private:
     class Draw;
 
     osg::ref_ptr<Draw> _draw;
+    bool _hasDistantOcclusion = false;
     double _pitch = 0.0;
 };
 

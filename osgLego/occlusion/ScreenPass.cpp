@@ -18,7 +18,7 @@ namespace osgLego
 namespace
 {
 
-constexpr unsigned int TILES_UNIT = 5; // above the inputs of every pass, below the maps of light probes
+constexpr unsigned int TILES_UNIT = 8; // above the inputs of every pass and the maps of light probes
 
 void setViewport(osg::Camera& camera, const PictureArea& area)
 {

@@ -3,12 +3,16 @@
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
+#include <osgLego/polygonization/DistantOcclusionView.h>
+
+#include <optional>
 
 #include <osg/CullFace>
 #include <osg/Depth>
 #include <osg/FrontFace>
 #include <osg/PolygonMode>
 #include <osg/RenderInfo>
+#include <osg/Viewport>
 
 namespace osgLego
 {
@@ -53,9 +57,10 @@ bool isClockwise(const osg::State& state)
 } // namespace
 
 BrickDrawable::BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState,
-                             osg::StateSet& splatState, osg::StateSet& splatStateByOneLight) :
+                             osg::StateSet& splatState, osg::StateSet& splatStateByOneLight, bool hasDistantOcclusion) :
     _store(&store),
-    _drawing(drawing), _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
+    _drawing(drawing), _hasDistantOcclusion(hasDistantOcclusion), _geometryState(&geometryState),
+    _splats(splatState, splatStateByOneLight)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -97,11 +102,20 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    drawBricks(state, *bricks, workspace);
+    std::optional<DistantOcclusionView> distant;
+    if (_hasDistantOcclusion)
+    {
+        DistantOcclusionTexture* texture = bricks->findDistantOcclusion(state);
+        const osg::Viewport* viewport = state.getCurrentViewport();
+        distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(),
+                        viewport ? viewport->width() : 1.0);
+    }
+    drawBricks(state, *bricks, workspace, distant ? &*distant : nullptr);
     state.applyModelViewMatrix(modelView.get());
 }
 
-void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const
+void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace,
+                               const DistantOcclusionView* distant) const
 {
     const BrickGrid& grid = bricks.bricks->getGrid();
     CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
@@ -112,7 +126,7 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
     if (!showsInsides && !isOffset && _drawing != Drawing::TRIANGLES)
     {
-        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view, _drawing);
+        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view, _drawing, distant);
         state.apply(_geometryState);
         if (isDrawn || !state.getLastAppliedProgramObject()) return;
         if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
@@ -120,6 +134,7 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     // Front to back, so that fewer hidden pixels are shaded.
     if (!showsInsides) workspace.ranges.sortFrontToBack();
     setBrickUniforms(state, grid, view, showsInsides);
+    if (distant) distant->apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
 }
 

@@ -4,6 +4,7 @@
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickSplats.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <osg/Drawable>
@@ -25,9 +26,10 @@ class BrickDrawable : public osg::Drawable
 public:
     /** @param geometryState the state for drawing with the geometry shader, including its program.
      * @param splatState the state for drawing splats, with the program that shades them.
-     * @param splatStateByOneLight likewise, for scenes with one light. */
+     * @param splatStateByOneLight likewise, for scenes with one light.
+     * @param hasDistantOcclusion whether the programs use distant occlusion. */
     BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState, osg::StateSet& splatState,
-                  osg::StateSet& splatStateByOneLight);
+                  osg::StateSet& splatStateByOneLight, bool hasDistantOcclusion);
 
     osg::BoundingBox computeBoundingBox() const override;
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
@@ -62,10 +64,13 @@ private:
         BrickRanges ranges;
     };
 
-    void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace) const;
+    void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace,
+                    const DistantOcclusionView* distant) const;
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;
+    bool _hasDistantOcclusion;
+    osg::ref_ptr<DistantOcclusionTexture> _noOcclusion = new DistantOcclusionTexture;
     osg::ref_ptr<osg::StateSet> _geometryState;
     mutable osg::buffered_object<Workspace> _workspaces;
     BrickSplats _splats;

@@ -3,6 +3,7 @@
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
+#include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/ReliefMap.h>
 
 #include <osg/Texture2D>
@@ -65,14 +66,15 @@ osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, con
 
 /** Create a node with the given state for triangles. */
 osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::StateSet& triangles,
-                                    const std::string& name, const char* fragments, const std::string& definitions = {})
+                                    const std::string& name, const char* fragments, const std::string& definitions = {},
+                                    bool hasDistantOcclusion = false)
 {
     constexpr const char* SPLATS = "#define SPLATS\n";
     constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
     node->addDrawable(new BrickDrawable(
         store, drawing, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
-        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
+        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT), hasDistantOcclusion));
     node->setStateSet(&triangles);
     return node;
 }
@@ -87,29 +89,35 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
         constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
         _frameNode = createNode(store, drawing, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
         _bufferNode = _frameNode;
+        _distantNode = _frameNode;
         return;
     }
     constexpr const char* NAME = "polygonization_full";
     constexpr const char* FRAGMENTS = "polygonization/polygonization_full.frag";
     constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
+    constexpr const char* DISTANT = "#define GEOMETRY_BUFFER\n#define DISTANT_OCCLUSION\n";
     const std::string light = defineLightProbe(probe);
     const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS, light);
     const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
+    const osg::ref_ptr<osg::StateSet> distant = createState(NAME, FRAGMENTS, DISTANT);
     const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer})
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer, distant})
         applyAppearance(appearance, *relief, *stateSet);
     applyLightProbe(probe, *frame);
     // The buffer does not contain colours, so they must not be blended.
     constexpr osg::StateAttribute::OverrideValue OFF = osg::StateAttribute::OFF | OVERRIDE_PROTECTED;
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
-        buffer->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+        for (const osg::ref_ptr<osg::StateSet>& stateSet : {buffer, distant})
+            stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+    distant->addUniform(new osg::Uniform("distantOcclusion", static_cast<int>(DistantOcclusionView::TEXTURE_UNIT)));
     _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS, light);
     _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
+    _distantNode = createNode(store, drawing, *distant, NAME, FRAGMENTS, DISTANT, true);
 }
 
 void BrickNodes::dirtyBound() const
 {
-    for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode})
+    for (const osg::ref_ptr<osg::Geode>& node : {_frameNode, _bufferNode, _distantNode})
         node->getDrawable(0)->dirtyBound();
 }
 
@@ -117,18 +125,21 @@ void BrickNodes::getBound() const
 {
     _frameNode->getBound();
     _bufferNode->getBound();
+    _distantNode->getBound();
 }
 
 void BrickNodes::resizeGLObjectBuffers(unsigned int maxSize) const
 {
     _frameNode->resizeGLObjectBuffers(maxSize);
     _bufferNode->resizeGLObjectBuffers(maxSize);
+    _distantNode->resizeGLObjectBuffers(maxSize);
 }
 
 void BrickNodes::releaseGLObjects(osg::State* state) const
 {
     _frameNode->releaseGLObjects(state);
     _bufferNode->releaseGLObjects(state);
+    _distantNode->releaseGLObjects(state);
 }
 
 } // namespace osgLego

@@ -23,8 +23,9 @@ public:
 
     /** Draws into a frame without AmbientOcclusionScene. */
     osg::Geode& getFrameNode() const { return *_frameNode; }
-    /** Draws into the geometry buffer of an AmbientOcclusionScene. */
-    osg::Geode& getBufferNode() const { return *_bufferNode; }
+    /** Draws into the geometry buffer of an AmbientOcclusionScene.
+     * @param distant whether the buffer includes distant occlusion. */
+    osg::Geode& getBufferNode(bool distant) const { return distant ? *_distantNode : *_bufferNode; }
 
     /** Mark the bounds as changed. */
     void dirtyBound() const;
@@ -38,6 +39,7 @@ private:
 
     osg::ref_ptr<osg::Geode> _frameNode;
     osg::ref_ptr<osg::Geode> _bufferNode;
+    osg::ref_ptr<osg::Geode> _distantNode;
 };
 
 } // namespace osgLego

@@ -237,7 +237,7 @@ BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLigh
 BrickSplats::~BrickSplats() = default;
 
 bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
-                       Drawing drawing) const
+                       Drawing drawing, const DistantOcclusionView* distant) const
 {
     osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
     if (!held) held = osg::get<TargetOfContext>(state.getContextID())->get();
@@ -263,6 +263,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
     setBrickUniforms(state, bricks.bricks->getGrid(), view, false);
+    if (distant) distant->apply(state);
     setRays(state, rays, destination.getSize());
     static const UniformName ORIGIN("origin");
     ProgramUniforms(state).set(ORIGIN, destination.getOrigin());

@@ -2,6 +2,7 @@
 
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/PictureTiles.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -31,11 +32,12 @@ public:
     ~BrickSplats();
 
     /** Draw the bricks. Leaves a state set of this class applied. Needs the context of `state` current.
+     * @param distant the distant occlusion for the shading state; null if it uses none.
      * @param drawing SPLATS: on any renderer; AUTO: only on software renderers.
      * @return false, with nothing drawn, if splats are not to be used on this renderer, or can't draw these bricks or
      * into the bound frame buffer. */
     bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
-              Drawing drawing) const;
+              Drawing drawing, const DistantOcclusionView* distant) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state) const;

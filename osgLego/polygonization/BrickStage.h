@@ -19,6 +19,9 @@ public:
         return dynamic_cast<BrickStage*>(visitor.getCurrentRenderBin()->getStage());
     }
 
+    /** Whether bricks write their distant occlusion, too. */
+    virtual bool hasDistantOcclusion() const = 0;
+
     /** Record that bricks are drawn in this frame.
      * @param pitch their width in model coordinates.
      * @param modelView transforms model coordinates to eye coordinates. */

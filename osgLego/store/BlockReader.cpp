@@ -1,6 +1,5 @@
 #include <osgLego/store/BlockReader.h>
 
-#include <osgLego/data/BrickPoints.h>
 #include <osgLego/gl/GlMemory.h>
 
 namespace osgLego
@@ -31,11 +30,13 @@ void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBrick
         _fence = extensions.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
-void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
+void BlockReader::poll(const osg::State& state, bool waits, const std::function<void(std::span<const BrickPoint>)>& use)
 {
+    constexpr GLuint64 FOREVER = ~GLuint64(0);
     if (!_fence) return;
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    const GLenum result = extensions.glClientWaitSync(_fence, 0, 0);
+    const GLenum result =
+        extensions.glClientWaitSync(_fence, waits ? GL_SYNC_FLUSH_COMMANDS_BIT : 0, waits ? FOREVER : 0);
     if (result != GL_ALREADY_SIGNALED && result != GL_CONDITION_SATISFIED) return;
     deleteFence(extensions);
     if (_numBricks == 0) return; // the copy was dropped
@@ -43,7 +44,7 @@ void BlockReader::poll(const osg::State& state, std::vector<BrickBlock>& blocks)
     const auto size = static_cast<GLsizeiptr>(static_cast<std::size_t>(_numBricks) * sizeof(BrickPoint));
     if (const void* points = extensions.glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, GL_MAP_READ_BIT))
     {
-        blocks = findBlocks({static_cast<const BrickPoint*>(points), static_cast<std::size_t>(_numBricks)});
+        use({static_cast<const BrickPoint*>(points), static_cast<std::size_t>(_numBricks)});
         extensions.glUnmapBuffer(GL_COPY_READ_BUFFER);
     }
     extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);

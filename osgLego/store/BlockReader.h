@@ -1,9 +1,10 @@
 #pragma once
 
-#include <osgLego/data/BrickBlock.h>
+#include <osgLego/data/BrickPoints.h>
 #include <osgLego/gl/GlObject.h>
 
-#include <vector>
+#include <functional>
+#include <span>
 
 #include <osg/GLExtensions>
 #include <osg/State>
@@ -11,7 +12,7 @@
 namespace osgLego
 {
 
-/** Finds the blocks of bricks that the passes wrote into a buffer, without ever waiting for the GPU: the points are
+/** Reads the bricks that the passes wrote into a buffer, without waiting for the GPU unless told to: the points are
  * copied on the GPU, and read on the CPU in the first frame in which the copy is complete.
  *
  * Every function except stop() and forget() needs the context of the state current; one thread at a time.
@@ -21,8 +22,10 @@ class BlockReader
 public:
     /** Start to copy the first `numBricks` points (BrickPoint) of a buffer, and drop any copy in progress. */
     void start(const osg::State& state, GLuint buffer, GLsizei numBricks);
-    /** Set `blocks` in the first call that finds the copy complete; other calls leave them unchanged. */
-    void poll(const osg::State& state, std::vector<BrickBlock>& blocks);
+    bool isReading() const { return _numBricks > 0; }
+    /** Call `use` with the points in the first call that finds the copy complete.
+     * @param waits wait for the copy. */
+    void poll(const osg::State& state, bool waits, const std::function<void(std::span<const BrickPoint>)>& use);
     /** Drop any copy in progress. */
     void stop();
     /** Drop its fence as well, which the context then takes along: for a context that closes. */

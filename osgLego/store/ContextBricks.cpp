@@ -37,6 +37,7 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     buffer = std::move(made.buffer);
     numBricks = made.numBricks;
     blocks.clear();
+    _distantOcclusion = nullptr;
     _blockReader.start(state, buffer.get(), numBricks);
     _model = made.model;
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -70,6 +71,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     buffer = std::move(uploaded);
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
+    _distantOcclusion = nullptr;
     _blockReader.stop();
     _model = wanted.getModel();
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -82,7 +84,28 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
 
 void ContextBricks::pollBlocks(const osg::State& state)
 {
-    _blockReader.poll(state, blocks);
+    _blockReader.poll(state, false, [this](std::span<const BrickPoint> points) { usePoints(points); });
+}
+
+void ContextBricks::usePoints(std::span<const BrickPoint> points)
+{
+    blocks = findBlocks(points);
+    if (_wantsDistantOcclusion)
+        _distantOcclusion = new DistantOcclusionTexture(*DistantOcclusion::create(bricks->getGrid(), points));
+}
+
+DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& state)
+{
+    _wantsDistantOcclusion = true;
+    if (_distantOcclusion || numBricks == 0) return _distantOcclusion;
+    if (bricks->hasPoints())
+    {
+        _distantOcclusion = new DistantOcclusionTexture(bricks->getDistantOcclusion());
+        return _distantOcclusion;
+    }
+    if (!_blockReader.isReading()) _blockReader.start(state, buffer.get(), numBricks);
+    _blockReader.poll(state, true, [this](std::span<const BrickPoint> points) { usePoints(points); });
+    return _distantOcclusion;
 }
 
 void ContextBricks::fail(std::uint64_t revision, const std::string& why)
@@ -127,6 +150,7 @@ void ContextBricks::clear()
     buffer = GlBuffer();
     numBricks = 0;
     blocks.clear();
+    _distantOcclusion = nullptr;
     _blockReader.stop();
     _model = nullptr;
     const unsigned int numLegolizations = _statistics.numLegolizations;

@@ -6,10 +6,12 @@
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/store/BlockReader.h>
+#include <osgLego/store/DistantOcclusionTexture.h>
 
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +60,11 @@ public:
     void upload(const osg::State& state, const BrickSet& wanted);
     /** Check for the blocks of bricks made on the GPU. The caller holds the mutex, and the context is current. */
     void pollBlocks(const osg::State& state);
+    /** The distant occlusion of the bricks as a texture, created by the first call after they were shown. For bricks
+     * made on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is
+     * current.
+     * @return null if there are no bricks, or no memory for reading them. */
+    DistantOcclusionTexture* findDistantOcclusion(const osg::State& state);
 
     /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
@@ -78,10 +85,13 @@ private:
     ~ContextBricks() override = default;
 
     void clear();
+    void usePoints(std::span<const BrickPoint> points);
     void setFailure(std::uint64_t revision, const std::string& why);
 
     mutable std::mutex _mutex;
     BlockReader _blockReader;
+    bool _wantsDistantOcclusion = false;
+    osg::ref_ptr<DistantOcclusionTexture> _distantOcclusion;
     osg::ref_ptr<const BrickModel> _model;
     LegoStatistics _statistics;
     std::string _failure;

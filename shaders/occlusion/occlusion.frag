@@ -148,7 +148,7 @@ void main()
         vec3 projected = normal - dot(normal, axis) * axis;
         float size = max(length(projected), 1e-9);
         float along = dot(axis, normal);
-        vec3 back = (axis - along * normal) / max(1.0 - along * along, 0.1);
+        vec3 back = (axis - along * normal) / max(1.0 - along * along, 0.01);
         // Surfaces face the eye, although normals from depth may not.
         vec2 turned = vec2(dot(projected, toEye), dot(projected, tangent)) / size;
         if (turned.x < 0.0) turned = vec2(0.0, sign(turned.y));

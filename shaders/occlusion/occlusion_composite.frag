@@ -13,11 +13,30 @@ uniform sampler2D albedoBuffer;
 uniform sampler2D normalBuffer;
 uniform sampler2D depthImage; // z in eye coordinates and, with several samples per pixel, coverage
 uniform sampler2D occlusion;
+#if defined(DISTANT_OCCLUSION)
+uniform sampler2D distantBuffer; // see distantOcclusionAt
+#endif
 flat in ivec4 tile; // its lowest pixel, and the pixel beyond its highest
 
 uniform ivec2 origin; // the viewport's lower left pixel
 uniform float radius; // in units of eye coordinates
 uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
+
+#if defined(DISTANT_OCCLUSION)
+// The mean open direction moves by this part of the vector b: for small occlusion, three halves (the second band of
+// harmonics) times pi / 4 (the integral of its cosine across the surface) divided by 2 pi / 3 (that of the normal).
+const float BEND = 0.5625;
+
+// Include the light that distant bricks hide (see distantOcclusionAt) in a bent normal and visibility. The two parts of
+// occlusion are taken as independent.
+void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
+{
+    vec3 towards = 2.0 * distant.rgb - 1.0;
+    float facing = dot(towards, normal);
+    visibility *= 1.0 - clamp(distant.a + facing, 0.0, 1.0);
+    bent = normalize(bent - BEND * (towards - facing * normal));
+}
+#endif
 
 // The visibility in the mirrored direction, estimated from the visibility of the whole sky (Lagarde and de Rousiers 2014).
 float reflectionVisibility(float cosine, float visibility, float roughness)
@@ -58,6 +77,9 @@ void main()
         vec3 shading = shadingNormalOf(normals);
         // The normals of bricks as small as pixels are noise; bent normals are averages.
         float distinct = distinctnessOf(radius, depth.r);
+#if defined(DISTANT_OCCLUSION)
+        occludeFromAfar(texelFetch(distantBuffer, pixel, 0), normalize(mix(bent, surface, distinct)), bent, visibility);
+#endif
         color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
                        normalize(mix(bent, shading, distinct)), visibility, toEye);
     }

@@ -14,6 +14,9 @@ uniform sampler2DMS lightBuffer;
 uniform sampler2DMS albedoBuffer;
 uniform sampler2DMS normalBuffer;
 uniform sampler2DMS depthBuffer;
+#if defined(DISTANT_OCCLUSION)
+uniform sampler2DMS distantBuffer;
+#endif
 
 // Children that write no depth, such as skies, are recognized by their colour.
 bool isCovered(ivec2 pixel, int index)
@@ -57,6 +60,9 @@ void main()
     gl_FragData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, chosen).a);
     gl_FragData[2] = albedo / float(count);
     gl_FragData[3] = normals;
+#if defined(DISTANT_OCCLUSION)
+    gl_FragData[4] = texelFetch(distantBuffer, pixel, chosen);
+#endif
 }
 
 #else

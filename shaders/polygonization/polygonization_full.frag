@@ -7,6 +7,9 @@
 #include "light/color_space.glsl"
 #if defined(GEOMETRY_BUFFER)
 #include "polygonization/geometry_buffer.glsl"
+#if defined(DISTANT_OCCLUSION)
+#include "polygonization/distant_occlusion.glsl"
+#endif
 #else
 #include "light/ambient_light.glsl"
 #endif
@@ -59,12 +62,18 @@ void main()
         gl_FragData[0] = vec4(shown, 1.0);
         gl_FragData[1] = vec4(0.0);
         gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
+#if defined(DISTANT_OCCLUSION)
+        gl_FragData[3] = vec4(0.5, 0.5, 0.5, 0.0);
+#endif
         return;
     }
     vec3 light = directLight(surface, albedo) * surface.openness;
     gl_FragData[0] = vec4(light, surface.roughness);
     gl_FragData[1] = vec4(surface.color * pow(surface.openness, 1.0 / GAMMA), transmittance);
     gl_FragData[2] = packNormals(surface.normal, surface.shading);
+#if defined(DISTANT_OCCLUSION)
+    gl_FragData[3] = distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition));
+#endif
 }
 
 #else

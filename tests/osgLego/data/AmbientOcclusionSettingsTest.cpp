@@ -36,15 +36,24 @@ TEST(AmbientOcclusionSettings, AQualityNeedsNoKey)
 
 TEST(AmbientOcclusionSettings, EveryKeyIsRead)
 {
-    const AmbientOcclusionSettings settings = parsed("quality = low, radius=0.5,show=bent-normals");
+    const AmbientOcclusionSettings settings = parsed("quality = low, radius=0.5,distant=off,show=bent-normals");
     EXPECT_EQ(settings.quality, AmbientOcclusionQuality::LOW);
     EXPECT_EQ(settings.radius, 0.5);
+    EXPECT_FALSE(settings.distant);
     EXPECT_EQ(settings.output, AmbientOcclusionOutput::BENT_NORMALS);
+}
+
+TEST(AmbientOcclusionSettings, ARadiusLeavesOutDistantBricks)
+{
+    EXPECT_TRUE(parsed("medium").hasDistant());
+    EXPECT_FALSE(parsed("medium,distant=off").hasDistant());
+    EXPECT_FALSE(parsed("medium,radius=2").hasDistant());
+    EXPECT_FALSE(parsed("medium,radius=2,distant=on").hasDistant());
 }
 
 TEST(AmbientOcclusionSettings, TheTextFormRoundTrips)
 {
-    for (const char* text : {"low", "medium", "high", "medium,radius=0.125", "low,show=occlusion",
+    for (const char* text : {"low", "medium", "high", "medium,radius=0.125", "low,distant=off", "low,show=occlusion",
                              "high,radius=1e-05,show=bent-normals", "medium,show=irradiance", "medium,show=normals"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
@@ -68,7 +77,7 @@ TEST(AmbientOcclusionSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; expected low, medium or high");
     EXPECT_EQ(errorOf("show=depth"),
               "bad value 'depth' for show; expected picture, occlusion, bent-normals, irradiance or normals");
-    EXPECT_EQ(errorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, show");
+    EXPECT_EQ(errorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, distant, show");
     EXPECT_EQ(errorOf("low,high"), "'quality' is given twice");
     EXPECT_NE(errorOf("").find("is neither a quality"), std::string::npos);
     EXPECT_NE(errorOf("low,").find("is neither a quality"), std::string::npos);

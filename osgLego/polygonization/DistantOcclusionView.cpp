@@ -1,0 +1,36 @@
+#include <osgLego/polygonization/DistantOcclusionView.h>
+
+#include <osgLego/gl/ProgramUniforms.h>
+
+namespace osgLego
+{
+
+DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
+                                           const osg::Matrixd& projection, double width) :
+    _occlusion(&occlusion),
+    _modelToEye(rotationOf(cellsToEye))
+{
+    const glm::dvec3 scale(occlusion.getScale());
+    const glm::dvec3 offset(occlusion.getOffset());
+    _eyeToVoxels = toGlsl(osg::Matrixd::inverse(cellsToEye) * osg::Matrixd::scale(scale.x, scale.y, scale.z) *
+                          osg::Matrixd::translate(offset.x, offset.y, offset.z));
+    const double cell = osg::Matrixd::transform3x3(osg::Vec3d(1.0, 0.0, 0.0), cellsToEye).length();
+    const double voxel = cell * occlusion.getVoxel().x / occlusion.getScale().x;
+    _pixelWidth = 2.0 / (width * projection(0, 0) * voxel) * glm::dvec2(projection(3, 3), projection(2, 3));
+}
+
+void DistantOcclusionView::apply(osg::State& state) const
+{
+    static const UniformName EYE_TO_VOXELS("eyeToVoxels");
+    static const UniformName MODEL_TO_EYE("modelToEye");
+    static const UniformName VOXEL("voxel");
+    static const UniformName PIXEL_WIDTH("pixelWidth");
+    state.applyTextureAttribute(TEXTURE_UNIT, &_occlusion->getTexture());
+    const ProgramUniforms uniforms(state);
+    uniforms.set(EYE_TO_VOXELS, _eyeToVoxels);
+    uniforms.set(MODEL_TO_EYE, _modelToEye);
+    uniforms.set(VOXEL, _occlusion->getVoxel());
+    uniforms.set(PIXEL_WIDTH, _pixelWidth);
+}
+
+} // namespace osgLego

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <osgLego/store/DistantOcclusionTexture.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <osg/Matrixd>
+#include <osg/State>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Distant occlusion as an eye sees it, for shaders/polygonization/distant_occlusion.glsl. */
+class DistantOcclusionView
+{
+public:
+    static constexpr unsigned int TEXTURE_UNIT = 3; // different from those of relief and splats
+
+    /** @param width of the picture, in pixels. */
+    DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
+                         const osg::Matrixd& projection, double width);
+
+    /** Bind the texture, and set the uniforms of the program that a state has applied. Needs its context current. */
+    void apply(osg::State& state) const;
+
+private:
+    osg::ref_ptr<DistantOcclusionTexture> _occlusion;
+    glm::mat4 _eyeToVoxels;
+    glm::mat3 _modelToEye;
+    glm::vec2 _pixelWidth;
+};
+
+} // namespace osgLego

@@ -1,0 +1,46 @@
+#include <osgLego/store/DistantOcclusionTexture.h>
+
+#include <algorithm>
+
+namespace osgLego
+{
+
+namespace
+{
+
+osg::ref_ptr<osg::Texture3D> createTexture(const osg::Image& image)
+{
+    // The texture takes no const image; it only reads it.
+    osg::ref_ptr<osg::Texture3D> texture = new osg::Texture3D(const_cast<osg::Image*>(&image));
+    texture->setInternalFormat(GL_RGBA8);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    for (const auto wrap : {osg::Texture::WRAP_S, osg::Texture::WRAP_T, osg::Texture::WRAP_R})
+        texture->setWrap(wrap, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::ref_ptr<osg::Image> createEmptyImage()
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    std::fill_n(image->data(), 3, static_cast<unsigned char>(127));
+    image->data()[3] = 0;
+    return image;
+}
+
+} // namespace
+
+DistantOcclusionTexture::DistantOcclusionTexture(const DistantOcclusion& occlusion) :
+    _texture(createTexture(occlusion.getImage()))
+{
+    const osg::Image& image = occlusion.getImage();
+    _voxel = 1.0f / glm::vec3(image.s(), image.t(), image.r());
+    _scale = _voxel / glm::vec3(occlusion.getCellsPerVoxel());
+    _offset = static_cast<float>(DistantOcclusion::BORDER) * _voxel;
+}
+
+DistantOcclusionTexture::DistantOcclusionTexture() : _texture(createTexture(*createEmptyImage())) {}
+
+} // namespace osgLego
