@@ -33,7 +33,7 @@ enum class VoxelizationMethod
 /** The meaning of a texel in the voxelization's frame buffer object. */
 enum class VoxelizationTarget
 {
-    PROJECTED, //!< a pixel of an orthographic picture of the mesh (the paper, Algorithms 3 and 4)
+    PROJECTED, //!< a pixel of an orthographic picture with a depth buffer (the paper, Algorithms 3 and 4)
     ADDRESSED  //!< one cell of the grid (the paper's future work)
 };
 

@@ -48,6 +48,13 @@ void PassCamera::setUp(const glm::ivec2& size)
     setAllowEventFocus(false);
 }
 
+void PassCamera::addDepthBuffer()
+{
+    attach(DEPTH_BUFFER, GL_DEPTH_COMPONENT24);
+    setClearDepth(1.0);
+    setClearMask(getClearMask() | GL_DEPTH_BUFFER_BIT);
+}
+
 void PassCamera::traverse(osg::NodeVisitor& visitor)
 {
     if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR)

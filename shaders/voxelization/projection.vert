@@ -1,4 +1,5 @@
-// Voxelization by points, projected (the paper, section III-B, Algorithm 3): an orthographic picture of the vertices.
+// Voxelization by points, projected (the paper, section III-B, Algorithm 3): an orthographic picture of the vertices, of
+// which the depth test keeps those nearest to it.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 2) in vec2 vertexCoordinate;
@@ -19,5 +20,5 @@ void main()
     ivec3 cell = ivec3(vertexPosition);
     cellNumber = cell.x + gridSize.x * (cell.y + gridSize.y * cell.z);
     gl_Position = projection * vec4(vertexPosition, 1.0);
-    gl_Position.z = 0.0; // nothing is clipped by depth, whatever the depth range is
+    gl_Position.z = 0.5 + 0.5 * gl_Position.z; // not clipped with either depth range of glClipControl
 }
