@@ -61,11 +61,11 @@ void PassCamera::traverse(osg::NodeVisitor& visitor)
         const_cast<osg::Drawable&>(_drawable).accept(visitor);
 }
 
-osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size)
+osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size, GLint internalFormat)
 {
     osg::ref_ptr<osg::Texture2D> target = new osg::Texture2D;
     target->setTextureSize(size.x, size.y);
-    target->setInternalFormat(GL_RGBA32F_ARB);
+    target->setInternalFormat(internalFormat);
     target->setSourceFormat(GL_RGBA);
     target->setSourceType(GL_FLOAT);
     target->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);

@@ -34,8 +34,8 @@ public:
 
     void traverse(osg::NodeVisitor& visitor) override;
 
-    /** A texture for a pass to draw into: RGBA, 32-bit floats, unfiltered. */
-    static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size);
+    /** A texture for a pass to draw into: RGBA, unfiltered, stored as `internalFormat`. */
+    static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size, GLint internalFormat);
 
 private:
     ~PassCamera() override = default;

@@ -16,17 +16,30 @@ int cellsMetAtMost(double edgeLimit)
     return along * along * along;
 }
 
+/** Rounding of half floats adds up where a cell meets many triangles. If there are so many that single-precision sums
+ * take little memory beside them, these are chosen. */
+VoxelFormat chooseFormat(const LegoSource& source)
+{
+    constexpr std::size_t CELLS_PER_TRIANGLE = 16;
+    if (source.settings.method == VoxelizationMethod::POINTS) return VoxelFormat::COLOR;
+    const std::size_t numCells = source.triangles->getGrid().getNumCells();
+    const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles();
+    const bool isOneSlab = numCells <= SlabPlan::MAXIMUM_BYTES / bytesOf(VoxelFormat::FLOAT_SUMS);
+    return isDense && isOneSlab ? VoxelFormat::FLOAT_SUMS : VoxelFormat::HALF_SUMS;
+}
+
 } // namespace
 
 PassPlan PassPlan::create(const LegoSource& source)
 {
     PassPlan plan;
     const LegoSettings& settings = source.settings;
-    const SlabPlan slabs = SlabPlan::create(source.triangles->getGrid());
     plan.method = settings.method;
     plan.target = settings.getTarget();
     if (plan.target == VoxelizationTarget::PROJECTED) plan.pictureSize = static_cast<int>(settings.fboSize);
     if (plan.method == VoxelizationMethod::EXACT) plan.cellsPerTriangle = cellsMetAtMost(settings.getEdgeLimit());
+    plan.format = chooseFormat(source);
+    const SlabPlan slabs = plan.createSlabs(source.triangles->getGrid());
     plan.imageSize = slabs.imageSize;
     plan.numSlabs = slabs.slabs.size();
     return plan;

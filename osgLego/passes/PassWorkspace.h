@@ -4,6 +4,7 @@
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/flattening/LegoSource.h>
 #include <osgLego/gl/GlObject.h>
+#include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/passes/Occupancy.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -28,9 +29,24 @@ struct WorkingBatch
     GlBuffer source;
     GlTexture lookup; //!< the source as a buffer texture
     GlBuffer fine;    //!< the subdivided triangles; empty if no edge of the source was too long
+    GLsizei fineVertexBytes = sizeof(GridVertex); //!< the size of a vertex in `fine`
     GLsizei numFineTriangles = 0;
 
-    GLuint getFineBuffer() const { return fine.get() != 0 ? fine.get() : source.get(); }
+    /** Read the vertices of the fine triangles in the following draw calls. */
+    void bindFine(const GridVertexArrays& arrays) const
+    {
+        if (fine.get() != 0)
+            arrays.bind(fine.get(), fineVertexBytes);
+        else
+            arrays.bind(source.get());
+    }
+    /** Delete the buffers and the texture at once. Needs their context current. */
+    void deleteNow(const osg::State& state)
+    {
+        fine.deleteNow(state);
+        lookup.deleteNow(state);
+        source.deleteNow(state);
+    }
 };
 
 /** A legolization in progress in one context, which each pass hands on to the next. */

@@ -23,7 +23,6 @@ static_assert(6 * GridBatch::MAXIMUM_TRIANGLES <= GlRequirements::BUFFER_TEXELS)
 
 // The size limit of a buffer of fine triangles; with larger buffers, drivers fail in different ways.
 constexpr double MAXIMUM_BYTES = 3.0 * (1u << 30);
-constexpr std::size_t TRIANGLE_BYTES = 3 * sizeof(GridVertex);
 // Every pass halves edges that are too long; if one is still too long after this many passes, single precision can't
 // halve its coordinates.
 constexpr std::size_t MAXIMUM_PASSES = 64;
@@ -40,9 +39,11 @@ std::string outOfMemory(double bytes)
 class BatchSubdivision
 {
 public:
-    BatchSubdivision(const osg::State& state, WorkingBatch& batch, double edgeLimit) :
-        _state(state), _extensions(*state.get<osg::GLExtensions>()), _batch(batch), _edgeLimit(edgeLimit)
+    BatchSubdivision(const osg::State& state, WorkingBatch& batch, double edgeLimit, bool hasColors) :
+        _state(state), _extensions(*state.get<osg::GLExtensions>()), _batch(batch), _edgeLimit(edgeLimit),
+        _hasColors(hasColors)
     {
+        if (!hasColors) _batch.fineVertexBytes = GridVertexArrays::BYTES_WITHOUT_COLORS;
     }
 
     /** @return the reason for a failure; empty on success. */
@@ -52,12 +53,13 @@ public:
         std::size_t capacity = estimate + estimate / 4 + 1024;
         while (true)
         {
-            const double bytes = static_cast<double>(capacity) * TRIANGLE_BYTES;
-            if (bytes > MAXIMUM_BYTES || !allocate(capacity)) return outOfMemory(bytes);
+            const double bytes = 3.0 * static_cast<double>(capacity) * _batch.fineVertexBytes;
+            if (bytes > MAXIMUM_BYTES || !allocate(static_cast<GLsizeiptr>(bytes))) return outOfMemory(bytes);
             switch (subdivide())
             {
             case Outcome::FINE:
                 _batch.fine = std::move(_buffers[_last]);
+                _buffers[1 - _last].deleteNow(_state); // memory that voxelization needs in the same frame
                 _batch.numFineTriangles = static_cast<GLsizei>(_count);
                 return {};
             case Outcome::ENDLESS:
@@ -79,9 +81,11 @@ private:
         ENDLESS
     };
 
-    bool allocate(std::size_t capacity)
+    bool allocate(GLsizeiptr bytes)
     {
-        _bytes = static_cast<GLsizeiptr>(capacity * TRIANGLE_BYTES);
+        _bytes = bytes;
+        for (GlBuffer& buffer : _buffers)
+            buffer.deleteNow(_state);
         for (GlBuffer& buffer : _buffers)
         {
             buffer = GlBuffer(_state);
@@ -123,9 +127,12 @@ private:
     /** Capture the last pass from the output of the one before it, or from the source. */
     void draw(const std::vector<std::unique_ptr<TransformFeedback>>& passes)
     {
-        const GridVertexArrays arrays(_extensions);
+        const GridVertexArrays arrays(_extensions, _hasColors);
         const bool isFirst = passes.size() == 1;
-        arrays.bind(isFirst ? _batch.source.get() : _buffers[_last].get());
+        if (isFirst)
+            arrays.bind(_batch.source.get());
+        else
+            arrays.bind(_buffers[_last].get(), _batch.fineVertexBytes);
         _last = isFirst ? 0 : 1 - _last;
         passes.back()->begin(GL_TRIANGLES, _buffers[_last].get(), 0, _bytes);
         if (isFirst)
@@ -139,6 +146,7 @@ private:
     const osg::GLExtensions& _extensions;
     WorkingBatch& _batch;
     double _edgeLimit;
+    bool _hasColors;
     std::array<GlBuffer, 2> _buffers;
     GLsizeiptr _bytes = 0;
     std::size_t _last = 0; // the index of the last buffer captured into
@@ -166,12 +174,22 @@ WorkingBatch upload(osg::State& state, const GridBatch& batch)
     return working;
 }
 
-osg::ref_ptr<osg::Program> createProgram()
+/** Whether the plan reads colours from the fine triangles; exact voxelization takes them from the source. */
+bool needsColors(const PassPlan& plan)
+{
+    return plan.method == VoxelizationMethod::POINTS;
+}
+
+osg::ref_ptr<osg::Program> createProgram(bool hasColors)
 {
     osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"});
-    for (const char* varying : {"finePosition", "fineTriangle", "fineCoordinate", "fineColorAndLevel"})
+        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"},
+                                     hasColors ? "#define HAS_COLORS\n" : "");
+    for (const char* varying : {"finePosition", "fineTriangle"})
         program->addTransformFeedBackVarying(varying);
+    if (hasColors)
+        for (const char* varying : {"fineCoordinate", "fineColorAndLevel"})
+            program->addTransformFeedBackVarying(varying);
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
     return program;
 }
@@ -181,7 +199,7 @@ osg::ref_ptr<osg::Program> createProgram()
 SubdivisionPass::SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan) :
     LegolizationPass(workspace, 0), _plan(plan)
 {
-    setStateSet(createPassState(*createProgram()));
+    setStateSet(createPassState(*createProgram(needsColors(plan))));
     setCamera(new PassCamera(*this));
 }
 
@@ -202,7 +220,7 @@ std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
         WorkingBatch& working = work.batches.back();
         if (static_cast<double>(batch.longestEdge) > edgeLimit)
         {
-            BatchSubdivision subdivision(state, working, edgeLimit);
+            BatchSubdivision subdivision(state, working, edgeLimit, needsColors(_plan));
             if (std::string failure = subdivision.run(); !failure.empty()) return failure;
             work.statistics.numSubdivisionPasses =
                 std::max(work.statistics.numSubdivisionPasses, subdivision.getNumPasses());

@@ -81,7 +81,7 @@ std::string ProjectionPass::run(osg::State& state, Legolization& work) const
     for (const WorkingBatch& batch : work.batches)
     {
         bindSurfaceOf(state, *batch.batch);
-        arrays.bind(batch.getFineBuffer());
+        batch.bindFine(arrays);
         glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
     }
     return {};

@@ -11,6 +11,7 @@ flat in uvec2 packedCell;
 uniform usamplerBuffer sourceVertices; // two texels per vertex: position, triangle | coordinate, colour and level
 
 #include "passes/surface_color.glsl"
+#include "passes/voxel_color.glsl"
 #include "voxelization/nearest_point.glsl"
 
 void main()
@@ -36,5 +37,5 @@ void main()
                                   weights.z * colorsAndLevels[2].rgb,
                               weights.x * coordinates[0] + weights.y * coordinates[1] + weights.z * coordinates[2],
                               colorsAndLevels[0].a);
-    gl_FragColor = vec4(weight * color, weight);
+    gl_FragColor = weightedColor(color, weight);
 }

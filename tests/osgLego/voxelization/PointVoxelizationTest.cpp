@@ -220,6 +220,27 @@ TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
     EXPECT_GT(countTunnels(*toGrid(*node, settings), *found), 100u);
 }
 
+TEST_F(PointVoxelization, TheLastPointInACellDeterminesItsColour)
+{
+    const auto add = [](osg::Group& node, const osg::Vec4& color)
+    {
+        const osg::ref_ptr<osg::Geometry> triangle = createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 1});
+        const osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(1);
+        colors->front() = color;
+        triangle->setColorArray(colors, osg::Array::BIND_OVERALL);
+        node.addChild(triangle);
+    };
+    osg::ref_ptr<osg::Group> node = new osg::Group;
+    add(*node, osg::Vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    add(*node, osg::Vec4(0.2f, 0.4f, 0.6f, 1.0f));
+    const osg::ref_ptr<const BrickModel> found =
+        legolizeOnGpu(*node, parseSettings("16,method=points,target=addressed"));
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->getBricks().size(), 16u);
+    for (const Brick& brick : found->getBricks())
+        ASSERT_EQ(brick.color, (std::array<std::uint8_t, 3>{51, 102, 153}));
+}
+
 TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
 {
     const osg::ref_ptr<osg::Node> node = createRacingCar();
