@@ -5,7 +5,7 @@ layout(points, max_vertices = 32) out;
 
 flat in int word[];
 
-uniform sampler2D voxelImage; // weighted colours, and the sum of weights in alpha
+uniform sampler2D voxelImage; // passes/voxel_color.glsl
 uniform usamplerBuffer occupancy;
 uniform ivec2 layers; // (z) the first to extract, and the one after the last; the image also has their neighbours
 
