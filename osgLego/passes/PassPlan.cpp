@@ -16,14 +16,17 @@ int cellsMetAtMost(double edgeLimit)
     return along * along * along;
 }
 
-/** Rounding of half floats adds up where a cell meets many triangles. If there are so many that single-precision sums
- * take little memory beside them, these are chosen. */
+/** Rounding of half floats adds up where a cell meets many fine triangles: of dense sources, beside which sums in
+ * single precision take little memory, and with a low edge limit. These sums are chosen then, if they fit into one
+ * slab. */
 VoxelFormat chooseFormat(const LegoSource& source)
 {
     constexpr std::size_t CELLS_PER_TRIANGLE = 16;
+    constexpr double LOWEST_EDGE_LIMIT = 2.0; // the default of exact voxelization
     if (source.settings.method == VoxelizationMethod::POINTS) return VoxelFormat::COLOR;
     const std::size_t numCells = source.triangles->getGrid().getNumCells();
-    const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles();
+    const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles() ||
+                         source.settings.getEdgeLimit() < LOWEST_EDGE_LIMIT;
     const bool isOneSlab = numCells <= SlabPlan::MAXIMUM_BYTES / bytesOf(VoxelFormat::FLOAT_SUMS);
     return isDense && isOneSlab ? VoxelFormat::FLOAT_SUMS : VoxelFormat::HALF_SUMS;
 }

@@ -33,8 +33,9 @@ TEST(PassPlan, ExactVoxelizationSumsUpHalfFloats)
     EXPECT_EQ(texelBytesOf("1024", 24), 8);
 }
 
-TEST(PassPlan, ExactVoxelizationOfDenseMeshesSumsUpFloatsUnlessTheyTakeTooMuchMemory)
+TEST(PassPlan, ExactVoxelizationOfManyTrianglesPerCellSumsUpFloatsUnlessTheyTakeTooMuchMemory)
 {
+    EXPECT_EQ(texelBytesOf("64,edge=1", 24), 16);
     EXPECT_EQ(texelBytesOf("32", 24), 16);   // 15 cells per triangle
     EXPECT_EQ(texelBytesOf("200", 400), 16); // 8,000,000 cells
     EXPECT_EQ(texelBytesOf("210", 400), 8);  // 9,261,000 cells, 15 per triangle, would take more than 128 MiB
