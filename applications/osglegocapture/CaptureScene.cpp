@@ -142,11 +142,15 @@ void CaptureScene::legolize()
         _shown = _lego;
     }
     _lego->setWaiting(true);
+    // A part of a mesh may be out of view, and has bricks even so.
+    if (_lego->getSettings().gridSize) _lego->setCullingActive(false);
     // Set before the source is examined, which would otherwise be repeated.
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
     if (!_lego->hasTriangles())
         throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
+    if (const std::string obstacle = _lego->getObstacle(); !obstacle.empty())
+        throw CaptureError(EXIT_BAD_INPUT, obstacle);
 }
 
 void CaptureScene::addOcclusion()

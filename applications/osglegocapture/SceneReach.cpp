@@ -158,7 +158,9 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
     if (!source.bounds.valid()) return;
 
     const BrickGrid grid = BrickGrid::fit(source.bounds, settings);
-    const osg::BoundingBoxd bricks = grid.getNumCells() > 0 ? grid.getBrickBounds() : source.bounds;
+    // A grid of cells of a given size may miss the source; there are no bricks then.
+    const bool hasBricks = grid.getNumCells() > 0 && grid.getBrickBounds().intersects(source.bounds);
+    const osg::BoundingBoxd bricks = hasBricks ? grid.getBrickBounds() : source.bounds;
     if (isNested)
     {
         // Nested LegoNodes: the outer bricks are made from the inner ones.

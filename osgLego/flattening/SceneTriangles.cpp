@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include <glm/geometric.hpp>
 #include <osg/Notify>
 
 namespace osgLego
@@ -30,6 +31,17 @@ void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
 }
 
 } // namespace
+
+SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b)
+{
+    return {0.5 * (a.position + b.position), 0.5f * (a.coordinate + b.coordinate), 0.5f * (a.color + b.color)};
+}
+
+double squaredLength(const SceneVertex& a, const SceneVertex& b)
+{
+    const glm::dvec3 edge = b.position - a.position;
+    return glm::dot(edge, edge);
+}
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 {

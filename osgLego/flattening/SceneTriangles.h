@@ -25,6 +25,10 @@ struct SceneVertex
     glm::vec3 color{1.0f};      //!< before texturing, 0 to 1 per channel
 };
 
+/** The vertex halfway between two others, and the square of their distance. */
+SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b);
+double squaredLength(const SceneVertex& a, const SceneVertex& b);
+
 /** Triangles that share one texture, three vertices each. */
 struct SceneBatch
 {

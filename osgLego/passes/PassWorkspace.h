@@ -27,10 +27,12 @@ struct WorkingBatch
     const GridBatch* batch = nullptr;
     GlBuffer source;
     GlTexture lookup; //!< the source as a buffer texture
-    GlBuffer fine;    //!< the subdivided triangles; empty if no edge of the source was too long
+    GlBuffer parts;   //!< the source, cut down to the grid; empty if it does not reach beyond
+    GlBuffer fine;    //!< the subdivided triangles; empty if no edge was too long
     GLsizei numFineTriangles = 0;
 
-    GLuint getFineBuffer() const { return fine.get() != 0 ? fine.get() : source.get(); }
+    GLuint getCoarseBuffer() const { return parts.get() != 0 ? parts.get() : source.get(); }
+    GLuint getFineBuffer() const { return fine.get() != 0 ? fine.get() : getCoarseBuffer(); }
 };
 
 /** A legolization in progress in one context, which each pass hands on to the next. */

@@ -20,8 +20,8 @@ namespace
 const glm::vec3 DIRECTION(0.48f, 0.62f, 0.37f);
 const glm::vec3 UPWARD(0.0f, 0.0f, 1.0f);
 
-/** The projection from cell units to a picture that contains the whole grid. */
-glm::mat4 projectionOf(const BrickGrid& grid)
+/** The projection from positions to a picture that contains the whole grid. */
+glm::mat4 projectionOf(const BrickGrid& grid, const glm::ivec3& firstCell)
 {
     const glm::vec3 size(grid.dimensions);
     const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -DIRECTION, UPWARD);
@@ -35,7 +35,8 @@ glm::mat4 projectionOf(const BrickGrid& grid)
         maximum = glm::max(maximum, seen);
     }
     constexpr float MARGIN = 0.5f;
-    return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z - MARGIN, -minimum.z + MARGIN) * view;
+    return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z - MARGIN, -minimum.z + MARGIN) * view *
+           glm::translate(glm::mat4(1.0f), glm::vec3(-firstCell));
 }
 
 } // namespace
@@ -60,8 +61,9 @@ std::string ProjectionPass::run(osg::State& state, Legolization& work) const
         return "there is not enough memory on the GPU for the picture of the projected target; expected a smaller fbo";
     const BrickGrid& grid = work.source->triangles->getGrid();
     const ProgramUniforms uniforms(state);
-    uniforms.set("projection", projectionOf(grid));
+    uniforms.set("projection", projectionOf(grid, work.source->triangles->getFirstCell()));
     uniforms.set("gridSize", grid.dimensions);
+    uniforms.set("firstCell", work.source->triangles->getFirstCell());
     uniforms.set("numberScale", getNumberScale(grid));
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : work.batches)
