@@ -142,8 +142,6 @@ void CaptureScene::legolize()
         _shown = _lego;
     }
     _lego->setWaiting(true);
-    // A part of a mesh may be out of view, and has bricks even so.
-    if (_lego->getSettings().gridSize) _lego->setCullingActive(false);
     // Set before the source is examined, which would otherwise be repeated.
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
@@ -319,7 +317,9 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
 {
     // Placed according to the mesh, not its bricks, so that pictures of both match.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
-    const osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
+    osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
+    // A grid beside the mesh has no bricks, but is drawn.
+    if (_lego && !bound.intersects(_lego->getBound())) bound.expandBy(_lego->getBound());
     const LegoSettings settings = getSettings();
     const double aspect = static_cast<double>(_options.width) / _options.height;
     CaptureCamera place(_options.view, settings.upAxis, aspect);
