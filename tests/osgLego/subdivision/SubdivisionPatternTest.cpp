@@ -77,6 +77,29 @@ TEST(SubdivisionPattern, CutsOneTwoOrThreeEdgesAsThePaperDoes)
     EXPECT_EQ(count({0, 0, 0}, {2, 0, 0}, {0, 2, 0}), 4);
 }
 
+TEST(SubdivisionPattern, CutsAQuadrilateralAlongItsShorterDiagonal)
+{
+    const auto longestInside = [](const glm::vec3& c)
+    {
+        GridVertex a;
+        GridVertex b;
+        b.position = {2.0f, 0.0f, 0.0f};
+        GridVertex last;
+        last.position = c;
+        float longest = 0.0f;
+        cutLongEdges(std::array<GridVertex, 3>{a, b, last}, 1.0f,
+                     [&](const std::array<GridVertex, 3>& part)
+                     {
+                         for (std::size_t edge = 0; edge < 3; ++edge)
+                             longest = std::max(longest, squaredLength(part[edge], part[(edge + 1) % 3]));
+                     });
+        return longest;
+    };
+    // The squares of the other diagonals are 2.11 and 3.65.
+    EXPECT_LE(longestInside({0.9f, 0.2f, 0.0f}), 1.01f);
+    EXPECT_LE(longestInside({-0.9f, 0.2f, 0.0f}), 2.12f);
+}
+
 /** Whether the bounds of a triangle reach into a grid. */
 bool reaches(const GridVertex* corners, const GridTriangles& triangles)
 {
@@ -118,16 +141,16 @@ TEST(GridCut, LeavesTheFineTrianglesInTheGrid)
 {
     osg::ref_ptr<osg::Group> node = new osg::Group;
     node->addChild(createSliverSoup(100));
-    node->addChild(createTriangle({-9, -8, 0.2f}, {9, -7, -0.3f}, {0.5f, 8, 0.1f}));
-    for (const double limit : {0.5, 1.0, 2.0})
+    node->addChild(createTriangle({-7, -6, 0.2f}, {8, -7, -0.3f}, {0.5f, 7, 0.1f}));
+    for (const double limit : {1.0, 2.0})
     {
         const osg::ref_ptr<const GridTriangles> triangles =
-            createPart(*node, "cell=0.02,origin=-0.2:-0.3:-0.1,size=22:17:13");
+            createPart(*node, "cell=0.04,origin=-0.2:-0.3:-0.1,size=22:17:13");
         const GridBatch& batch = triangles->getBatches().front();
         const std::optional<GridBatch> parts = cutToGrid(batch, *triangles, limit);
         ASSERT_TRUE(parts);
         const std::vector<Key> expected = fineInside(batch.vertices, *triangles, limit);
-        EXPECT_GT(expected.size(), 500u);
+        EXPECT_GT(expected.size(), 300u);
         EXPECT_EQ(fineInside(parts->vertices, *triangles, limit), expected);
         EXPECT_LT(parts->longestEdge, 60.0f) << "parts end near the grid";
     }
