@@ -63,7 +63,7 @@ bool cutLongEdges(const std::array<Vertex, 3>& corners, Number squaredLimit, con
     return true;
 }
 
-/** What becomes of a part of a triangle in cutToSize(). */
+/** The treatment of a part of a triangle by cutToSize(). */
 enum class PartUse
 {
     DROPPED,
@@ -72,7 +72,7 @@ enum class PartUse
 };
 
 /** Cut a triangle again and again, as cutLongEdges() does, but only where it is wanted.
- * @param decide returns the use of a part, given its corners.
+ * @param decide returns the PartUse of a part, given its corners.
  * @param keep called with the corners of each part that is kept. */
 template <typename Vertex, typename Number, typename Decide, typename Keep>
 void cutToSize(const std::array<Vertex, 3>& corners, Number squaredLimit, const Decide& decide, const Keep& keep)

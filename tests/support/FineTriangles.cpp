@@ -105,7 +105,7 @@ double longestEdgeOf(const GridVertex* corners)
     return longest;
 }
 
-/** Rounding moves a corner by at most this, in cells, in each of the passes together. */
+// In cells: all passes together move a corner by less than this through rounding.
 constexpr double ROUNDING = 1e-4;
 
 } // namespace

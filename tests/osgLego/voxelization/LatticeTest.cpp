@@ -208,6 +208,34 @@ class LatticeTest : public GlTest
 {
 };
 
+TEST_F(LatticeTest, TheGpuFindsTheCellsOfTheCpuInAPart)
+{
+    for (const osg::ref_ptr<osg::Node>& node : {createRacingCar(), readBunny()})
+    {
+        if (!node) continue;
+        const Lattice lattice(*node, 70);
+        const glm::ivec3 size = lattice.getWhole().size;
+        const LegoSettings settings = parseSettings(lattice.getSettings({size / 4, size / 2}));
+        const osg::ref_ptr<const BrickModel> cpu = legolizeOnCpu(*node, settings);
+        const osg::ref_ptr<const BrickModel> gpu = legolizeOnGpu(*node, settings);
+        ASSERT_TRUE(cpu && gpu);
+        const std::size_t count = cpu->getBricks().size();
+        std::size_t common = 0;
+        std::size_t offColor = 0;
+        for (const Brick& brick : gpu->getBricks())
+            if (const Brick* other = cpu->find(brick.getCell()))
+            {
+                ++common;
+                offColor += colorDifference(brick, *other) > 2 ? 1 : 0;
+            }
+        EXPECT_GT(count, 200u);
+        // Single precision can't decide about cells that a triangle merely grazes.
+        EXPECT_GE(common + 2, count);
+        EXPECT_LE(gpu->getBricks().size(), common + 2);
+        EXPECT_LE(offColor, count / 100);
+    }
+}
+
 TEST_F(LatticeTest, ProjectedPointsOfAPartAreAmongTheCellsOfTheWhole)
 {
     // A smaller grid has more pixels per cell, so its picture shows points that others hide in the picture of the
