@@ -28,22 +28,25 @@ struct WorkingBatch
     const GridBatch* batch = nullptr;
     GlBuffer source;
     GlTexture lookup; //!< the source as a buffer texture
-    GlBuffer fine;    //!< the subdivided triangles; empty if no edge of the source was too long
+    GlBuffer parts;   //!< the source, cut down to the grid; empty if it does not reach beyond
+    GlBuffer fine;    //!< the subdivided triangles; empty if no edge was too long
     GLsizei fineVertexBytes = sizeof(GridVertex); //!< the size of a vertex in `fine`
     GLsizei numFineTriangles = 0;
 
+    GLuint getCoarseBuffer() const { return parts.get() != 0 ? parts.get() : source.get(); }
     /** Read the vertices of the fine triangles in the following draw calls. */
     void bindFine(const GridVertexArrays& arrays) const
     {
         if (fine.get() != 0)
             arrays.bind(fine.get(), fineVertexBytes);
         else
-            arrays.bind(source.get());
+            arrays.bind(getCoarseBuffer());
     }
     /** Delete the buffers and the texture at once. Needs their context current. */
     void deleteNow(const osg::State& state)
     {
         fine.deleteNow(state);
+        parts.deleteNow(state);
         lookup.deleteNow(state);
         source.deleteNow(state);
     }

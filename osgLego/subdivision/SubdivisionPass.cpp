@@ -7,10 +7,12 @@
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/TransformFeedback.h>
 #include <osgLego/passes/GridVertexArrays.h>
+#include <osgLego/subdivision/GridCut.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace osgLego
@@ -39,8 +41,11 @@ std::string outOfMemory(double bytes)
 class BatchSubdivision
 {
 public:
-    BatchSubdivision(const osg::State& state, WorkingBatch& batch, double edgeLimit, bool hasColors) :
-        _state(state), _extensions(*state.get<osg::GLExtensions>()), _batch(batch), _edgeLimit(edgeLimit),
+    /** @param coarse the triangles in the batch's coarse buffer. */
+    BatchSubdivision(const osg::State& state, const GridBatch& coarse, WorkingBatch& batch, double edgeLimit,
+                     bool hasColors) :
+        _state(state),
+        _extensions(*state.get<osg::GLExtensions>()), _coarse(coarse), _batch(batch), _edgeLimit(edgeLimit),
         _hasColors(hasColors)
     {
         if (!hasColors) _batch.fineVertexBytes = GridVertexArrays::BYTES_WITHOUT_COLORS;
@@ -49,7 +54,7 @@ public:
     /** @return the reason for a failure; empty on success. */
     std::string run()
     {
-        const std::size_t estimate = _batch.batch->estimateFineTriangles(_edgeLimit);
+        const std::size_t estimate = _coarse.estimateFineTriangles(_edgeLimit);
         std::size_t capacity = estimate + estimate / 4 + 1024;
         while (true)
         {
@@ -99,9 +104,9 @@ private:
     /** Algorithm 1: run passes as long as they change the number of triangles. */
     Outcome subdivide()
     {
-        const double halvings = std::log2(static_cast<double>(_batch.batch->longestEdge) / _edgeLimit);
+        const double halvings = std::log2(static_cast<double>(_coarse.longestEdge) / _edgeLimit);
         std::size_t target = static_cast<std::size_t>(std::max(1.0, std::ceil(halvings))) + 1;
-        _count = static_cast<GLuint>(_batch.batch->getNumTriangles());
+        _count = static_cast<GLuint>(_coarse.getNumTriangles());
         _numPasses = 0;
         std::vector<std::unique_ptr<TransformFeedback>> passes;
         while (target <= MAXIMUM_PASSES)
@@ -130,13 +135,13 @@ private:
         const GridVertexArrays arrays(_extensions, _hasColors);
         const bool isFirst = passes.size() == 1;
         if (isFirst)
-            arrays.bind(_batch.source.get());
+            arrays.bind(_batch.getCoarseBuffer());
         else
             arrays.bind(_buffers[_last].get(), _batch.fineVertexBytes);
         _last = isFirst ? 0 : 1 - _last;
         passes.back()->begin(GL_TRIANGLES, _buffers[_last].get(), 0, _bytes);
         if (isFirst)
-            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_batch.batch->vertices.size()));
+            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_coarse.vertices.size()));
         else
             passes[passes.size() - 2]->draw(GL_TRIANGLES);
         passes.back()->end();
@@ -144,6 +149,7 @@ private:
 
     const osg::State& _state;
     const osg::GLExtensions& _extensions;
+    const GridBatch& _coarse;
     WorkingBatch& _batch;
     double _edgeLimit;
     bool _hasColors;
@@ -154,18 +160,24 @@ private:
     std::size_t _numPasses = 0;
 };
 
+GlBuffer createBuffer(const osg::State& state, const GridBatch& batch)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    GlBuffer buffer(state);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size() * sizeof(GridVertex)),
+                            batch.vertices.data(), GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    return buffer;
+}
+
 /** Upload the source's vertices into a buffer, and create a buffer texture from which shaders read its triangles. */
 WorkingBatch upload(osg::State& state, const GridBatch& batch)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     WorkingBatch working;
     working.batch = &batch;
-    working.numFineTriangles = static_cast<GLsizei>(batch.getNumTriangles());
-    working.source = GlBuffer(state);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, working.source.get());
-    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size() * sizeof(GridVertex)),
-                            batch.vertices.data(), GL_STATIC_DRAW);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    working.source = createBuffer(state, batch);
 
     working.lookup = GlTexture(state);
     glBindTexture(GL_TEXTURE_BUFFER, working.lookup.get());
@@ -218,9 +230,13 @@ std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
     {
         work.batches.push_back(upload(state, batch));
         WorkingBatch& working = work.batches.back();
-        if (static_cast<double>(batch.longestEdge) > edgeLimit)
+        const std::optional<GridBatch> parts = cutToGrid(batch, *work.source->triangles, edgeLimit);
+        if (parts) working.parts = createBuffer(state, *parts);
+        const GridBatch& coarse = parts ? *parts : batch;
+        working.numFineTriangles = static_cast<GLsizei>(coarse.getNumTriangles());
+        if (static_cast<double>(coarse.longestEdge) > edgeLimit)
         {
-            BatchSubdivision subdivision(state, working, edgeLimit, needsColors(_plan));
+            BatchSubdivision subdivision(state, coarse, working, edgeLimit, needsColors(_plan));
             if (std::string failure = subdivision.run(); !failure.empty()) return failure;
             work.statistics.numSubdivisionPasses =
                 std::max(work.statistics.numSubdivisionPasses, subdivision.getNumPasses());

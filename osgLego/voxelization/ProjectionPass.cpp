@@ -21,24 +21,38 @@ namespace
 
 const glm::vec3 UPWARD(0.0f, 0.0f, 1.0f);
 
-/** The projection from cell units to a picture that the triangles fill, since every pixel beside them would be lost. */
+/** Bounds in the directions of the picture. */
+struct SeenBounds
+{
+    glm::vec3 minimum{std::numeric_limits<float>::max()};
+    glm::vec3 maximum{std::numeric_limits<float>::lowest()};
+
+    void add(const glm::vec3& seen)
+    {
+        minimum = glm::min(minimum, seen);
+        maximum = glm::max(maximum, seen);
+    }
+};
+
+/** The projection from positions to a picture that the triangles in the grid fill, since every pixel beside them would
+ * be lost. */
 glm::mat4 projectionOf(const GridTriangles& triangles)
 {
     const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -ProjectionPass::getDirection(), UPWARD);
     const glm::mat3 turn(view);
-    glm::vec3 minimum(std::numeric_limits<float>::max());
-    glm::vec3 maximum(std::numeric_limits<float>::lowest());
+    SeenBounds ofTriangles;
     for (const GridBatch& batch : triangles.getBatches())
         for (const GridVertex& vertex : batch.vertices)
-        {
-            const glm::vec3 seen = turn * vertex.position;
-            minimum = glm::min(minimum, seen);
-            maximum = glm::max(maximum, seen);
-        }
+            ofTriangles.add(turn * vertex.position);
+    SeenBounds ofGrid;
+    const glm::vec3 size(triangles.getGrid().dimensions);
+    for (int corner = 0; corner < 8; ++corner)
+        ofGrid.add(turn *
+                   (glm::vec3(triangles.getFirstCell()) + size * glm::vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
     // Keeps rounding from moving points out of the picture.
     constexpr float MARGIN = 0.01f;
-    minimum -= MARGIN;
-    maximum += MARGIN;
+    const glm::vec3 minimum = glm::max(ofTriangles.minimum, ofGrid.minimum) - MARGIN;
+    const glm::vec3 maximum = glm::min(ofTriangles.maximum, ofGrid.maximum) + MARGIN;
     return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z, -minimum.z) * view;
 }
 
@@ -76,6 +90,7 @@ std::string ProjectionPass::run(osg::State& state, Legolization& work) const
     const ProgramUniforms uniforms(state);
     uniforms.set("projection", projectionOf(*work.source->triangles));
     uniforms.set("gridSize", grid.dimensions);
+    uniforms.set("firstCell", work.source->triangles->getFirstCell());
     uniforms.set("numberScale", getNumberScale(grid));
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : work.batches)

@@ -72,6 +72,7 @@ std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
     const Slab slab = _plan.createSlabs(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);
     setAddressing(uniforms, grid, slab, _plan.imageSize);
+    uniforms.set("firstCell", work.source->triangles->getFirstCell());
 
     work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
     if (takeOutOfMemoryError())

@@ -30,7 +30,7 @@ void main()
 
     ivec3 cell = ivec3(packedCell.x & 0xffffu, packedCell.x >> 16, packedCell.y);
     markCovered(cell);
-    vec3 center = vec3(cell) + 0.5;
+    vec3 center = vec3(cell + firstCell) + 0.5;
     vec3 weights =
         nearestPoint(vec3(0.0), positions[0] - center, positions[1] - center, positions[2] - center);
     vec3 color = surfaceColor(weights.x * colorsAndLevels[0].rgb + weights.y * colorsAndLevels[1].rgb +
