@@ -1,8 +1,10 @@
 #include <osgLego/BrickGrid.h>
 
 #include <cmath>
+#include <sstream>
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace osgLego
 {
@@ -28,6 +30,55 @@ bool isFitToMeasure(const osg::BoundingBoxd& bounds)
     return std::isfinite(longest) && longest > 0.0;
 }
 
+/** A box of cells, with numbers too large for an int. */
+struct CellRange
+{
+    glm::dvec3 first;
+    glm::dvec3 count;
+};
+
+/** The cells of a lattice that bounds reach into. */
+CellRange findCells(const BrickGrid& lattice, const osg::BoundingBoxd& bounds)
+{
+    const glm::dvec3 first = lattice.findFirstCell(bounds);
+    // Positions are rounded to single precision, which may move them into the next cell.
+    const glm::vec3 highest(lattice.toCells(bounds._max) - first);
+    return {first, glm::floor(glm::dvec3(highest)) + 1.0};
+}
+
+BrickGrid createLattice(const LegoSettings& settings)
+{
+    BrickGrid lattice;
+    lattice.upAxis = settings.upAxis;
+    lattice.cellSize = glm::dvec3(*settings.cellPitch);
+    lattice.cellSize[lattice.getUpIndex()] *= settings.getCellHeight();
+    lattice.origin = settings.gridOrigin.value_or(glm::dvec3(0.0));
+    return lattice;
+}
+
+glm::dvec3 largestSize(const BrickGrid& lattice)
+{
+    glm::dvec3 largest(LegoSettings::MAXIMUM_RESOLUTION);
+    largest[lattice.getUpIndex()] = LegoSettings::MAXIMUM_LAYERS;
+    return largest;
+}
+
+/** A grid of cells of a given pitch; empty if there would be too many. */
+BrickGrid createFromLattice(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
+{
+    BrickGrid grid = createLattice(settings);
+    if (settings.gridSize)
+    {
+        grid.dimensions = *settings.gridSize;
+        return grid;
+    }
+    const CellRange cells = findCells(grid, bounds);
+    if (!glm::all(glm::lessThanEqual(cells.count, largestSize(grid)))) return grid;
+    grid.origin += cells.first * grid.cellSize;
+    grid.dimensions = glm::ivec3(cells.count);
+    return grid;
+}
+
 } // namespace
 
 BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
@@ -35,6 +86,7 @@ BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& se
     BrickGrid grid;
     grid.upAxis = settings.upAxis;
     if (!isFitToMeasure(bounds)) return grid;
+    if (settings.cellPitch) return createFromLattice(bounds, settings);
 
     const glm::dvec3 minimum(bounds.xMin(), bounds.yMin(), bounds.zMin());
     const glm::dvec3 extent = glm::dvec3(bounds.xMax(), bounds.yMax(), bounds.zMax()) - minimum;
@@ -57,6 +109,25 @@ BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& se
         grid.origin[axis] = minimum[axis] - (shared ? 0.5 * spare : 0.0);
     }
     return grid;
+}
+
+std::string BrickGrid::findObstacle(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
+{
+    if (!settings.cellPitch || settings.gridSize || !isFitToMeasure(bounds)) return {};
+    const BrickGrid lattice = createLattice(settings);
+    const glm::dvec3 count = findCells(lattice, bounds).count;
+    const glm::dvec3 largest = largestSize(lattice);
+    if (glm::all(glm::lessThanEqual(count, largest))) return {};
+    std::ostringstream text;
+    text << "the model reaches into " << count.x << " x " << count.y << " x " << count.z << " cells; expected at most "
+         << largest.x << " x " << largest.y << " x " << largest.z
+         << ", by a larger cell, or by origin and size that select a part";
+    return text.str();
+}
+
+glm::dvec3 BrickGrid::findFirstCell(const osg::BoundingBoxd& bounds) const
+{
+    return glm::floor(toCells(bounds._min) + EXTENT_TOLERANCE);
 }
 
 std::size_t BrickGrid::getNumCells() const

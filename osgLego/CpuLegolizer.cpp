@@ -21,6 +21,11 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
         OSG_WARN << "osgLego: '" << node.getName() << "' has no visible triangles to legolize" << std::endl;
         return nullptr;
     }
+    if (const std::string obstacle = BrickGrid::findObstacle(scene->getBounds(), settings); !obstacle.empty())
+    {
+        OSG_WARN << "osgLego: " << obstacle << std::endl;
+        return nullptr;
+    }
     return voxelizeOnCpu(*GridTriangles::create(*scene, settings));
 }
 

@@ -28,8 +28,8 @@ namespace osgLego
  * grows with the number of covered cells, plus one bit for each cell in the rows of the grid near them: at most 128 MiB
  * at 1024 x 1024 x 1024.
  *
- * @return null, with a warning that gives the reason, if the node has no visible triangles or settings.check() reports
- * an error. */
+ * @return null, with a warning that gives the reason, if the node has no visible triangles, settings.check() reports an
+ * error, or the cells of the given size would be too many; a model without bricks if the grid misses the triangles. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings);
 
 } // namespace osgLego

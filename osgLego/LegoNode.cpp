@@ -90,7 +90,13 @@ void LegoNode::dirty()
 bool LegoNode::hasTriangles() const
 {
     refresh();
-    return _pipeline->getSource().valid();
+    return _pipeline->getSource().valid() || !_pipeline->getObstacle().empty();
+}
+
+std::string LegoNode::getObstacle() const
+{
+    refresh();
+    return _pipeline->getObstacle();
 }
 
 void LegoNode::setTiming(bool timing)
@@ -166,7 +172,8 @@ std::string LegoNode::getMissing(const osg::State& state)
 
 std::string LegoNode::getFailure(unsigned int contextID) const
 {
-    return _pipeline->getStore().getContext(contextID)->getFailure();
+    const std::string obstacle = _pipeline->getObstacle();
+    return obstacle.empty() ? _pipeline->getStore().getContext(contextID)->getFailure() : obstacle;
 }
 
 void LegoNode::traverse(osg::NodeVisitor& visitor)

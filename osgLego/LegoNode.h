@@ -87,6 +87,10 @@ public:
     /** Whether the source has any visible triangles; without them there are no bricks. */
     bool hasTriangles() const;
 
+    /** The reason, in one sentence, why a source with triangles has no bricks: cells of the size in the settings would
+     * be too many. Empty if there is no such reason. */
+    std::string getObstacle() const;
+
     /** Wait for each stage of a legolization to finish, so that getStatistics() has its time. Off by default. */
     void setTiming(bool timing);
     bool getTiming() const;

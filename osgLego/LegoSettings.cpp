@@ -3,6 +3,7 @@
 #include <osgLego/data/SettingsText.h>
 
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <string_view>
 
@@ -26,7 +27,12 @@ constexpr std::array LOOK_NAMES{SettingName<Look>{"plain", Look::PLAIN}, Setting
 constexpr std::array DRAWING_NAMES{SettingName<Drawing>{"auto", Drawing::AUTO},
                                    SettingName<Drawing>{"triangles", Drawing::TRIANGLES},
                                    SettingName<Drawing>{"splats", Drawing::SPLATS}};
-constexpr std::string_view KEYS = "resolution, proportions, up, method, target, fbo, edge, device, look, drawing";
+constexpr std::string_view KEYS =
+    "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, look, drawing";
+
+constexpr const char* EXPECTED_CELL = "a number of model units, 1e-18 to 1e+18";
+constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
+constexpr const char* EXPECTED_SIZE = "w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
 
 bool isNumber(std::string_view text)
 {
@@ -37,6 +43,9 @@ bool isNumber(std::string_view text)
 std::string readSetting(std::string_view key, std::string_view value, LegoSettings& settings)
 {
     if (key == "resolution") return readNumber(key, value, "a whole number, 1 to 1024", settings.resolution);
+    if (key == "cell") return readNumber(key, value, EXPECTED_CELL, settings.cellPitch.emplace());
+    if (key == "origin") return readVector(key, value, EXPECTED_ORIGIN, settings.gridOrigin.emplace());
+    if (key == "size") return readVector(key, value, EXPECTED_SIZE, settings.gridSize.emplace());
     if (key == "proportions") return readName(key, value, PROPORTIONS_NAMES, settings.proportions);
     if (key == "up") return readName(key, value, UP_NAMES, settings.upAxis);
     if (key == "method") return readName(key, value, METHOD_NAMES, settings.method);
@@ -49,10 +58,78 @@ std::string readSetting(std::string_view key, std::string_view value, LegoSettin
     return unknownKey(key, KEYS);
 }
 
+/** Reads the settings of a text, in which either a resolution or cell, origin and size may describe the grid. */
+class SettingReader
+{
+public:
+    std::string operator()(std::string_view key, std::string_view value, LegoSettings& settings)
+    {
+        const bool isResolution = key == "resolution";
+        const bool isCells = key == "cell" || key == "origin" || key == "size";
+        if (isResolution ? _hasCells : isCells && _hasResolution)
+            return "a resolution can't be combined with cell, origin or size; expected either";
+        if (isResolution)
+        {
+            _hasResolution = true;
+            settings.cellPitch.reset();
+            settings.gridOrigin.reset();
+            settings.gridSize.reset();
+        }
+        if (isCells) _hasCells = true;
+        if (key == "cell") settings.resolution = LegoSettings().resolution;
+        return readSetting(key, value, settings);
+    }
+
+private:
+    bool _hasResolution = false;
+    bool _hasCells = false;
+};
+
 template <typename Number>
 std::string rangeError(const char* key, Number value, const char* unit, Number minimum, Number maximum)
 {
     return badValue(key, toText(value), std::string(unit) + ", " + toText(minimum) + " to " + toText(maximum));
+}
+
+template <typename Vector>
+std::string vectorToText(const Vector& vector)
+{
+    return toText(vector.x) + ":" + toText(vector.y) + ":" + toText(vector.z);
+}
+
+bool isInRange(const glm::dvec3& origin)
+{
+    const auto isGood = [](double coordinate) { return std::abs(coordinate) <= LegoSettings::MAXIMUM_ORIGIN; };
+    return isGood(origin.x) && isGood(origin.y) && isGood(origin.z);
+}
+
+bool isInRange(const glm::ivec3& size, UpAxis upAxis)
+{
+    const int up = upAxis == UpAxis::Y ? 1 : 2;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const int most = axis == up ? LegoSettings::MAXIMUM_LAYERS : static_cast<int>(LegoSettings::MAXIMUM_RESOLUTION);
+        if (size[axis] < 1 || size[axis] > most) return false;
+    }
+    return true;
+}
+
+/** @return the first error in the settings of the lattice, in one sentence; empty if there is none. */
+std::string checkLattice(const LegoSettings& settings)
+{
+    if (settings.gridOrigin && !settings.cellPitch) return "origin is given without cell; expected both";
+    if (settings.gridSize && !settings.gridOrigin) return "size is given without origin; expected both, and cell";
+    if (!settings.cellPitch) return {};
+    if (settings.resolution != LegoSettings().resolution)
+        return "a resolution can't be combined with cell; expected either";
+    const double pitch = *settings.cellPitch;
+    if (!(pitch >= LegoSettings::MINIMUM_CELL && pitch <= LegoSettings::MAXIMUM_CELL))
+        return badValue("cell", toText(pitch), EXPECTED_CELL);
+    if (settings.gridOrigin && !isInRange(*settings.gridOrigin))
+        return badValue("origin", vectorToText(*settings.gridOrigin), EXPECTED_ORIGIN);
+    if (settings.gridSize && !isInRange(*settings.gridSize, settings.upAxis))
+        return badValue("size", vectorToText(*settings.gridSize), EXPECTED_SIZE);
+    return {};
 }
 
 } // namespace
@@ -87,6 +164,7 @@ std::string LegoSettings::check() const
 {
     if (resolution < 1 || resolution > MAXIMUM_RESOLUTION)
         return rangeError("resolution", resolution, "a whole number", 1u, MAXIMUM_RESOLUTION);
+    if (std::string error = checkLattice(*this); !error.empty()) return error;
     if (fboSize < MINIMUM_FBO_SIZE || fboSize > MAXIMUM_FBO_SIZE)
         return rangeError("fbo", fboSize, "a whole number of pixels", MINIMUM_FBO_SIZE, MAXIMUM_FBO_SIZE);
     const double edge = getEdgeLimit();
@@ -123,14 +201,19 @@ bool LegoSettings::parse(const std::string& text, LegoSettings& settings, std::s
     }
     return parseSettings(
         text, [](std::string_view item) { return isNumber(item) ? "resolution" : ""; }, "a resolution (1 to 1024)",
-        KEYS, readSetting, settings, error);
+        KEYS, SettingReader(), settings, error);
 }
 
 std::string LegoSettings::toString() const
 {
     const LegoSettings defaults;
     std::ostringstream text;
-    text << resolution;
+    if (cellPitch)
+        text << "cell=" << toText(*cellPitch);
+    else
+        text << resolution;
+    if (gridOrigin) text << ",origin=" << vectorToText(*gridOrigin);
+    if (gridSize) text << ",size=" << vectorToText(*gridSize);
     if (proportions != defaults.proportions) text << ",proportions=" << nameOf(PROPORTIONS_NAMES, proportions);
     if (upAxis != defaults.upAxis) text << ",up=" << nameOf(UP_NAMES, upAxis);
     if (method != defaults.method) text << ",method=" << nameOf(METHOD_NAMES, method);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <glm/vec3.hpp>
+
 namespace osgLego
 {
 
@@ -33,7 +35,7 @@ enum class VoxelizationMethod
 /** The meaning of a texel in the voxelization's frame buffer object. */
 enum class VoxelizationTarget
 {
-    PROJECTED, //!< a pixel of an orthographic picture of the mesh (the paper, Algorithms 3 and 4)
+    PROJECTED, //!< a pixel of an orthographic picture with a depth buffer (the paper, Algorithms 3 and 4)
     ADDRESSED  //!< one cell of the grid (the paper's future work)
 };
 
@@ -69,10 +71,14 @@ enum class Drawing
  *     64
  *     64,proportions=plate,up=y
  *     resolution=128,method=points,target=projected,fbo=1024
+ *     cell=0.15,origin=0:0:0.5,size=64:64:32
  *
  * | key         | values                                     | default                             |
  * |-------------|--------------------------------------------|-------------------------------------|
  * | resolution  | 1 to 1024                                  | 64                                  |
+ * | cell        | 1e-18 to 1e+18 model units, instead of a resolution | none                       |
+ * | origin      | x:y:z in model units, with cell            | 0:0:0                               |
+ * | size        | w:d:h in cells, with origin                | as large as the model               |
  * | proportions | cube, brick, plate                         | cube                                |
  * | up          | y, z                                       | z                                   |
  * | method      | points, exact                              | exact                               |
@@ -94,13 +100,27 @@ enum class Drawing
 struct OSGLEGO_EXPORT LegoSettings
 {
     static constexpr unsigned int MAXIMUM_RESOLUTION = 1024;
+    static constexpr int MAXIMUM_LAYERS = 2560; //!< cells along the up axis
+    static constexpr double MINIMUM_CELL = 1e-18;
+    static constexpr double MAXIMUM_CELL = 1e18;
+    static constexpr double MAXIMUM_ORIGIN = 1e18; //!< of either sign
     static constexpr unsigned int MINIMUM_FBO_SIZE = 16;
     static constexpr unsigned int MAXIMUM_FBO_SIZE = 8192;
     static constexpr double MINIMUM_EDGE_LIMIT = 0.0625;
     static constexpr double MAXIMUM_EDGE_LIMIT = 4.0;
 
-    /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper). */
+    /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the default if
+     * there is a `cellPitch`. */
     unsigned int resolution = 64;
+    /** The width of a cell in model units, MINIMUM_CELL to MAXIMUM_CELL; its height follows from the proportions.
+     * Unset: the resolution determines it. */
+    std::optional<double> cellPitch;
+    /** A corner of a cell in model units, each coordinate at most MAXIMUM_ORIGIN: the cells of all nodes with equal
+     * pitch, proportions, up axis and origin belong to one lattice. Needs a `cellPitch`. Unset: the model's origin. */
+    std::optional<glm::dvec3> gridOrigin;
+    /** The number of cells along the model's x, y and z, from `gridOrigin` on, which it needs: 1 to MAXIMUM_RESOLUTION,
+     * and to MAXIMUM_LAYERS along the up axis. Geometry outside is ignored. Unset: all cells that the model reaches. */
+    std::optional<glm::ivec3> gridSize;
     Proportions proportions = Proportions::CUBE;
     UpAxis upAxis = UpAxis::Z;
     VoxelizationMethod method = VoxelizationMethod::EXACT;
@@ -131,7 +151,8 @@ struct OSGLEGO_EXPORT LegoSettings
 
     /** Read the text form.
      *
-     * Keys that are not in the text keep the values that `settings` had.
+     * Keys that are not in the text keep the values that `settings` had, except that a resolution replaces cell, origin
+     * and size, and a cell replaces the resolution.
      * @return false, with one sentence in `error` and `settings` unchanged, for an unknown key, a bad value, a key
      * given twice, or a combination of values that check() rejects. */
     static bool parse(const std::string& text, LegoSettings& settings, std::string& error);
@@ -139,7 +160,8 @@ struct OSGLEGO_EXPORT LegoSettings
     /** Whether the text form has a key of this name. */
     static bool isKey(const std::string& name);
 
-    /** The shortest text that parse() turns into these values; it begins with the resolution. */
+    /** The shortest text that parse() turns into these values; it begins with the resolution, or with the pitch of a
+     * cell. */
     std::string toString() const;
 
     /** Whether a mesh gets the same bricks from both settings: they are equal except for the look and the drawing. */

@@ -11,9 +11,9 @@ namespace osgLego
  */
 struct LegoStatistics
 {
-    bool isFromCpu = false;            //!< the bricks were made on the CPU, without subdivision
-    unsigned int numLegolizations = 0; //!< in this context so far
-    std::size_t numTriangles = 0;
+    bool isFromCpu = false;               //!< the bricks were made on the CPU, without subdivision
+    unsigned int numLegolizations = 0;    //!< in this context so far
+    std::size_t numTriangles = 0;         //!< of the source, except those beside the grid
     std::size_t numSubdivisionPasses = 0; //!< the largest number that any batch of triangles took
     std::size_t numFineTriangles = 0;
     std::size_t numDrawnBricks = 0; //!< covered cells with an open side

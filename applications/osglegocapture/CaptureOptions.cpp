@@ -125,6 +125,9 @@ CLI::callback_t toCallback(const Reader& reader)
 
 const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is the resolution
   resolution   1 to 1024, cells along the longest side   (64)
+  cell         width of a cell in the mesh's units, instead of a resolution
+  origin       x:y:z, a corner of a cell in the mesh's units, with cell
+  size         w:d:h, cells along x, y and z from the origin on; the rest of the mesh is ignored
   proportions  cube, brick, plate                        (cube)
   up           y, z                                      (z)
   method       points, exact                             (exact)

@@ -147,6 +147,8 @@ void CaptureScene::legolize()
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
     if (!_lego->hasTriangles())
         throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
+    if (const std::string obstacle = _lego->getObstacle(); !obstacle.empty())
+        throw CaptureError(EXIT_BAD_INPUT, obstacle);
 }
 
 void CaptureScene::addOcclusion()
@@ -315,7 +317,9 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
 {
     // Placed according to the mesh, not its bricks, so that pictures of both match.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
-    const osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
+    osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
+    // A grid beside the mesh has no bricks, but is drawn.
+    if (_lego && !bound.intersects(_lego->getBound())) bound.expandBy(_lego->getBound());
     const LegoSettings settings = getSettings();
     const double aspect = static_cast<double>(_options.width) / _options.height;
     CaptureCamera place(_options.view, settings.upAxis, aspect);

@@ -159,11 +159,16 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
 
     const BrickGrid grid = BrickGrid::fit(source.bounds, settings);
     const osg::BoundingBoxd bricks = grid.getNumCells() > 0 ? grid.getBrickBounds() : source.bounds;
+    if (!bricks.intersects(source.bounds))
+    {
+        // A grid of cells of a given size, beside the source.
+        addBox(bricks);
+        return;
+    }
     if (isNested)
     {
         // Nested LegoNodes: the outer bricks are made from the inner ones.
-        for (unsigned int corner = 0; corner < 8; ++corner)
-            addPoint(bricks.corner(corner) * _matrix);
+        addBox(bricks);
         return;
     }
     const osg::Vec3d cell(grid.cellSize.x, grid.cellSize.y, grid.cellSize.z);
@@ -175,6 +180,12 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
         _surface.reach[index] =
             std::max(_surface.reach[index], std::min(boxReach[index], source.reach[index] + cellReach[index]));
     _surface.bounds.expandBy(source.bounds);
+}
+
+void SceneReach::addBox(const osg::BoundingBoxd& box)
+{
+    for (unsigned int corner = 0; corner < 8; ++corner)
+        addPoint(box.corner(corner) * _matrix);
 }
 
 void SceneReach::addPoint(const osg::Vec3d& point)

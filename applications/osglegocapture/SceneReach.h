@@ -53,6 +53,7 @@ private:
     };
 
     void addBricks(const LegoSettings& settings, const std::function<void()>& visitSource);
+    void addBox(const osg::BoundingBoxd& box);
     void addPoint(const osg::Vec3d& point);
     std::vector<double> reachOf(const osg::BoundingBoxd& box, const osg::Matrixd& toScene, bool isOffset) const;
 

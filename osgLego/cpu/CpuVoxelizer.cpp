@@ -42,8 +42,10 @@ public:
         const int number = static_cast<int>(bundle);
         const glm::ivec2 first = RowBundle::SIDE * glm::ivec2(number % _bins.getSize().x, number / _bins.getSize().x);
         const glm::ivec3& dimensions = _triangles.getGrid().dimensions;
-        _minimum = {0, first.x, first.y};
-        _maximum = glm::min(_minimum + glm::ivec3(dimensions.x, RowBundle::SIDE, RowBundle::SIDE), dimensions) - 1;
+        const glm::ivec3 begin(0, first.x, first.y);
+        const glm::ivec3 end = glm::min(begin + glm::ivec3(dimensions.x, RowBundle::SIDE, RowBundle::SIDE), dimensions);
+        _minimum = _triangles.getFirstCell() + begin;
+        _maximum = _triangles.getFirstCell() + end - 1;
 
         auto batch = _triangles.getBatches().begin();
         std::size_t batchBegin = 0;
@@ -67,7 +69,8 @@ private:
         TriangleColor(batch, corners).getColors(_parts, _colors.data());
         auto color = _colors.begin();
         for (const CellPart& part : _parts)
-            _sums.add(part.cell, static_cast<float>(part.area + PassConstants::LEAST_WEIGHT), *color++);
+            _sums.add(part.cell - _triangles.getFirstCell(),
+                      static_cast<float>(part.area + PassConstants::LEAST_WEIGHT), *color++);
     }
 
     /** Replace the parts by those whose cells pass the overlap test. */
@@ -91,6 +94,7 @@ private:
     const GridTriangles& _triangles;
     const TriangleBins& _bins;
     RowBundleSums _sums;
+    // The cells of the bundle, and of the parts, are those of the positions.
     glm::ivec3 _minimum{0};
     glm::ivec3 _maximum{0};
     std::vector<CellPart> _parts;

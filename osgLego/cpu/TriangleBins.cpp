@@ -3,6 +3,7 @@
 #include <osgLego/cpu/RowBundle.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -39,14 +40,17 @@ int bundleOf(float place, int last)
     return std::clamp(static_cast<int>(place) / RowBundle::SIDE, 0, last);
 }
 
+/** The positions of a triangle's corners in the cells of the grid. */
+using Corners = std::array<glm::vec3, 3>;
+
 /** The range of y that a triangle covers between two values of z. */
-Range reachBetween(const GridVertex* corners, float from, float to)
+Range reachBetween(const Corners& corners, float from, float to)
 {
     Range reach;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-        const glm::vec3& a = corners[corner].position;
-        const glm::vec3& b = corners[(corner + 1) % 3].position;
+        const glm::vec3& a = corners[corner];
+        const glm::vec3& b = corners[(corner + 1) % 3];
         if (a.z >= from && a.z <= to) reach.include(a.y);
         for (const float layer : {from, to})
             if ((a.z < layer) != (b.z < layer)) reach.include(a.y + (layer - a.z) / (b.z - a.z) * (b.y - a.y));
@@ -56,18 +60,18 @@ Range reachBetween(const GridVertex* corners, float from, float to)
 
 /** Call `use` with the number of every bundle that a triangle may reach into. */
 template <typename Use>
-void forEachBundle(const GridVertex* corners, const glm::ivec2& size, const Use& use)
+void forEachBundle(const Corners& corners, const glm::ivec2& size, const Use& use)
 {
     Range y;
     Range z;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-        y.include(corners[corner].position.y);
-        z.include(corners[corner].position.z);
+        y.include(corners[corner].y);
+        z.include(corners[corner].z);
     }
     const glm::ivec2 last = size - 1;
-    const int firstZ = bundleOf(z.lowest, last.y);
-    const int lastZ = bundleOf(z.highest, last.y);
+    const int firstZ = bundleOf(z.lowest - GENEROSITY, last.y);
+    const int lastZ = bundleOf(z.highest + GENEROSITY, last.y);
     const bool isSmall = firstZ == lastZ || bundleOf(y.lowest, last.x) == bundleOf(y.highest, last.x);
     for (int bundle = firstZ; bundle <= lastZ; ++bundle)
     {
@@ -88,8 +92,13 @@ struct Chunk
     const GridVertex* vertices;
     std::size_t count;
     std::uint32_t number; // of the first
+    glm::vec3 corner;     // of the grid
 
-    const GridVertex* getCorners(std::size_t triangle) const { return &vertices[3 * triangle]; }
+    Corners getCorners(std::size_t triangle) const
+    {
+        const GridVertex* first = &vertices[3 * triangle];
+        return {first[0].position - corner, first[1].position - corner, first[2].position - corner};
+    }
 };
 
 std::vector<Chunk> cutIntoChunks(const GridTriangles& triangles)
@@ -100,7 +109,7 @@ std::vector<Chunk> cutIntoChunks(const GridTriangles& triangles)
         for (std::size_t first = 0; first < batch.getNumTriangles(); first += CHUNK)
         {
             const std::size_t count = std::min(CHUNK, batch.getNumTriangles() - first);
-            chunks.push_back({&batch.vertices[3 * first], count, number});
+            chunks.push_back({&batch.vertices[3 * first], count, number, glm::vec3(triangles.getFirstCell())});
             number += static_cast<std::uint32_t>(count);
         }
     return chunks;

@@ -15,7 +15,14 @@ using Real = double;
 
 // Added to the area of a triangle in a cell, in cells squared, so that a triangle that merely grazes the cell still
 // determines its colour if no other triangle covers it.
-constexpr Real LEAST_WEIGHT = 1e-9;
+constexpr Real LEAST_WEIGHT = 1.0 / (1 << 24);
+
+// The voxel image of exact voxelization stores weights times WEIGHT_SCALE, and colours minus COLOR_CENTER, so that half
+// floats represent LEAST_WEIGHT as a normal number, and sums of areas of up to 63 cells squared. LARGEST_SUM stands for
+// infinity, the sum of larger areas.
+constexpr Real WEIGHT_SCALE = 1024.0;
+constexpr Real COLOR_CENTER = 0.5;
+constexpr Real LARGEST_SUM = 65504.0;
 
 // The mipmap level that a fraction of 1 denotes in a packed vertex.
 constexpr Real MAXIMUM_LEVEL = 16.0;

@@ -45,6 +45,23 @@ std::string readNumber(std::string_view key, std::string_view text, std::string_
     return badValue(key, text, expected);
 }
 
+/** Read three numbers separated by colons. @return an error message, empty if there is no error. */
+template <typename Vector>
+std::string readVector(std::string_view key, std::string_view text, std::string_view expected, Vector& vector)
+{
+    std::string_view rest = text;
+    for (int component = 0; component < 3; ++component)
+    {
+        const auto end = rest.find(':');
+        const bool isLast = component == 2;
+        if ((end == std::string_view::npos) != isLast) return badValue(key, text, expected);
+        if (!readNumber(key, rest.substr(0, end), expected, vector[component]).empty())
+            return badValue(key, text, expected);
+        if (!isLast) rest.remove_prefix(end + 1);
+    }
+    return {};
+}
+
 /** Read a name from a list. @return an error message, empty if there is no error. */
 template <typename Value, std::size_t COUNT>
 std::string readName(std::string_view key, std::string_view text, const std::array<SettingName<Value>, COUNT>& names,
@@ -78,7 +95,7 @@ std::string readSettings(std::string_view text, const std::function<std::string_
  * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */
 template <typename Settings, typename Read>
 bool parseSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
-                   std::string_view whatIsBare, std::string_view keys, const Read& read, Settings& settings,
+                   std::string_view whatIsBare, std::string_view keys, Read read, Settings& settings,
                    std::string& error)
 {
     Settings wanted = settings;

@@ -80,6 +80,7 @@ void reserve(const osg::State& state, Legolization& work, std::size_t capacity)
         extensions.glBindBuffer(GL_ARRAY_BUFFER, work.buffer.get());
         extensions.glGetBufferSubData(GL_ARRAY_BUFFER, 0, keptBytes, kept.data());
     }
+    work.buffer.deleteNow(state);
     work.buffer = GlBuffer(state);
     work.brickCapacity = capacity;
     extensions.glBindBuffer(GL_ARRAY_BUFFER, work.buffer.get());
@@ -132,7 +133,7 @@ BrickExtractionPass::BrickExtractionPass(PassWorkspace& workspace, unsigned int 
 std::string BrickExtractionPass::run(osg::State& state, Legolization& work) const
 {
     const BrickGrid& grid = work.source->triangles->getGrid();
-    const Slab slab = SlabPlan::create(grid).slabs[_slab];
+    const Slab slab = _plan.createSlabs(grid).slabs[_slab];
     const int numBlocks = Occupancy::countBlocks(grid, slab);
     if (!work.occupancy.isMarked())
     {
@@ -141,7 +142,7 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
     }
 
     if (!apply(state, _states->getWords(), grid, slab)) return NO_SHADERS;
-    const GlBuffer wordBuffer(state);
+    GlBuffer wordBuffer(state);
     TransformFeedback words(*state.get<osg::GLExtensions>());
     findWords(state, work.occupancy, numBlocks, wordBuffer.get(), words);
     if (takeOutOfMemoryError())
@@ -152,8 +153,11 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
     uniforms.set("occupancy", OCCUPANCY_UNIT);
     uniforms.set("layers", glm::ivec2(slab.begin, slab.end));
     const OccupancyTexture texture(state, work.occupancy);
-    const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);
-    if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
+    {
+        const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);
+        if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
+    }
+    wordBuffer.deleteNow(state); // else those of all slabs would exist until the end of the frame
     if (_slab + 1 == _plan.numSlabs) work.isComplete = true;
     return {};
 }

@@ -11,9 +11,10 @@ namespace
 {
 
 osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<const char*> shaders,
-                                        const char* captured, osg::Texture2D& voxelImage)
+                                        const char* captured, osg::Texture2D& voxelImage,
+                                        const std::string& definitions = {})
 {
-    osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, shaders);
+    osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, shaders, definitions);
     program->addTransformFeedBackVarying(captured);
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
     osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
@@ -23,12 +24,12 @@ osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<
 
 } // namespace
 
-ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage) :
+ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage, VoxelFormat format) :
     _occupancy(createState("extraction occupancy", {"extraction/extraction_occupancy.vert"}, "word", voxelImage)),
     _words(createState("extraction words", {"extraction/extraction_words.vert", "extraction/extraction_words.geom"},
                        "word", voxelImage)),
-    _bricks(
-        createState("extraction", {"extraction/extraction.vert", "extraction/extraction.geom"}, "brick", voxelImage))
+    _bricks(createState("extraction", {"extraction/extraction.vert", "extraction/extraction.geom"}, "brick", voxelImage,
+                        format == VoxelFormat::COLOR ? "" : "#define WEIGHTED_COLORS\n"))
 {
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <osgLego/passes/VoxelFormat.h>
+
 #include <osg/Referenced>
 #include <osg/State>
 #include <osg/StateSet>
@@ -17,7 +19,7 @@ namespace osgLego
 class ExtractionStates : public osg::Referenced
 {
 public:
-    explicit ExtractionStates(osg::Texture2D& voxelImage);
+    ExtractionStates(osg::Texture2D& voxelImage, VoxelFormat format);
 
     /** Computes the occupancy from the voxel image, for contexts in which voxelization can't mark cells. */
     osg::StateSet& getOccupancy() const { return *_occupancy; }

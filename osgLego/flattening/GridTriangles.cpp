@@ -1,5 +1,8 @@
 #include <osgLego/flattening/GridTriangles.h>
 
+#include <osgLego/flattening/GridFrame.h>
+#include <osgLego/flattening/SubdivisionPattern.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,18 +23,6 @@ std::array<float, 3> edgeLengths(const GridVertex* corners)
     return {glm::distance(corners[0].position, corners[1].position),
             glm::distance(corners[1].position, corners[2].position),
             glm::distance(corners[2].position, corners[0].position)};
-}
-
-glm::vec3 toCellPosition(const BrickGrid& grid, const glm::dvec3& position)
-{
-    const glm::vec3 cells(grid.toCells(osg::Vec3d(position.x, position.y, position.z)));
-    glm::vec3 result;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        const float end = std::nextafter(static_cast<float>(grid.dimensions[axis]), 0.0f);
-        result[axis] = std::clamp(cells[axis], 0.0f, end);
-    }
-    return result;
 }
 
 /** The number of texels across the width of a cell, in the direction in which the texture is compressed most; 0 for a
@@ -69,42 +60,82 @@ double textureLevel(const Corners& corners, const SurfaceTexture* texture)
     return texels > 2.0 ? std::min(std::log2(0.5 * texels), PassConstants::MAXIMUM_LEVEL) : 0.0;
 }
 
-Corners toGrid(const BrickGrid& grid, const SceneVertex* vertices, const SurfaceTexture* texture,
-               std::uint32_t triangle)
+/** Converts triangles, appends them to batches, and begins another batch when one is full. */
+class BatchAppender
 {
-    Corners corners;
-    for (std::size_t corner = 0; corner < 3; ++corner)
+public:
+    /** @param count the number of triangles expected. */
+    BatchAppender(const GridFrame& frame, const SceneBatch& source, std::size_t count,
+                  std::vector<GridBatch>& batches) :
+        _frame(frame),
+        _source(source), _expected(count), _batches(batches)
     {
-        corners[corner].position = toCellPosition(grid, vertices[corner].position);
-        corners[corner].coordinate = vertices[corner].coordinate;
-        corners[corner].triangle = triangle;
     }
-    const auto level = static_cast<float>(textureLevel(corners, texture) / PassConstants::MAXIMUM_LEVEL);
-    for (std::size_t corner = 0; corner < 3; ++corner)
+
+    /** @param corners with positions in the frame. */
+    void add(const GridFrame::Corners& corners)
     {
-        const glm::vec3& color = vertices[corner].color;
-        corners[corner].colorAndLevel = {glm::packUnorm2x16({color.r, color.g}), glm::packUnorm2x16({color.b, level})};
+        if (_count++ % GridBatch::MAXIMUM_TRIANGLES == 0) begin();
+        GridBatch& batch = _batches.back();
+        const Corners converted = convert(corners, static_cast<std::uint32_t>(batch.getNumTriangles()));
+        batch.vertices.insert(batch.vertices.end(), converted.begin(), converted.end());
+        for (const float length : edgeLengths(converted.data()))
+            batch.longestEdge = std::max(batch.longestEdge, length);
     }
-    return corners;
+
+private:
+    void begin()
+    {
+        const std::size_t rest = _expected >= _count ? _expected - _count + 1 : 1;
+        _batches.push_back({_source.texture, _source.environment, {}, 0.0f});
+        _batches.back().vertices.reserve(3 * std::min(rest, GridBatch::MAXIMUM_TRIANGLES));
+    }
+
+    Corners convert(const GridFrame::Corners& corners, std::uint32_t triangle) const
+    {
+        Corners result;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            result[corner].position = _frame.round(corners[corner].position);
+            result[corner].coordinate = corners[corner].coordinate;
+            result[corner].triangle = triangle;
+        }
+        const auto level =
+            static_cast<float>(textureLevel(result, _source.texture.get()) / PassConstants::MAXIMUM_LEVEL);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            const glm::vec3& color = corners[corner].color;
+            result[corner].colorAndLevel = {glm::packUnorm2x16({color.r, color.g}),
+                                            glm::packUnorm2x16({color.b, level})};
+        }
+        return result;
+    }
+
+    const GridFrame& _frame;
+    const SceneBatch& _source;
+    std::size_t _expected;
+    std::size_t _count = 0;
+    std::vector<GridBatch>& _batches;
+};
+
+/** The use of a part of a triangle that is too long for single precision. */
+PartUse decide(const GridFrame& frame, const GridFrame::Corners& corners)
+{
+    if (!frame.mayReachGrid(corners)) return PartUse::DROPPED;
+    return frame.mustCut(corners) ? PartUse::CUT : PartUse::KEPT;
 }
 
-void appendBatches(const BrickGrid& grid, const SceneBatch& source, std::vector<GridBatch>& batches)
+void appendBatches(const GridFrame& frame, const SceneBatch& source, double edgeLimit, std::vector<GridBatch>& batches)
 {
-    const std::size_t total = source.vertices.size() / 3;
-    for (std::size_t first = 0; first < total; first += GridBatch::MAXIMUM_TRIANGLES)
+    BatchAppender appender(frame, source, source.vertices.size() / 3, batches);
+    for (std::size_t first = 0; first < source.vertices.size(); first += 3)
     {
-        const std::size_t count = std::min(total - first, GridBatch::MAXIMUM_TRIANGLES);
-        GridBatch batch{source.texture, source.environment, {}, 0.0f};
-        batch.vertices.reserve(3 * count);
-        for (std::size_t triangle = 0; triangle < count; ++triangle)
-        {
-            const Corners corners = toGrid(grid, &source.vertices[3 * (first + triangle)], source.texture.get(),
-                                           static_cast<std::uint32_t>(triangle));
-            batch.vertices.insert(batch.vertices.end(), corners.begin(), corners.end());
-            for (const float length : edgeLengths(corners.data()))
-                batch.longestEdge = std::max(batch.longestEdge, length);
-        }
-        batches.push_back(std::move(batch));
+        GridFrame::Corners corners{source.vertices[first], source.vertices[first + 1], source.vertices[first + 2]};
+        for (SceneVertex& corner : corners)
+            corner.position = frame.toFrame(corner.position);
+        cutToSize(
+            corners, edgeLimit * edgeLimit, [&](const GridFrame::Corners& part) { return decide(frame, part); },
+            [&](const GridFrame::Corners& part) { appender.add(part); });
     }
 }
 
@@ -114,19 +145,39 @@ double halvings(double length, double limit)
     return length > limit ? std::exp2(std::ceil(std::log2(length / limit))) : 1.0;
 }
 
-/** The number of unit cells that a triangle meets, on average over all positions: the volume of its Minkowski sum with
- * a cell. */
-double meanCellsMet(const GridVertex* corners)
+/** The number of cells that a triangle meets, on average over all positions: the volume of its Minkowski sum with a
+ * cell. No direction counts for more than the grid's size in it. */
+double meanCellsMet(const GridVertex* corners, const glm::ivec3& dimensions)
 {
     const glm::dvec3 a(corners[0].position);
     const glm::dvec3 b(corners[1].position);
     const glm::dvec3 c(corners[2].position);
-    const glm::dvec3 projectedAreas = 0.5 * glm::abs(glm::cross(b - a, c - a));
-    const glm::dvec3 extent = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+    const glm::dvec3 size(dimensions);
+    const glm::dvec3 sides(size.y * size.z, size.z * size.x, size.x * size.y);
+    const glm::dvec3 projectedAreas = glm::min(0.5 * glm::abs(glm::cross(b - a, c - a)), sides);
+    const glm::dvec3 extent = glm::min(glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c)), size);
     return projectedAreas.x + projectedAreas.y + projectedAreas.z + extent.x + extent.y + extent.z + 1.0;
 }
 
 } // namespace
+
+GridVertex midpoint(const GridVertex& a, const GridVertex& b)
+{
+    GridVertex result;
+    result.position = 0.5f * (a.position + b.position);
+    result.triangle = a.triangle;
+    result.coordinate = 0.5f * (a.coordinate + b.coordinate);
+    for (std::size_t word = 0; word < result.colorAndLevel.size(); ++word)
+        result.colorAndLevel[word] = glm::packUnorm2x16(
+            0.5f * (glm::unpackUnorm2x16(a.colorAndLevel[word]) + glm::unpackUnorm2x16(b.colorAndLevel[word])));
+    return result;
+}
+
+float squaredLength(const GridVertex& a, const GridVertex& b)
+{
+    const glm::vec3 edge = b.position - a.position;
+    return glm::dot(edge, edge);
+}
 
 std::size_t GridBatch::estimateFineTriangles(double edgeLimit) const
 {
@@ -146,8 +197,10 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
     osg::ref_ptr<GridTriangles> result = new GridTriangles;
     result->_grid = BrickGrid::fit(triangles.getBounds(), settings);
     if (result->_grid.getNumCells() == 0) return result;
+    const GridFrame frame(result->_grid, triangles.getBounds(), !settings.cellPitch);
+    result->_firstCell = frame.getFirstCell();
     for (const SceneBatch& batch : triangles.getBatches())
-        appendBatches(result->_grid, batch, result->_batches);
+        appendBatches(frame, batch, settings.getEdgeLimit(), result->_batches);
     return result;
 }
 
@@ -172,7 +225,7 @@ std::size_t GridTriangles::estimateCoveredCells() const
     double sum = 0.0;
     for (const GridBatch& batch : _batches)
         for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
-            sum += meanCellsMet(&batch.vertices[first]);
+            sum += meanCellsMet(&batch.vertices[first], _grid.dimensions);
     return static_cast<std::size_t>(std::min(sum, static_cast<double>(_grid.getNumCells())));
 }
 

@@ -24,7 +24,7 @@ namespace osgLego
  */
 struct GridVertex
 {
-    glm::vec3 position{0.0f};   //!< in cell units, at least 0 and below the grid's dimensions on every axis
+    glm::vec3 position{0.0f};   //!< in cell units, at least 0; see GridTriangles::getFirstCell()
     std::uint32_t triangle = 0; //!< the index of the source triangle in its batch
     glm::vec2 coordinate{0.0f};
     std::array<std::uint32_t, 2> colorAndLevel{};
@@ -37,6 +37,11 @@ struct GridVertex
     double getLevel() const { return PassConstants::MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
+
+/** The vertex halfway between two corners of a triangle, and the square of their distance in cells, rounded as in
+ * shaders/subdivision/subdivision.geom. */
+GridVertex midpoint(const GridVertex& a, const GridVertex& b);
+float squaredLength(const GridVertex& a, const GridVertex& b);
 
 /** At most MAXIMUM_TRIANGLES triangles in a grid, three vertices each, that share one texture. */
 struct GridBatch
@@ -56,8 +61,8 @@ struct GridBatch
 
 /** A mesh in the grid of its bricks: the input of every voxelization method, on the GPU and on the CPU.
  *
- * Positions are rounded to single precision once, here, so that all methods see exactly the same triangles. A surface
- * on the far side of the grid belongs to the last cell.
+ * Positions are rounded to single precision once, here, so that all methods see exactly the same triangles; GridFrame
+ * describes their coordinates. Triangles that can't reach into the grid are omitted.
  *
  * Uses no GL. Immutable once created; every function may be called from any thread.
  */
@@ -67,6 +72,9 @@ public:
     static osg::ref_ptr<const GridTriangles> create(const SceneTriangles& triangles, const LegoSettings& settings);
 
     const BrickGrid& getGrid() const { return _grid; }
+    /** A position in cell (x, y, z) of the grid is in the unit cube at (x, y, z) plus this: (0, 0, 0) if the grid is
+     * fitted to the mesh. Coordinates may be negative, and positions outside the grid. */
+    const glm::ivec3& getFirstCell() const { return _firstCell; }
     const std::vector<GridBatch>& getBatches() const { return _batches; }
     std::size_t getNumTriangles() const;
     float getLongestEdge() const;
@@ -79,6 +87,7 @@ private:
     ~GridTriangles() override = default;
 
     BrickGrid _grid;
+    glm::ivec3 _firstCell{0};
     std::vector<GridBatch> _batches;
 };
 

@@ -1,6 +1,7 @@
 #include <osgLego/flattening/SceneTriangleCollector.h>
 
 #include <osgLego/flattening/ArrayElements.h>
+#include <osgLego/flattening/ColorFraction.h>
 
 #include <algorithm>
 #include <array>
@@ -78,13 +79,15 @@ public:
     VertexReader(const osg::Geometry& geometry, const osg::Matrixd& toRoot, const SurfaceState& state) :
         _positions(*geometry.getVertexArray()), _colors(state.usesColorArray() ? colorsOf(geometry) : nullptr),
         _coordinates(geometry.getTexCoordArray(state.getTextureUnit())), _toRoot(toRoot), _stateColor(state.getColor()),
-        _textureMatrix(state.getTextureMatrix())
+        _textureMatrix(state.getTextureMatrix()), _isTextured(state.getTexture() != nullptr)
     {
     }
 
     unsigned int getNumVertices() const { return _positions.getNumElements(); }
+    /** The number of vertices read whose colour or texture coordinate had to be replaced. */
+    std::size_t getNumReplaced() const { return _replaced.size(); }
 
-    SceneVertex read(unsigned int vertex, unsigned int primitiveSet) const
+    SceneVertex read(unsigned int vertex, unsigned int primitiveSet)
     {
         SceneVertex result;
         glm::dvec4 element(0.0);
@@ -102,11 +105,17 @@ private:
         return colors && colors->getBinding() != osg::Array::BIND_OFF ? colors : nullptr;
     }
 
-    glm::vec3 readColor(unsigned int vertex, unsigned int primitiveSet) const
+    glm::vec3 readColor(unsigned int vertex, unsigned int primitiveSet)
     {
         glm::dvec4 color(_stateColor.x(), _stateColor.y(), _stateColor.z(), 1.0);
         if (_colors) readElement(*_colors, colorIndex(vertex, primitiveSet), IntegerMeaning::FRACTION, color);
-        return {glm::clamp(glm::dvec3(color), 0.0, 1.0)};
+        glm::vec3 result;
+        for (int channel = 0; channel < 3; ++channel)
+        {
+            if (!std::isfinite(color[channel])) _replaced.insert(vertex);
+            result[channel] = static_cast<float>(toColorFraction(color[channel]));
+        }
+        return result;
     }
 
     unsigned int colorIndex(unsigned int vertex, unsigned int primitiveSet) const
@@ -124,7 +133,7 @@ private:
         }
     }
 
-    glm::vec2 readCoordinate(unsigned int vertex) const
+    glm::vec2 readCoordinate(unsigned int vertex)
     {
         glm::dvec4 coordinate(0.0, 0.0, 0.0, 1.0);
         if (_coordinates) readElement(*_coordinates, vertex, IntegerMeaning::VALUE, coordinate);
@@ -134,8 +143,12 @@ private:
                                      osg::Matrixd(_textureMatrix->getMatrix());
             coordinate = glm::dvec4(moved.x(), moved.y(), moved.z(), moved.w());
         }
-        const glm::vec2 result(glm::dvec2(coordinate) / (coordinate.w == 0.0 ? 1.0 : coordinate.w));
-        return std::isfinite(result.x) && std::isfinite(result.y) ? result : glm::vec2(0.0f);
+        const glm::dvec2 result(glm::dvec2(coordinate) / (coordinate.w == 0.0 ? 1.0 : coordinate.w));
+        // Written so that NaN fails it.
+        if (glm::all(glm::lessThanEqual(glm::abs(result), glm::dvec2(SceneTriangles::MAXIMUM_COORDINATE))))
+            return {result};
+        if (_isTextured) _replaced.insert(vertex);
+        return glm::vec2(0.0f);
     }
 
     const osg::Array& _positions;
@@ -144,6 +157,8 @@ private:
     const osg::Matrixd& _toRoot;
     osg::Vec4d _stateColor;
     const osg::TexMat* _textureMatrix;
+    bool _isTextured;
+    std::set<unsigned int> _replaced;
 };
 
 } // namespace
@@ -173,7 +188,7 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
 {
     if (!geometry.getVertexArray()) return;
     SceneBatch& batch = findOrMakeBatch(state, geometry.getTexCoordArray(state.getTextureUnit()) != nullptr);
-    const VertexReader reader(geometry, toRoot, state);
+    VertexReader reader(geometry, toRoot, state);
     std::set<unsigned int> badVertices;
     for (unsigned int set = 0; set < geometry.getNumPrimitiveSets(); ++set)
     {
@@ -189,6 +204,7 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
         }
     }
     _triangles._numBadVertices += badVertices.size();
+    _triangles._numReplaced += reader.getNumReplaced();
 }
 
 void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include <glm/geometric.hpp>
 #include <osg/Notify>
 
 namespace osgLego
@@ -19,10 +20,22 @@ std::string counted(std::size_t number, const char* one, const char* several)
     return std::to_string(number) + " " + (number == 1 ? one : several);
 }
 
+std::string ownerText(const osg::Node& node)
+{
+    return node.getName().empty() ? std::string() : " of '" + node.getName() + "'";
+}
+
+void warnOfReplacedAttributes(const SceneTriangles& triangles, const osg::Node& node)
+{
+    OSG_WARN << "osgLego: " << counted(triangles.getNumReplaced(), "vertex", "vertices") << ownerText(node)
+             << (triangles.getNumReplaced() == 1 ? " has" : " have")
+             << " a colour or texture coordinates that are not finite, or texture coordinates beyond "
+             << SceneTriangles::MAXIMUM_COORDINATE << "; these are replaced by values in range" << std::endl;
+}
+
 void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
 {
-    const std::string owner = node.getName().empty() ? std::string() : " of '" + node.getName() + "'";
-    OSG_WARN << "osgLego: " << counted(triangles.getNumBadVertices(), "vertex", "vertices") << owner
+    OSG_WARN << "osgLego: " << counted(triangles.getNumBadVertices(), "vertex", "vertices") << ownerText(node)
              << (triangles.getNumBadVertices() == 1 ? " has" : " have") << " coordinates that are not finite or beyond "
              << SceneTriangles::MAXIMUM_COORDINATE << "; "
              << counted(triangles.getNumOutOfRange(), "triangle", "triangles") << " with such vertices "
@@ -30,6 +43,17 @@ void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
 }
 
 } // namespace
+
+SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b)
+{
+    return {0.5 * (a.position + b.position), 0.5f * (a.coordinate + b.coordinate), 0.5f * (a.color + b.color)};
+}
+
+double squaredLength(const SceneVertex& a, const SceneVertex& b)
+{
+    const glm::dvec3 edge = b.position - a.position;
+    return glm::dot(edge, edge);
+}
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 {
@@ -45,6 +69,7 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
     const_cast<osg::Node&>(node).accept(collector);
     textures.dropUnused();
     if (triangles->getNumOutOfRange() > 0) warnOfBadVertices(*triangles, node);
+    if (triangles->getNumReplaced() > 0) warnOfReplacedAttributes(*triangles, node);
     const osg::Vec3d size = triangles->_bounds._max - triangles->_bounds._min;
     if (triangles->_numTriangles > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
     {

@@ -25,6 +25,10 @@ struct SceneVertex
     glm::vec3 color{1.0f};      //!< before texturing, 0 to 1 per channel
 };
 
+/** The vertex halfway between two others, and the square of their distance. */
+SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b);
+double squaredLength(const SceneVertex& a, const SceneVertex& b);
+
 /** Triangles that share one texture, three vertices each. */
 struct SceneBatch
 {
@@ -42,7 +46,10 @@ struct SceneBatch
  * or vertex colour.
  *
  * Lines, points and triangles without area are ignored. So are, with a warning that gives their number, triangles with
- * a vertex that is not finite or beyond MAXIMUM_COORDINATE, and, with a warning, sources smaller than MINIMUM_SIZE.
+ * a vertex that is not finite or beyond MAXIMUM_COORDINATE, be it by its array or by a transform, and, with a warning,
+ * sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are NaN become 0. Texture coordinates
+ * that are not finite or beyond MAXIMUM_COORDINATE, with their matrix applied, become (0, 0). A warning counts the
+ * vertices with such texture coordinates, or with colours in an array that are not finite.
  *
  * Usage:
  *
@@ -57,7 +64,7 @@ class SceneTriangles : public osg::Referenced
 public:
     // OpenSceneGraph keeps bounding spheres in single precision and squares their radii, which must neither overflow
     // nor underflow.
-    static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, of either sign
+    static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, or image sizes, of either sign
     static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
 
     /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
@@ -74,6 +81,9 @@ public:
     std::size_t getNumBadVertices() const { return _numBadVertices; }
     /** The number of triangles ignored because of such vertices. */
     std::size_t getNumOutOfRange() const { return _numOutOfRange; }
+    /** The number of triangle vertices whose colour or texture coordinate was replaced because it was not finite or too
+     * large. */
+    std::size_t getNumReplaced() const { return _numReplaced; }
 
 private:
     friend class SceneTriangleCollector;
@@ -86,6 +96,7 @@ private:
     std::size_t _numTriangles = 0;
     std::size_t _numBadVertices = 0;
     std::size_t _numOutOfRange = 0;
+    std::size_t _numReplaced = 0;
 };
 
 } // namespace osgLego

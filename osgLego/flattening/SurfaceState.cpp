@@ -1,5 +1,7 @@
 #include <osgLego/flattening/SurfaceState.h>
 
+#include <osgLego/flattening/ColorFraction.h>
+
 #include <algorithm>
 
 #include <osg/TexEnv>
@@ -161,7 +163,7 @@ osg::Vec4d SurfaceState::getColor() const
     // Emission is visible even where no light source reaches.
     if (_lit) color += _material->getEmission(osg::Material::FRONT);
     for (unsigned int channel = 0; channel < 4; ++channel)
-        color[channel] = std::clamp(color[channel], 0.0, 1.0);
+        color[channel] = toColorFraction(color[channel]);
     return color;
 }
 

@@ -34,7 +34,7 @@ public:
 
     /** Whether the drawable's colour array, if it has one, determines its colour, rather than getColor(). */
     bool usesColorArray() const;
-    /** The colour of a drawable that has no colour array or does not use it; 0 to 1 per channel. */
+    /** The colour of a drawable that has no colour array or does not use it; 0 to 1 per channel, 0 instead of NaN. */
     osg::Vec4d getColor() const;
 
 private:

@@ -1,5 +1,7 @@
 #include <osgLego/flattening/SurfaceTexture.h>
 
+#include <osgLego/flattening/ColorFraction.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,9 +41,8 @@ FloatImage readImage(const osg::Image& image)
         {
             const osg::Vec4 color = image.getColor(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
             const glm::vec4 texel(color.r(), color.g(), color.b(), color.a());
-            // Comparisons with NaN are false, so NaN becomes 0.
             for (int channel = 0; channel < 4; ++channel)
-                result.at(column, row)[channel] = texel[channel] > 0.0f ? std::min(texel[channel], 1.0f) : 0.0f;
+                result.at(column, row)[channel] = toColorFraction(texel[channel]);
         }
     }
     return result;
@@ -171,7 +172,8 @@ osg::ref_ptr<SurfaceTexture> SurfaceTexture::create(const osg::Texture2D& textur
     osg::ref_ptr<SurfaceTexture> result = new SurfaceTexture;
     result->_wrapS = simplified(texture.getWrap(osg::Texture::WRAP_S));
     result->_wrapT = simplified(texture.getWrap(osg::Texture::WRAP_T));
-    result->_borderColor = texture.getBorderColor();
+    for (unsigned int channel = 0; channel < 4; ++channel)
+        result->_borderColor[channel] = toColorFraction(texture.getBorderColor()[channel]);
     auto* data = new unsigned char[bytes.size()]; // osg::Image frees it with delete[]
     std::copy(bytes.begin(), bytes.end(), data);
     result->_image = new osg::Image;

@@ -26,7 +26,8 @@ enum class TextureEnvironment
  *
  * Holds the image of an osg::Texture2D as 8-bit RGBA together with its mipmaps (box filter), its wrap modes and its
  * border colour, and samples it at a given level like GL_LINEAR_MIPMAP_LINEAR. Since it is a copy, the osg::Texture2D
- * may release its image, or change, afterwards.
+ * may release its image, or change, afterwards. Texels and border colours are limited to 0 to 1; channels that are NaN
+ * become 0. Texture coordinates that are not finite count as 0.
  *
  * Preconditions:
  * 1. The image is uncompressed. A compressed image can't be read without GL; create() returns null for it.

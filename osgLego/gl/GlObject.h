@@ -54,6 +54,12 @@ public:
         if (_name != 0 && _manager.lock(manager)) manager->scheduleGLObjectForDeletion(_name);
     }
 
+    /** Delete the GL object at once rather than after the frame. Needs a context that shares it current. */
+    void deleteNow(const osg::State& state)
+    {
+        if (_name != 0) DELETE(*state.get<osg::GLExtensions>(), std::exchange(_name, 0));
+    }
+
     /** The name to pass to GL; 0 if there is none. */
     GLuint get() const { return _name; }
 

@@ -48,17 +48,24 @@ void PassCamera::setUp(const glm::ivec2& size)
     setAllowEventFocus(false);
 }
 
+void PassCamera::addDepthBuffer()
+{
+    attach(DEPTH_BUFFER, GL_DEPTH_COMPONENT24);
+    setClearDepth(1.0);
+    setClearMask(getClearMask() | GL_DEPTH_BUFFER_BIT);
+}
+
 void PassCamera::traverse(osg::NodeVisitor& visitor)
 {
     if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR)
         const_cast<osg::Drawable&>(_drawable).accept(visitor);
 }
 
-osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size)
+osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size, GLint internalFormat)
 {
     osg::ref_ptr<osg::Texture2D> target = new osg::Texture2D;
     target->setTextureSize(size.x, size.y);
-    target->setInternalFormat(GL_RGBA32F_ARB);
+    target->setInternalFormat(internalFormat);
     target->setSourceFormat(GL_RGBA);
     target->setSourceType(GL_FLOAT);
     target->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);

@@ -29,10 +29,13 @@ public:
     /** Draw into no texture: for transform feedback, which still needs a complete frame buffer. */
     explicit PassCamera(const osg::Drawable& drawable);
 
+    /** Add a depth buffer of 24 bits, cleared to the far plane. The pass itself enables the depth test. */
+    void addDepthBuffer();
+
     void traverse(osg::NodeVisitor& visitor) override;
 
-    /** A texture for a pass to draw into: RGBA, 32-bit floats, unfiltered. */
-    static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size);
+    /** A texture for a pass to draw into: RGBA, unfiltered, stored as `internalFormat`. */
+    static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size, GLint internalFormat);
 
 private:
     ~PassCamera() override = default;

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include <osg/Notify>
+
 namespace osgLego
 {
 
@@ -97,7 +99,11 @@ bool LegoPipeline::update(unsigned int frame)
 bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (!source) return false;
+    if (!source)
+    {
+        warnOfObstacle();
+        return false;
+    }
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     if (mustDrawSource(state, *bricks, *source)) return false;
@@ -150,6 +156,21 @@ osg::ref_ptr<const LegoSource> LegoPipeline::getSource() const
 {
     const std::lock_guard lock(_mutex);
     return _watch.getSource();
+}
+
+std::string LegoPipeline::getObstacle() const
+{
+    const std::lock_guard lock(_mutex);
+    return _watch.getObstacle();
+}
+
+/** Print the obstacle, once for each. */
+void LegoPipeline::warnOfObstacle()
+{
+    const std::lock_guard lock(_mutex);
+    const std::string& obstacle = _watch.getObstacle();
+    if (std::exchange(_printedObstacle, obstacle) != obstacle && !obstacle.empty())
+        OSG_WARN << "osgLego: " << obstacle << "; the source is drawn instead of bricks" << std::endl;
 }
 
 osg::ref_ptr<const BrickModel> LegoPipeline::getModel()

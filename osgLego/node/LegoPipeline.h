@@ -70,8 +70,10 @@ public:
     /** Whether a context, which must be current, meets the requirements of bricks. */
     bool isFit(const osg::State& state) const;
 
-    /** The source of the last check; null if it has no visible triangles. */
+    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle. */
     osg::ref_ptr<const LegoSource> getSource() const;
+    /** The reason why a source with triangles can't be legolized; empty if there is none. */
+    std::string getObstacle() const;
     /** The model of that source, made now if necessary; null without a source. */
     osg::ref_ptr<const BrickModel> getModel();
     /** The bounds of the bricks, including those still being made. */
@@ -91,10 +93,12 @@ private:
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
     bool mustWait(const ContextBricks& bricks) const;
+    void warnOfObstacle();
 
-    mutable std::mutex _mutex; // guards the request, the watch, the last bounds and the geometry
+    mutable std::mutex _mutex; // guards the request, the watch and its obstacle, the last bounds and the geometry
     SourceWatch::Request _request;
     SourceWatch _watch;
+    std::string _printedObstacle;
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _waiting{false};
 

@@ -27,7 +27,8 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
     _revision = makeRevision();
     osg::ref_ptr<LegoSource> source;
-    if (scene->getNumTriangles() > 0)
+    _obstacle = BrickGrid::findObstacle(scene->getBounds(), request.settings);
+    if (scene->getNumTriangles() > 0 && _obstacle.empty())
     {
         source = new LegoSource;
         source->revision = _revision;

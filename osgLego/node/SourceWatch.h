@@ -6,6 +6,7 @@
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
 #include <cstdint>
+#include <string>
 
 #include <osg/Node>
 #include <osg/ref_ptr>
@@ -36,8 +37,11 @@ public:
     /** The number of the last source, or of its absence; higher after every change. */
     std::uint64_t getRevision() const { return _revision; }
 
-    /** The source of the last check; null if it has no visible triangles. */
+    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle. */
     osg::ref_ptr<const LegoSource> getSource() const { return _source; }
+
+    /** The reason why a source with triangles can't be legolized; empty if there is none. */
+    const std::string& getObstacle() const { return _obstacle; }
 
 private:
     SourceSignature _signature;
@@ -45,6 +49,7 @@ private:
     SurfaceTextureCache _textures;
     std::uint64_t _revision = 0;
     osg::ref_ptr<const LegoSource> _source;
+    std::string _obstacle;
 };
 
 } // namespace osgLego

@@ -48,6 +48,9 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     ++work.nextStep;
     if (!work.isComplete) return;
     deliver(state, work);
+    // The buffers would otherwise take memory beside that of the frame that follows.
+    for (WorkingBatch& batch : work.batches)
+        batch.deleteNow(state);
     context->work.reset();
 }
 

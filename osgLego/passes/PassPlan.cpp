@@ -16,17 +16,33 @@ int cellsMetAtMost(double edgeLimit)
     return along * along * along;
 }
 
+/** Rounding of half floats adds up where a cell meets many fine triangles: of dense sources, beside which sums in
+ * single precision take little memory, and with a low edge limit. These sums are chosen then, if they fit into one
+ * slab. */
+VoxelFormat chooseFormat(const LegoSource& source)
+{
+    constexpr std::size_t CELLS_PER_TRIANGLE = 16;
+    constexpr double LOWEST_EDGE_LIMIT = 2.0; // the default of exact voxelization
+    if (source.settings.method == VoxelizationMethod::POINTS) return VoxelFormat::COLOR;
+    const std::size_t numCells = source.triangles->getGrid().getNumCells();
+    const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles() ||
+                         source.settings.getEdgeLimit() < LOWEST_EDGE_LIMIT;
+    const bool isOneSlab = numCells <= SlabPlan::MAXIMUM_BYTES / bytesOf(VoxelFormat::FLOAT_SUMS);
+    return isDense && isOneSlab ? VoxelFormat::FLOAT_SUMS : VoxelFormat::HALF_SUMS;
+}
+
 } // namespace
 
 PassPlan PassPlan::create(const LegoSource& source)
 {
     PassPlan plan;
     const LegoSettings& settings = source.settings;
-    const SlabPlan slabs = SlabPlan::create(source.triangles->getGrid());
     plan.method = settings.method;
     plan.target = settings.getTarget();
     if (plan.target == VoxelizationTarget::PROJECTED) plan.pictureSize = static_cast<int>(settings.fboSize);
     if (plan.method == VoxelizationMethod::EXACT) plan.cellsPerTriangle = cellsMetAtMost(settings.getEdgeLimit());
+    plan.format = chooseFormat(source);
+    const SlabPlan slabs = plan.createSlabs(source.triangles->getGrid());
     plan.imageSize = slabs.imageSize;
     plan.numSlabs = slabs.slabs.size();
     return plan;

@@ -2,6 +2,7 @@
 
 #include <osgLego/flattening/LegoSource.h>
 #include <osgLego/passes/SlabPlan.h>
+#include <osgLego/passes/VoxelFormat.h>
 
 #include <cstddef>
 #include <string>
@@ -20,10 +21,14 @@ struct PassPlan
     VoxelizationTarget target = VoxelizationTarget::ADDRESSED;
     int pictureSize = 0;      //!< the side of a projected target, in pixels; 0 for other targets
     int cellsPerTriangle = 0; //!< the largest number of cells that a fine triangle meets; 0 unless the method is exact
-    glm::ivec2 imageSize{0};  //!< of the voxel image
+    VoxelFormat format = VoxelFormat::COLOR;
+    glm::ivec2 imageSize{0}; //!< of the voxel image
     std::size_t numSlabs = 0;
 
     static PassPlan create(const LegoSource& source);
+
+    /** The slabs of a grid in this plan. */
+    SlabPlan createSlabs(const BrickGrid& grid) const { return SlabPlan::create(grid, bytesOf(format)); }
 
     /** Whether the passes of this plan can legolize a source. */
     bool fits(const LegoSource& source) const { return create(source) == *this; }

@@ -4,6 +4,7 @@
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/flattening/LegoSource.h>
 #include <osgLego/gl/GlObject.h>
+#include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/passes/Occupancy.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -27,10 +28,28 @@ struct WorkingBatch
     const GridBatch* batch = nullptr;
     GlBuffer source;
     GlTexture lookup; //!< the source as a buffer texture
-    GlBuffer fine;    //!< the subdivided triangles; empty if no edge of the source was too long
+    GlBuffer parts;   //!< the source, cut down to the grid; empty if it does not reach beyond
+    GlBuffer fine;    //!< the subdivided triangles; empty if no edge was too long
+    GLsizei fineVertexBytes = sizeof(GridVertex); //!< the size of a vertex in `fine`
     GLsizei numFineTriangles = 0;
 
-    GLuint getFineBuffer() const { return fine.get() != 0 ? fine.get() : source.get(); }
+    GLuint getCoarseBuffer() const { return parts.get() != 0 ? parts.get() : source.get(); }
+    /** Read the vertices of the fine triangles in the following draw calls. */
+    void bindFine(const GridVertexArrays& arrays) const
+    {
+        if (fine.get() != 0)
+            arrays.bind(fine.get(), fineVertexBytes);
+        else
+            arrays.bind(getCoarseBuffer());
+    }
+    /** Delete the buffers and the texture at once. Needs their context current. */
+    void deleteNow(const osg::State& state)
+    {
+        fine.deleteNow(state);
+        parts.deleteNow(state);
+        lookup.deleteNow(state);
+        source.deleteNow(state);
+    }
 };
 
 /** A legolization in progress in one context, which each pass hands on to the next. */

@@ -10,15 +10,15 @@ namespace osgLego
 
 static_assert(SlabPlan::MAXIMUM_WIDTH <= GlRequirements::TEXTURE_SIZE);
 
-SlabPlan SlabPlan::create(const BrickGrid& grid)
+SlabPlan SlabPlan::create(const BrickGrid& grid, int texelBytes)
 {
     SlabPlan plan;
     const int layerTexels = grid.dimensions.x * grid.dimensions.y;
     const int numLayers = grid.dimensions.z;
     if (layerTexels == 0 || numLayers == 0) return plan;
 
-    // With 1024 cells along the longest side, a layer has at most 1024 x 2560 cells, so at least six layers fit.
-    const int layersInImage = std::min(numLayers, MAXIMUM_TEXELS / layerTexels);
+    // With 1024 cells along the longest side, a layer has at most 1024 x 2560 cells, so at least three layers fit.
+    const int layersInImage = std::min(numLayers, std::min(MAXIMUM_TEXELS, MAXIMUM_BYTES / texelBytes) / layerTexels);
     const int step = layersInImage == numLayers ? numLayers : layersInImage - 2;
     for (int begin = 0; begin < numLayers; begin += step)
     {

@@ -19,17 +19,20 @@ struct Slab
 
 /** The division of a grid into slabs, so that the voxel image of each fits into a texture of limited size.
  *
- * A grid of up to MAXIMUM_TEXELS cells is one slab; for larger grids, the size of the image stops growing.
+ * A grid whose image has at most MAXIMUM_TEXELS texels and MAXIMUM_BYTES bytes is one slab; for larger grids, the size
+ * of the image stops growing.
  */
 struct SlabPlan
 {
     static constexpr int MAXIMUM_TEXELS = 1 << 24;
+    static constexpr int MAXIMUM_BYTES = 1 << 27;
     static constexpr int MAXIMUM_WIDTH = 4096;
 
     std::vector<Slab> slabs;
     glm::ivec2 imageSize{0}; //!< of the voxel image, in texels; the width is a power of two
 
-    static SlabPlan create(const BrickGrid& grid);
+    /** @param texelBytes the size of a texel of the voxel image, 1 to 16. */
+    static SlabPlan create(const BrickGrid& grid, int texelBytes);
 };
 
 } // namespace osgLego

@@ -15,11 +15,12 @@ LegolizationPasses::LegolizationPasses(PassWorkspace& workspace, const PassPlan&
     osg::ref_ptr<osg::Texture2D> picture;
     if (plan.pictureSize > 0)
     {
-        picture = PassCamera::createTarget(glm::ivec2(plan.pictureSize));
+        picture = PassCamera::createTarget(glm::ivec2(plan.pictureSize), GL_RGBA32F_ARB);
         _passes.emplace_back(new ProjectionPass(workspace, ++step, *picture));
     }
-    const osg::ref_ptr<osg::Texture2D> voxelImage = PassCamera::createTarget(plan.imageSize);
-    const osg::ref_ptr<const ExtractionStates> extraction = new ExtractionStates(*voxelImage);
+    const osg::ref_ptr<osg::Texture2D> voxelImage =
+        PassCamera::createTarget(plan.imageSize, internalFormatOf(plan.format));
+    const osg::ref_ptr<const ExtractionStates> extraction = new ExtractionStates(*voxelImage, plan.format);
     for (std::size_t slab = 0; slab < plan.numSlabs; ++slab)
     {
         _passes.emplace_back(new VoxelizationPass(workspace, ++step, plan, slab, *voxelImage, picture.get()));

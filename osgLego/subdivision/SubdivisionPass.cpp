@@ -7,10 +7,12 @@
 #include <osgLego/gl/ShaderLibrary.h>
 #include <osgLego/gl/TransformFeedback.h>
 #include <osgLego/passes/GridVertexArrays.h>
+#include <osgLego/subdivision/GridCut.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace osgLego
@@ -23,7 +25,6 @@ static_assert(6 * GridBatch::MAXIMUM_TRIANGLES <= GlRequirements::BUFFER_TEXELS)
 
 // The size limit of a buffer of fine triangles; with larger buffers, drivers fail in different ways.
 constexpr double MAXIMUM_BYTES = 3.0 * (1u << 30);
-constexpr std::size_t TRIANGLE_BYTES = 3 * sizeof(GridVertex);
 // Every pass halves edges that are too long; if one is still too long after this many passes, single precision can't
 // halve its coordinates.
 constexpr std::size_t MAXIMUM_PASSES = 64;
@@ -40,24 +41,30 @@ std::string outOfMemory(double bytes)
 class BatchSubdivision
 {
 public:
-    BatchSubdivision(const osg::State& state, WorkingBatch& batch, double edgeLimit) :
-        _state(state), _extensions(*state.get<osg::GLExtensions>()), _batch(batch), _edgeLimit(edgeLimit)
+    /** @param coarse the triangles in the batch's coarse buffer. */
+    BatchSubdivision(const osg::State& state, const GridBatch& coarse, WorkingBatch& batch, double edgeLimit,
+                     bool hasColors) :
+        _state(state),
+        _extensions(*state.get<osg::GLExtensions>()), _coarse(coarse), _batch(batch), _edgeLimit(edgeLimit),
+        _hasColors(hasColors)
     {
+        if (!hasColors) _batch.fineVertexBytes = GridVertexArrays::BYTES_WITHOUT_COLORS;
     }
 
     /** @return the reason for a failure; empty on success. */
     std::string run()
     {
-        const std::size_t estimate = _batch.batch->estimateFineTriangles(_edgeLimit);
+        const std::size_t estimate = _coarse.estimateFineTriangles(_edgeLimit);
         std::size_t capacity = estimate + estimate / 4 + 1024;
         while (true)
         {
-            const double bytes = static_cast<double>(capacity) * TRIANGLE_BYTES;
-            if (bytes > MAXIMUM_BYTES || !allocate(capacity)) return outOfMemory(bytes);
+            const double bytes = 3.0 * static_cast<double>(capacity) * _batch.fineVertexBytes;
+            if (bytes > MAXIMUM_BYTES || !allocate(static_cast<GLsizeiptr>(bytes))) return outOfMemory(bytes);
             switch (subdivide())
             {
             case Outcome::FINE:
                 _batch.fine = std::move(_buffers[_last]);
+                _buffers[1 - _last].deleteNow(_state); // memory that voxelization needs in the same frame
                 _batch.numFineTriangles = static_cast<GLsizei>(_count);
                 return {};
             case Outcome::ENDLESS:
@@ -79,9 +86,11 @@ private:
         ENDLESS
     };
 
-    bool allocate(std::size_t capacity)
+    bool allocate(GLsizeiptr bytes)
     {
-        _bytes = static_cast<GLsizeiptr>(capacity * TRIANGLE_BYTES);
+        _bytes = bytes;
+        for (GlBuffer& buffer : _buffers)
+            buffer.deleteNow(_state);
         for (GlBuffer& buffer : _buffers)
         {
             buffer = GlBuffer(_state);
@@ -95,9 +104,9 @@ private:
     /** Algorithm 1: run passes as long as they change the number of triangles. */
     Outcome subdivide()
     {
-        const double halvings = std::log2(static_cast<double>(_batch.batch->longestEdge) / _edgeLimit);
+        const double halvings = std::log2(static_cast<double>(_coarse.longestEdge) / _edgeLimit);
         std::size_t target = static_cast<std::size_t>(std::max(1.0, std::ceil(halvings))) + 1;
-        _count = static_cast<GLuint>(_batch.batch->getNumTriangles());
+        _count = static_cast<GLuint>(_coarse.getNumTriangles());
         _numPasses = 0;
         std::vector<std::unique_ptr<TransformFeedback>> passes;
         while (target <= MAXIMUM_PASSES)
@@ -123,13 +132,16 @@ private:
     /** Capture the last pass from the output of the one before it, or from the source. */
     void draw(const std::vector<std::unique_ptr<TransformFeedback>>& passes)
     {
-        const GridVertexArrays arrays(_extensions);
+        const GridVertexArrays arrays(_extensions, _hasColors);
         const bool isFirst = passes.size() == 1;
-        arrays.bind(isFirst ? _batch.source.get() : _buffers[_last].get());
+        if (isFirst)
+            arrays.bind(_batch.getCoarseBuffer());
+        else
+            arrays.bind(_buffers[_last].get(), _batch.fineVertexBytes);
         _last = isFirst ? 0 : 1 - _last;
         passes.back()->begin(GL_TRIANGLES, _buffers[_last].get(), 0, _bytes);
         if (isFirst)
-            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_batch.batch->vertices.size()));
+            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(_coarse.vertices.size()));
         else
             passes[passes.size() - 2]->draw(GL_TRIANGLES);
         passes.back()->end();
@@ -137,8 +149,10 @@ private:
 
     const osg::State& _state;
     const osg::GLExtensions& _extensions;
+    const GridBatch& _coarse;
     WorkingBatch& _batch;
     double _edgeLimit;
+    bool _hasColors;
     std::array<GlBuffer, 2> _buffers;
     GLsizeiptr _bytes = 0;
     std::size_t _last = 0; // the index of the last buffer captured into
@@ -146,18 +160,24 @@ private:
     std::size_t _numPasses = 0;
 };
 
+GlBuffer createBuffer(const osg::State& state, const GridBatch& batch)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    GlBuffer buffer(state);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size() * sizeof(GridVertex)),
+                            batch.vertices.data(), GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    return buffer;
+}
+
 /** Upload the source's vertices into a buffer, and create a buffer texture from which shaders read its triangles. */
 WorkingBatch upload(osg::State& state, const GridBatch& batch)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     WorkingBatch working;
     working.batch = &batch;
-    working.numFineTriangles = static_cast<GLsizei>(batch.getNumTriangles());
-    working.source = GlBuffer(state);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, working.source.get());
-    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size() * sizeof(GridVertex)),
-                            batch.vertices.data(), GL_STATIC_DRAW);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    working.source = createBuffer(state, batch);
 
     working.lookup = GlTexture(state);
     glBindTexture(GL_TEXTURE_BUFFER, working.lookup.get());
@@ -166,12 +186,22 @@ WorkingBatch upload(osg::State& state, const GridBatch& batch)
     return working;
 }
 
-osg::ref_ptr<osg::Program> createProgram()
+/** Whether the plan reads colours from the fine triangles; exact voxelization takes them from the source. */
+bool needsColors(const PassPlan& plan)
+{
+    return plan.method == VoxelizationMethod::POINTS;
+}
+
+osg::ref_ptr<osg::Program> createProgram(bool hasColors)
 {
     osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"});
-    for (const char* varying : {"finePosition", "fineTriangle", "fineCoordinate", "fineColorAndLevel"})
+        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"},
+                                     hasColors ? "#define HAS_COLORS\n" : "");
+    for (const char* varying : {"finePosition", "fineTriangle"})
         program->addTransformFeedBackVarying(varying);
+    if (hasColors)
+        for (const char* varying : {"fineCoordinate", "fineColorAndLevel"})
+            program->addTransformFeedBackVarying(varying);
     program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
     return program;
 }
@@ -181,7 +211,7 @@ osg::ref_ptr<osg::Program> createProgram()
 SubdivisionPass::SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan) :
     LegolizationPass(workspace, 0), _plan(plan)
 {
-    setStateSet(createPassState(*createProgram()));
+    setStateSet(createPassState(*createProgram(needsColors(plan))));
     setCamera(new PassCamera(*this));
 }
 
@@ -200,9 +230,13 @@ std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
     {
         work.batches.push_back(upload(state, batch));
         WorkingBatch& working = work.batches.back();
-        if (static_cast<double>(batch.longestEdge) > edgeLimit)
+        const std::optional<GridBatch> parts = cutToGrid(batch, *work.source->triangles, edgeLimit);
+        if (parts) working.parts = createBuffer(state, *parts);
+        const GridBatch& coarse = parts ? *parts : batch;
+        working.numFineTriangles = static_cast<GLsizei>(coarse.getNumTriangles());
+        if (static_cast<double>(coarse.longestEdge) > edgeLimit)
         {
-            BatchSubdivision subdivision(state, working, edgeLimit);
+            BatchSubdivision subdivision(state, coarse, working, edgeLimit, needsColors(_plan));
             if (std::string failure = subdivision.run(); !failure.empty()) return failure;
             work.statistics.numSubdivisionPasses =
                 std::max(work.statistics.numSubdivisionPasses, subdivision.getNumPasses());

@@ -3,12 +3,15 @@
 #include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/StateOverride.h>
 #include <osgLego/passes/GridVertexArrays.h>
 
 #include <bit>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <osg/Depth>
 
 namespace osgLego
 {
@@ -16,26 +19,41 @@ namespace osgLego
 namespace
 {
 
-// Parallel neither to an axis nor to a diagonal of the axes.
-const glm::vec3 DIRECTION(0.48f, 0.62f, 0.37f);
 const glm::vec3 UPWARD(0.0f, 0.0f, 1.0f);
 
-/** The projection from cell units to a picture that contains the whole grid. */
-glm::mat4 projectionOf(const BrickGrid& grid)
+/** Bounds in the directions of the picture. */
+struct SeenBounds
 {
-    const glm::vec3 size(grid.dimensions);
-    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -DIRECTION, UPWARD);
-    glm::vec3 minimum(std::numeric_limits<float>::max());
-    glm::vec3 maximum(std::numeric_limits<float>::lowest());
-    for (int corner = 0; corner < 8; ++corner)
+    glm::vec3 minimum{std::numeric_limits<float>::max()};
+    glm::vec3 maximum{std::numeric_limits<float>::lowest()};
+
+    void add(const glm::vec3& seen)
     {
-        const glm::vec3 place = size * glm::vec3(corner & 1, corner >> 1 & 1, corner >> 2);
-        const glm::vec3 seen(view * glm::vec4(place, 1.0f));
         minimum = glm::min(minimum, seen);
         maximum = glm::max(maximum, seen);
     }
-    constexpr float MARGIN = 0.5f;
-    return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z - MARGIN, -minimum.z + MARGIN) * view;
+};
+
+/** The projection from positions to a picture that the triangles in the grid fill, since every pixel beside them would
+ * be lost. */
+glm::mat4 projectionOf(const GridTriangles& triangles)
+{
+    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -ProjectionPass::getDirection(), UPWARD);
+    const glm::mat3 turn(view);
+    SeenBounds ofTriangles;
+    for (const GridBatch& batch : triangles.getBatches())
+        for (const GridVertex& vertex : batch.vertices)
+            ofTriangles.add(turn * vertex.position);
+    SeenBounds ofGrid;
+    const glm::vec3 size(triangles.getGrid().dimensions);
+    for (int corner = 0; corner < 8; ++corner)
+        ofGrid.add(turn *
+                   (glm::vec3(triangles.getFirstCell()) + size * glm::vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+    // Keeps rounding from moving points out of the picture.
+    constexpr float MARGIN = 0.01f;
+    const glm::vec3 minimum = glm::max(ofTriangles.minimum, ofGrid.minimum) - MARGIN;
+    const glm::vec3 maximum = glm::min(ofTriangles.maximum, ofGrid.maximum) + MARGIN;
+    return glm::ortho(minimum.x, maximum.x, minimum.y, maximum.y, -maximum.z, -minimum.z) * view;
 }
 
 } // namespace
@@ -43,10 +61,20 @@ glm::mat4 projectionOf(const BrickGrid& grid)
 ProjectionPass::ProjectionPass(PassWorkspace& workspace, unsigned int step, osg::Texture2D& picture) :
     LegolizationPass(workspace, step)
 {
-    setStateSet(createPassState(
-        *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"})));
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(
+        *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"}));
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    setStateSet(stateSet);
     // Alpha below 0 marks empty pixels, because 0 is the number of a cell.
-    setCamera(new PassCamera(*this, picture, osg::Vec4(0.0f, 0.0f, 0.0f, -1.0f)));
+    const osg::ref_ptr<PassCamera> camera = new PassCamera(*this, picture, osg::Vec4(0.0f, 0.0f, 0.0f, -1.0f));
+    camera->addDepthBuffer();
+    setCamera(camera);
+}
+
+glm::vec3 ProjectionPass::getDirection()
+{
+    // Parallel neither to an axis nor to a diagonal of the axes.
+    return {0.48f, 0.62f, 0.37f};
 }
 
 float ProjectionPass::getNumberScale(const BrickGrid& grid)
@@ -60,14 +88,15 @@ std::string ProjectionPass::run(osg::State& state, Legolization& work) const
         return "there is not enough memory on the GPU for the picture of the projected target; expected a smaller fbo";
     const BrickGrid& grid = work.source->triangles->getGrid();
     const ProgramUniforms uniforms(state);
-    uniforms.set("projection", projectionOf(grid));
+    uniforms.set("projection", projectionOf(*work.source->triangles));
     uniforms.set("gridSize", grid.dimensions);
+    uniforms.set("firstCell", work.source->triangles->getFirstCell());
     uniforms.set("numberScale", getNumberScale(grid));
     const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
     for (const WorkingBatch& batch : work.batches)
     {
         bindSurfaceOf(state, *batch.batch);
-        arrays.bind(batch.getFineBuffer());
+        batch.bindFine(arrays);
         glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
     }
     return {};

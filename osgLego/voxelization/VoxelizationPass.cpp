@@ -1,5 +1,6 @@
 #include <osgLego/voxelization/VoxelizationPass.h>
 
+#include <osgLego/data/PassConstants.h>
 #include <osgLego/data/WeightedColor.h>
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/PassState.h>
@@ -9,6 +10,8 @@
 #include <osgLego/passes/Addressing.h>
 #include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/voxelization/ProjectionPass.h>
+
+#include <cmath>
 
 #include <osg/BlendFunc>
 
@@ -35,6 +38,14 @@ osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
         "voxelization points", {"voxelization/voxelization_points.vert", "voxelization/voxelization_points.frag"});
 }
 
+/** The sum of weighted colours, and the sum of weights, that a texel of the exact method stands for, as in
+ * shaders/passes/voxel_color.glsl. */
+glm::vec4 sumOf(const glm::vec4& voxel)
+{
+    const float weights = std::isinf(voxel.a) ? static_cast<float>(PassConstants::LARGEST_SUM) : voxel.a;
+    return {static_cast<float>(PassConstants::COLOR_CENTER) * weights + glm::vec3(voxel), weights};
+}
+
 } // namespace
 
 VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, const PassPlan& plan, std::size_t slab,
@@ -43,8 +54,9 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
     _plan(plan), _slab(slab)
 {
     osg::ref_ptr<osg::StateSet> stateSet = createPassState(*createProgram(plan));
-    stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
-                                   osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    if (plan.format != VoxelFormat::COLOR)
+        stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
+                                       osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     if (picture) stateSet->setTextureAttribute(0, picture, OVERRIDE_PROTECTED);
     setStateSet(stateSet);
     setCamera(new PassCamera(*this, voxelImage, osg::Vec4()));
@@ -57,9 +69,10 @@ std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
                " x " + std::to_string(_plan.imageSize.y) + " texels; expected a lower resolution";
 
     const BrickGrid& grid = work.source->triangles->getGrid();
-    const Slab slab = SlabPlan::create(grid).slabs[_slab];
+    const Slab slab = _plan.createSlabs(grid).slabs[_slab];
     const ProgramUniforms uniforms(state);
     setAddressing(uniforms, grid, slab, _plan.imageSize);
+    uniforms.set("firstCell", work.source->triangles->getFirstCell());
 
     work.occupancy.clear(state, Occupancy::countBlocks(grid, slab));
     if (takeOutOfMemoryError())
@@ -79,13 +92,13 @@ std::string VoxelizationPass::run(osg::State& state, Legolization& work) const
 void VoxelizationPass::drawExact(osg::State& state, const Legolization& work) const
 {
     ProgramUniforms(state).set("sourceVertices", LOOKUP_UNIT);
-    const GridVertexArrays arrays(*state.get<osg::GLExtensions>());
+    const GridVertexArrays arrays(*state.get<osg::GLExtensions>(), false);
     for (const WorkingBatch& batch : work.batches)
     {
         bindSurfaceOf(state, *batch.batch);
         state.setActiveTextureUnit(LOOKUP_UNIT);
         glBindTexture(GL_TEXTURE_BUFFER, batch.lookup.get());
-        arrays.bind(batch.getFineBuffer());
+        batch.bindFine(arrays);
         glDrawArrays(GL_TRIANGLES, 0, 3 * batch.numFineTriangles);
         glBindTexture(GL_TEXTURE_BUFFER, 0);
     }
@@ -97,7 +110,7 @@ void VoxelizationPass::drawPoints(osg::State& state, const Legolization& work) c
     for (const WorkingBatch& batch : work.batches)
     {
         bindSurfaceOf(state, *batch.batch);
-        arrays.bind(batch.getFineBuffer());
+        batch.bindFine(arrays);
         glDrawArrays(GL_POINTS, 0, 3 * batch.numFineTriangles);
     }
 }
@@ -117,13 +130,14 @@ void VoxelizationPass::readBack(Legolization& work, const Slab& slab) const
 
     std::size_t texel = static_cast<std::size_t>(slab.begin - slab.imageBegin) *
                         static_cast<std::size_t>(dimensions.x) * static_cast<std::size_t>(dimensions.y);
+    const bool isWeighted = _plan.format != VoxelFormat::COLOR;
     for (int z = slab.begin; z < slab.end; ++z)
         for (int y = 0; y < dimensions.y; ++y)
             for (int x = 0; x < dimensions.x; ++x)
             {
                 const glm::vec4& voxel = texels[texel++];
                 if (!(voxel.a > 0.0f)) continue;
-                work.readBack.push_back(makeBrick({x, y, z}, voxel));
+                work.readBack.push_back(makeBrick({x, y, z}, isWeighted ? sumOf(voxel) : voxel));
             }
 }
 

@@ -11,8 +11,9 @@ namespace osgLego
 /** Marks the covered cells of one slab in the voxel image, which has one texel per cell (the paper, section III-B).
  *
  * It draws a point for every cell that a fine triangle overlaps (exact), for every vertex (points, addressed), or for
- * every pixel of the picture made by ProjectionPass (points, projected). Blending sums up weighted colours in each
- * texel, and weights in its alpha. GL blends in the order of the primitives, so the sums are the same on every run.
+ * every pixel of the picture made by ProjectionPass (points, projected). Exact: blending sums up weighted colours in
+ * each texel, and weights in its alpha. Points: the last one in a texel determines its colour. GL draws and blends in
+ * the order of the primitives, so the image is the same on every run.
  */
 class VoxelizationPass : public LegolizationPass
 {

@@ -29,6 +29,10 @@ public:
         supportsExtension("legolize", "Pseudo-loader that turns a model into bricks");
         supportsOption("<number>", "the resolution: cells along the longest side, 1 to 1024");
         supportsOption("resolution=<number>", "the same");
+        supportsOption("cell=<number>", "the width of a cell in the model's units, instead of a resolution");
+        supportsOption("origin=<x>:<y>:<z>", "a corner of a cell, in the model's units");
+        supportsOption("size=<w>:<d>:<h>",
+                       "cells along x, y and z from the origin on; the rest of the model is ignored");
         supportsOption("proportions=cube|brick|plate", "the shape of a cell");
         supportsOption("up=y|z", "the axis along which studs point");
         supportsOption("method=points|exact", "the method of voxelization");
@@ -111,6 +115,7 @@ private:
         lego->setName(name);
         lego->addChild(source);
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
+        if (const std::string obstacle = lego->getObstacle(); !obstacle.empty()) return ReadResult(obstacle);
         lego->setLightProbe(&probe);
         const std::optional<osgLego::AmbientOcclusionSettings> occlusion = settings.getOcclusion();
         if (!occlusion) return lego.get();

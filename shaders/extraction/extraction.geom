@@ -5,7 +5,7 @@ layout(points, max_vertices = 32) out;
 
 flat in int word[];
 
-uniform sampler2D voxelImage; // weighted colours, and the sum of weights in alpha
+uniform sampler2D voxelImage; // passes/voxel_color.glsl
 uniform usamplerBuffer occupancy;
 uniform ivec2 layers; // (z) the first to extract, and the one after the last; the image also has their neighbours
 
@@ -13,6 +13,7 @@ uniform ivec2 layers; // (z) the first to extract, and the one after the last; t
 flat out uvec3 brick;
 
 #include "passes/occupancy.glsl"
+#include "passes/voxel_color.glsl"
 
 uint wordAt(ivec3 cell)
 {
@@ -57,7 +58,7 @@ void main()
                       (back >> bit & 1u) << 3 | (below >> bit & 1u) << 4 | (above >> bit & 1u) << 5;
         vec4 voxel = texelFetch(voxelImage, texelOfCell(cell), 0);
         brick = uvec3(cell.x | cell.y << 16, uint(cell.z) | (closed ^ 63u) << 16,
-                      packUnorm4x8(vec4(voxel.rgb / voxel.a, 1.0)));
+                      packUnorm4x8(vec4(colorOfVoxel(voxel), 1.0)));
         EmitVertex();
         EndPrimitive();
     }

@@ -5,6 +5,19 @@ uniform ivec2 slab;           // the first layer (z) in the image, and the one a
 uniform ivec2 voxelImageSize; // texels; the width is a power of two
 uniform int voxelImageShift;  // the binary logarithm of the width
 
+uniform ivec3 firstCell;      // the cell of positions that is cell (0, 0, 0) of the grid; see GridTriangles
+
+// The cell that contains a position, which is not negative.
+ivec3 cellOfPosition(vec3 position)
+{
+    return ivec3(position) - firstCell;
+}
+
+bool isInGrid(ivec3 cell)
+{
+    return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, gridSize));
+}
+
 ivec2 texelOfCell(ivec3 cell)
 {
     int number = cell.x + gridSize.x * (cell.y + gridSize.y * (cell.z - slab.x));

@@ -9,35 +9,49 @@ uniform float edgeLimit; // in cells
 in Corner
 {
     vec3 position;
+    flat uint triangle;
+#ifdef HAS_COLORS
     vec2 coordinate;
     vec4 colorAndLevel;
-    flat uint triangle;
+#endif
 } corners[];
 
 // Captured by transform feedback, in the order and layout of the input vertices.
 out vec3 finePosition;
 flat out uint fineTriangle;
+#ifdef HAS_COLORS
 out vec2 fineCoordinate;
 flat out uvec2 fineColorAndLevel;
+#endif
 
 #include "passes/vertex_packing.glsl"
 
 struct Vertex
 {
     vec3 position;
+#ifdef HAS_COLORS
     vec2 coordinate;
     vec4 colorAndLevel;
+#endif
 };
 
 Vertex cornerVertex(int index)
 {
+#ifdef HAS_COLORS
     return Vertex(corners[index].position, corners[index].coordinate, corners[index].colorAndLevel);
+#else
+    return Vertex(corners[index].position);
+#endif
 }
 
 Vertex midpoint(Vertex a, Vertex b)
 {
+#ifdef HAS_COLORS
     return Vertex(0.5 * (a.position + b.position), 0.5 * (a.coordinate + b.coordinate),
                   0.5 * (a.colorAndLevel + b.colorAndLevel));
+#else
+    return Vertex(0.5 * (a.position + b.position));
+#endif
 }
 
 float squaredLength(Vertex a, Vertex b)
@@ -49,9 +63,11 @@ float squaredLength(Vertex a, Vertex b)
 void emitVertex(Vertex vertex)
 {
     finePosition = vertex.position;
+    fineTriangle = corners[0].triangle;
+#ifdef HAS_COLORS
     fineCoordinate = vertex.coordinate;
     fineColorAndLevel = packColorAndLevel(vertex.colorAndLevel);
-    fineTriangle = corners[0].triangle;
+#endif
     EmitVertex();
 }
 

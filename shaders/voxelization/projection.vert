@@ -1,10 +1,11 @@
-// Voxelization by points, projected (the paper, section III-B, Algorithm 3): an orthographic picture of the vertices.
+// Voxelization by points, projected (the paper, section III-B, Algorithm 3): an orthographic picture of the vertices, of
+// which the depth test keeps those nearest to it.
 
 layout(location = 0) in vec3 vertexPosition;
 layout(location = 2) in vec2 vertexCoordinate;
 layout(location = 3) in uvec2 vertexColorAndLevel;
 
-uniform mat4 projection; // from cell units to the picture
+uniform mat4 projection; // from positions to the picture
 
 flat out vec3 color;
 flat out int cellNumber;
@@ -16,8 +17,9 @@ void main()
 {
     vec4 colorAndLevel = unpackColorAndLevel(vertexColorAndLevel);
     color = surfaceColor(colorAndLevel.rgb, vertexCoordinate, colorAndLevel.a);
-    ivec3 cell = ivec3(vertexPosition);
+    ivec3 cell = cellOfPosition(vertexPosition);
     cellNumber = cell.x + gridSize.x * (cell.y + gridSize.y * cell.z);
     gl_Position = projection * vec4(vertexPosition, 1.0);
-    gl_Position.z = 0.0; // nothing is clipped by depth, whatever the depth range is
+    gl_Position.z = 0.5 + 0.5 * gl_Position.z; // not clipped with either depth range of glClipControl
+    if (!isInGrid(cell)) gl_Position = NOWHERE;
 }

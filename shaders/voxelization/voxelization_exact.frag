@@ -11,6 +11,7 @@ flat in uvec2 packedCell;
 uniform usamplerBuffer sourceVertices; // two texels per vertex: position, triangle | coordinate, colour and level
 
 #include "passes/surface_color.glsl"
+#include "passes/voxel_color.glsl"
 #include "voxelization/nearest_point.glsl"
 
 void main()
@@ -29,12 +30,12 @@ void main()
 
     ivec3 cell = ivec3(packedCell.x & 0xffffu, packedCell.x >> 16, packedCell.y);
     markCovered(cell);
-    vec3 center = vec3(cell) + 0.5;
+    vec3 center = vec3(cell + firstCell) + 0.5;
     vec3 weights =
         nearestPoint(vec3(0.0), positions[0] - center, positions[1] - center, positions[2] - center);
     vec3 color = surfaceColor(weights.x * colorsAndLevels[0].rgb + weights.y * colorsAndLevels[1].rgb +
                                   weights.z * colorsAndLevels[2].rgb,
                               weights.x * coordinates[0] + weights.y * coordinates[1] + weights.z * coordinates[2],
                               colorsAndLevels[0].a);
-    gl_FragColor = vec4(weight * color, weight);
+    gl_FragColor = weightedColor(color, weight);
 }

@@ -77,10 +77,9 @@ void main()
     vec3 lowest = min(position[0], min(position[1], position[2]));
     vec3 highest = max(position[0], max(position[1], position[2]));
     ivec3 first = ivec3(lowest);
-    ivec3 last = ivec3(highest);
-    int firstInSlab = max(first.z, slab.x);
-    int lastInSlab = min(last.z, slab.y - 1);
-    if (firstInSlab > lastInSlab) return;
+    ivec3 firstInSlab = max(first, firstCell + ivec3(0, 0, slab.x));
+    ivec3 lastInSlab = min(ivec3(highest), firstCell + ivec3(gridSize.xy, slab.y) - 1);
+    if (any(greaterThan(firstInSlab, lastInSlab))) return;
 
     // Moved near the origin, to avoid cancellation.
     vec3 origin = vec3(first);
@@ -111,9 +110,9 @@ void main()
     }
 
     ivec3 cell;
-    for (cell.z = firstInSlab; cell.z <= lastInSlab; ++cell.z)
-        for (cell.y = first.y; cell.y <= last.y; ++cell.y)
-            for (cell.x = first.x; cell.x <= last.x; ++cell.x)
+    for (cell.z = firstInSlab.z; cell.z <= lastInSlab.z; ++cell.z)
+        for (cell.y = firstInSlab.y; cell.y <= lastInSlab.y; ++cell.y)
+            for (cell.x = firstInSlab.x; cell.x <= lastInSlab.x; ++cell.x)
             {
                 vec3 corner = vec3(cell - first);
                 bool apart = planeIsApart(normal, offset, corner);
@@ -129,8 +128,9 @@ void main()
                                                   : areaInCell(projected[0] - shift, projected[1] - shift,
                                                                projected[2] - shift, perProjected));
                 sourceTriangle = triangle[0];
-                packedCell = uvec2(cell.x | cell.y << 16, cell.z);
-                gl_Position = positionOfTexel(texelOfCell(cell), voxelImageSize);
+                ivec3 cellInGrid = cell - firstCell;
+                packedCell = uvec2(cellInGrid.x | cellInGrid.y << 16, cellInGrid.z);
+                gl_Position = positionOfTexel(texelOfCell(cellInGrid), voxelImageSize);
                 EmitVertex();
                 EndPrimitive();
             }

@@ -1,5 +1,4 @@
-// Voxelization by points: all points in a cell contribute equally to its colour. Blending sums up the colours;
-// extraction divides by the sum of weights in alpha.
+// Voxelization by points: the last point in a cell determines its colour.
 
 #include "passes/occupancy_marking.glsl"
 

@@ -14,7 +14,7 @@ void main()
 {
     vec4 colorAndLevel = unpackColorAndLevel(vertexColorAndLevel);
     color = surfaceColor(colorAndLevel.rgb, vertexCoordinate, colorAndLevel.a);
-    cell = ivec3(vertexPosition);
+    cell = cellOfPosition(vertexPosition);
     bool inSlab = cell.z >= slab.x && cell.z < slab.y;
-    gl_Position = inSlab ? positionOfTexel(texelOfCell(cell), voxelImageSize) : NOWHERE;
+    gl_Position = inSlab && isInGrid(cell) ? positionOfTexel(texelOfCell(cell), voxelImageSize) : NOWHERE;
 }

@@ -20,6 +20,8 @@ TEST(LegolizeName, TellsTheFileFromTheSettings)
     expectParsed("model.ply.64.legolize", "model.ply", "64");
     expectParsed("model.ply.(64,proportions=plate,up=y).legolize", "model.ply", "64,proportions=plate,up=y");
     expectParsed("model.ply.[64,edge=0.5].legolize", "model.ply", "64,edge=0.5");
+    expectParsed("model.ply.(cell=0.5,origin=-1:.2:3,size=4:5:6).legolize", "model.ply",
+                 "cell=0.5,origin=-1:.2:3,size=4:5:6");
     expectParsed("model.ply.up=y.legolize", "model.ply", "up=y");
     expectParsed("model.ply.().legolize", "model.ply", "");
     expectParsed("/a.b/c.(d)/model.ply.(32).legolize", "/a.b/c.(d)/model.ply", "32");

@@ -146,6 +146,13 @@ TEST_F(PseudoLoader, TakesSettingsFromOptionsAndThoseInTheNameCountForMore)
     EXPECT_EQ(readLego(pathOf("ball.osgt.48.legolize"), options)->getSettings().toString(), "48,proportions=brick");
 }
 
+TEST_F(PseudoLoader, CellsReplaceTheResolutionOfTheOptions)
+{
+    const osg::ref_ptr<LegoNode> part = readLego("sample.(cell=0.2,origin=0:-1:0,size=9:8:7).legolize", "32,up=y");
+    EXPECT_EQ(part->getSettings().toString(), "cell=0.2,origin=0:-1:0,size=9:8:7,up=y");
+    EXPECT_EQ(readLego("sample.16.legolize", "cell=0.2")->getSettings().toString(), "16");
+}
+
 TEST_F(PseudoLoader, KnowsTheBuiltInModel)
 {
     const osg::ref_ptr<LegoNode> sample = readLego("sample.16.legolize");
@@ -178,6 +185,7 @@ TEST_F(PseudoLoader, SaysWhatIsWrong)
     EXPECT_NE(errorOf(pathOf("ball.osgt.2000.legolize")).find("bad value '2000' for resolution"), std::string::npos);
     EXPECT_NE(errorOf(pathOf("ball.osgt.(64,colour=red).legolize")).find("unknown key 'colour'"), std::string::npos);
     EXPECT_NE(errorOf(pathOf("ball.osgt.legolize"), "proportions=tile").find("bad value 'tile'"), std::string::npos);
+    EXPECT_NE(errorOf("sample.(cell=1e-3).legolize").find("the model reaches into"), std::string::npos);
     EXPECT_NE(errorOf("sample.(8,occlusion=best).legolize").find("expected off, low, medium or high"),
               std::string::npos);
     EXPECT_NE(errorOf("sample.(8,probe=" + pathOf("ball.osgt") + ").legolize").find("can't be"), std::string::npos);

@@ -42,6 +42,43 @@ TEST_F(Serializer, SettingsAndSourceSurviveEveryVariantOfOsgsFormat)
     }
 }
 
+TEST_F(Serializer, CellsOriginAndSizeSurvive)
+{
+    LegoSettings settings;
+    std::string error;
+    ASSERT_TRUE(LegoSettings::parse("cell=0.1,origin=-0.5:0.25:1e-3,size=5:6:7", settings, error)) << error;
+    osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+    lego->addChild(createSphere(6));
+    for (const char* name : {"part.osgt", "part.osgb", "part.osgx"})
+    {
+        ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name))) << name;
+        const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf(name));
+        const auto* back = dynamic_cast<LegoNode*>(node.get());
+        ASSERT_TRUE(back) << name;
+        EXPECT_EQ(back->getSettings(), settings);
+    }
+}
+
+TEST_F(Serializer, SettingsOfFilesWithoutCellsAreRead)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->addChild(createSphere(4));
+    ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf("lego.osgt")));
+    std::stringstream text;
+    text << std::ifstream(pathOf("lego.osgt")).rdbuf();
+    std::string content = text.str();
+    const auto place = content.find("\"64\"");
+    ASSERT_NE(place, std::string::npos);
+    // As version 0.1.0 wrote it.
+    content.replace(place, 4, "\"7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25\"");
+    std::ofstream(pathOf("old.osgt")) << content;
+    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf("old.osgt"));
+    const auto* back = dynamic_cast<LegoNode*>(node.get());
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->getSettings().toString(),
+              "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25");
+}
+
 TEST_F(Serializer, AppearanceAndLightSurvive)
 {
     osg::ref_ptr<osg::Image> picture = new osg::Image;

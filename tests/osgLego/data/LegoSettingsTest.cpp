@@ -41,6 +41,10 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.getTarget(), VoxelizationTarget::ADDRESSED);
     EXPECT_EQ(settings.fboSize, 512u);
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
+    const LegoSettings lattice = parsed("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
+    EXPECT_EQ(lattice.cellPitch, 0.25);
+    EXPECT_EQ(lattice.gridOrigin, glm::dvec3(-1.0, 2.5, 1e-3));
+    EXPECT_EQ(lattice.gridSize, glm::ivec3(3, 4, 50));
 }
 
 TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
@@ -55,6 +59,7 @@ TEST(LegoSettings, TheTextFormRoundTrips)
 {
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
+          "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain", "cell=2,up=y", "cell=1e-18,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
@@ -75,9 +80,9 @@ TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
     EXPECT_TRUE(settings.givesSameBricks(settings));
     EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,look=plain")));
     EXPECT_NE(settings, parsed("32,method=points,look=plain"));
-    for (const char* other :
-         {"33,method=points", "32", "32,method=points,up=y", "32,method=points,proportions=plate",
-          "32,method=points,target=addressed", "32,method=points,fbo=64", "32,method=points,edge=3"})
+    for (const char* other : {"33,method=points", "32", "32,method=points,up=y", "32,method=points,proportions=plate",
+                              "32,method=points,target=addressed", "32,method=points,fbo=64", "32,method=points,edge=3",
+                              "cell=1,method=points"})
     {
         EXPECT_FALSE(settings.givesSameBricks(parsed(other))) << other;
         EXPECT_FALSE(settings.givesSameBricks(parsed(std::string(other) + ",look=plain"))) << other;
@@ -86,7 +91,8 @@ TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
 
 TEST(LegoSettings, KnowsTheKeysOfItsTextForm)
 {
-    for (const char* key : {"resolution", "proportions", "up", "method", "target", "fbo", "edge", "device", "look"})
+    for (const char* key : {"resolution", "cell", "origin", "size", "proportions", "up", "method", "target", "fbo",
+                            "edge", "device", "look"})
         EXPECT_TRUE(LegoSettings::isKey(key)) << key;
     for (const char* other : {"", "res", "look ", "loo", "up, method", "noTexturesInIVEFile"})
         EXPECT_FALSE(LegoSettings::isKey(other)) << other;
@@ -100,10 +106,48 @@ TEST(LegoSettings, AbsentKeysKeepTheirValues)
     EXPECT_EQ(settings.toString(), "32,proportions=brick,up=y");
 }
 
+TEST(LegoSettings, AResolutionReplacesCellsAndCellsReplaceAResolution)
+{
+    LegoSettings settings = parsed("32,up=y");
+    std::string error;
+    ASSERT_TRUE(LegoSettings::parse("cell=2,origin=1:2:3", settings, error));
+    EXPECT_EQ(settings.toString(), "cell=2,origin=1:2:3,up=y");
+    ASSERT_TRUE(LegoSettings::parse("size=4:5:6", settings, error));
+    EXPECT_EQ(settings.toString(), "cell=2,origin=1:2:3,size=4:5:6,up=y");
+    ASSERT_TRUE(LegoSettings::parse("32", settings, error));
+    EXPECT_EQ(settings.toString(), "32,up=y");
+}
+
+TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
+{
+    const std::string expectedCell = " for cell; expected a number of model units, 1e-18 to 1e+18";
+    for (const char* value : {"0", "nan", "inf", "-inf", "-1", "1e-19", "1e+19", "", "1 m", "0x10"})
+        EXPECT_EQ(errorOf(std::string("cell=") + value), "bad value '" + std::string(value) + "'" + expectedCell);
+    const std::string expectedOrigin = " for origin; expected x:y:z in model units, each -1e+18 to 1e+18";
+    for (const char* value : {"nan:0:0", "0:inf:0", "0:0:-2e+18", "1:2", "1:2:3:4", "1::3", "", "a:b:c", "1:2:3m"})
+        EXPECT_EQ(errorOf(std::string("cell=1,origin=") + value),
+                  "bad value '" + std::string(value) + "'" + expectedOrigin);
+    const std::string expectedSize =
+        " for size; expected w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
+    for (const char* value :
+         {"0:4:4", "4:-1:4", "1025:4:4", "4:1025:4", "4:4:2561", "4:4", "4", "1.5:4:4", "4:4:99999999999"})
+        EXPECT_EQ(errorOf(std::string("cell=1,origin=0:0:0,size=") + value),
+                  "bad value '" + std::string(value) + "'" + expectedSize);
+    EXPECT_NE(errorOf("cell=1,origin=0:0:0,size=4:4:1025,up=y").find(expectedSize), std::string::npos);
+    EXPECT_EQ(errorOf("origin=0:0:0"), "origin is given without cell; expected both");
+    EXPECT_EQ(errorOf("cell=1,size=4:4:4"), "size is given without origin; expected both, and cell");
+    for (const char* text : {"64,cell=1", "cell=1,64", "origin=0:0:0,64", "resolution=64,size=4:4:4"})
+        EXPECT_EQ(errorOf(text), "a resolution can't be combined with cell, origin or size; expected either") << text;
+    LegoSettings settings;
+    settings.resolution = 32;
+    settings.cellPitch = 1.0;
+    EXPECT_EQ(settings.check(), "a resolution can't be combined with cell; expected either");
+}
+
 TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
 {
-    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, proportions, up, method, "
-                                        "target, fbo, edge, device, look, drawing");
+    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, cell, origin, size, "
+                                        "proportions, up, method, target, fbo, edge, device, look, drawing");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; expected a whole number, 1 to 1024");

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <osg/Geode>
@@ -393,6 +394,102 @@ TEST(SceneTriangles, TexturesComeWithTheirCoordinatesAndMatrix)
     geometry->getStateSet()->setTextureAttribute(0, matrix);
     triangles = SceneTriangles::create(*geometry);
     EXPECT_EQ(triangles->getBatches().front().vertices[1].coordinate, glm::vec2(2.0f, 1.0f));
+}
+
+constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
+constexpr float INFINITE = std::numeric_limits<float>::infinity();
+
+TEST(SceneTriangles, ColoursThatAreNotFiniteAreReplacedWithOneWarning)
+{
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(3);
+    (*colors)[0].set(NOT_A_NUMBER, INFINITE, -INFINITE, 1);
+    (*colors)[1].set(0.5f, 2.0f, -1.0f, NOT_A_NUMBER);
+    (*colors)[2].set(0.25f, NOT_A_NUMBER, 0.75f, 1);
+    const osg::ref_ptr<osg::Geometry> geometry = createColored(colors.get(), osg::Array::BIND_PER_VERTEX);
+    geometry->setName("patch");
+    osg::ref_ptr<const SceneTriangles> triangles;
+    const std::string notices = noticesOf([&] { triangles = SceneTriangles::create(*geometry); });
+    EXPECT_EQ(triangles->getNumTriangles(), 1u);
+    EXPECT_EQ(triangles->getNumReplaced(), 2u);
+    EXPECT_EQ(notices.find("osgLego: 2 vertices of 'patch' have a colour or texture coordinates that are not finite"),
+              0u)
+        << notices;
+    const std::vector<SceneVertex>& vertices = triangles->getBatches().front().vertices;
+    expectColor(vertices[0].color, 0, 1, 0);
+    expectColor(vertices[1].color, 0.5f, 1, 0);
+    expectColor(vertices[2].color, 0.25f, 0, 0.75f);
+}
+
+TEST(SceneTriangles, MaterialsThatAreNotFiniteAreReplaced)
+{
+    const osg::ref_ptr<osg::Geometry> plain = createUnitTriangle();
+    const osg::ref_ptr<osg::Material> material = createMaterial({NOT_A_NUMBER, -INFINITE, 0.5f, 1}, osg::Material::OFF);
+    material->setEmission(osg::Material::FRONT_AND_BACK, {0, INFINITE, INFINITE, 0});
+    plain->getOrCreateStateSet()->setAttribute(material);
+    expectColor(colorOfFirst(*plain), 0, 0, 1);
+    osg::ref_ptr<osg::ShapeDrawable> shape = new osg::ShapeDrawable(new osg::Box(osg::Vec3(), 1.0f));
+    shape->getOrCreateStateSet()->setAttribute(material);
+    expectColor(colorOfFirst(*shape), 0, 0, 1);
+}
+
+TEST(SceneTriangles, TextureCoordinatesThatAreNotFiniteOrTooLargeAreReplacedWithOneWarning)
+{
+    for (const float bad : {NOT_A_NUMBER, INFINITE, -INFINITE, 2e18f})
+    {
+        const osg::ref_ptr<osg::Geometry> geometry = createTextured();
+        dynamic_cast<osg::Vec2Array&>(*geometry->getTexCoordArray(0))[1].y() = bad;
+        osg::ref_ptr<const SceneTriangles> triangles;
+        const std::string notices = noticesOf([&] { triangles = SceneTriangles::create(*geometry); });
+        EXPECT_EQ(triangles->getNumReplaced(), 1u) << bad;
+        EXPECT_EQ(notices.find("osgLego: 1 vertex has a colour or texture coordinates that are not finite"), 0u);
+        const std::vector<SceneVertex>& vertices = triangles->getBatches().front().vertices;
+        EXPECT_EQ(vertices[1].coordinate, glm::vec2(0.0f));
+        EXPECT_EQ(vertices[2].coordinate, glm::vec2(1.0f, 0.25f)) << "other vertices keep theirs";
+    }
+}
+
+TEST(SceneTriangles, TextureMatricesThatAreNotFiniteGiveTheFirstTexel)
+{
+    for (const float bad : {NOT_A_NUMBER, INFINITE})
+    {
+        const osg::ref_ptr<osg::Geometry> geometry = createTextured();
+        osg::Matrix matrix;
+        matrix(3, 0) = bad;
+        geometry->getStateSet()->setTextureAttribute(0, new osg::TexMat(matrix));
+        const osg::ref_ptr<const SceneTriangles> triangles = SceneTriangles::create(*geometry);
+        EXPECT_EQ(triangles->getNumReplaced(), 3u);
+        for (const SceneVertex& vertex : triangles->getBatches().front().vertices)
+            EXPECT_EQ(vertex.coordinate, glm::vec2(0.0f));
+    }
+}
+
+TEST(SceneTriangles, TexturelessGeometryNeedsNoTextureCoordinates)
+{
+    const osg::ref_ptr<osg::Geometry> geometry = createTextured();
+    geometry->getStateSet()->setTextureMode(0, GL_TEXTURE_2D, osg::StateAttribute::OFF);
+    dynamic_cast<osg::Vec2Array&>(*geometry->getTexCoordArray(0))[1].y() = NOT_A_NUMBER;
+    EXPECT_EQ(SceneTriangles::create(*geometry)->getNumReplaced(), 0u);
+}
+
+TEST(SceneTriangles, TrianglesBelowATransformThatIsNotFiniteAreIgnoredWithAWarning)
+{
+    for (const auto& [row, column] : {std::pair(0, 0), std::pair(3, 1), std::pair(3, 3)})
+        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        {
+            osg::Matrixd matrix;
+            matrix(row, column) = bad;
+            osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(matrix);
+            transform->addChild(createUnitTriangle());
+            osg::ref_ptr<osg::Group> group = new osg::Group;
+            group->addChild(transform);
+            group->addChild(createTriangle({2, 0, 0}, {3, 0, 0}, {2, 1, 0}));
+            osg::ref_ptr<const SceneTriangles> triangles;
+            const std::string notices = noticesOf([&] { triangles = SceneTriangles::create(*group); });
+            EXPECT_EQ(triangles->getNumTriangles(), 1u) << row << ' ' << column << ' ' << bad;
+            EXPECT_EQ(triangles->getBounds()._min, osg::Vec3d(2, 0, 0));
+            EXPECT_EQ(triangles->getNumOutOfRange(), 1u);
+            EXPECT_NE(notices.find("1 triangle with such vertices is ignored"), std::string::npos) << notices;
+        }
 }
 
 TEST(SceneTriangles, ATextureThatIsSwitchedOffDoesNotCount)

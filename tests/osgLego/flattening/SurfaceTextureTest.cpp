@@ -1,5 +1,9 @@
 #include <osgLego/flattening/SurfaceTexture.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -71,6 +75,25 @@ TEST(SurfaceTexture, AnOddSizeKeepsItsMean)
     const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     EXPECT_NEAR(SurfaceTexture::create(*texture)->sample({0.5, 0.5}, 99.0).r, static_cast<double>(sum) / 15.0,
                 0.51 / 255.0);
+}
+
+TEST(SurfaceTexture, TexelsAndBordersThatAreNotFiniteAreReplaced)
+{
+    const float infinity = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(1, 1, 1, GL_RGB, GL_FLOAT);
+    const std::array<float, 3> texel{nan, infinity, -infinity};
+    std::copy(texel.begin(), texel.end(), reinterpret_cast<float*>(image->data()));
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
+    texture->setBorderColor(osg::Vec4(infinity, nan, -infinity, 0.5f));
+    const osg::ref_ptr<SurfaceTexture> surface = SurfaceTexture::create(*texture);
+    EXPECT_EQ(surface->sample({0.5, 0.5}, 0.0), glm::dvec4(0, 1, 0, 1));
+    EXPECT_EQ(surface->sample({9.5, 0.5}, 0.0), glm::dvec4(1, 0, 0, 0.5));
+    EXPECT_EQ(surface->getBorderColor(), osg::Vec4d(1, 0, 0, 0.5));
+    for (const double coordinate : {static_cast<double>(nan), static_cast<double>(infinity)})
+        EXPECT_EQ(surface->sample({coordinate, coordinate}, 0.0), surface->sample({0.0, 0.0}, 0.0));
 }
 
 TEST(SurfaceTexture, UnreadableImagesGiveNoTexture)

@@ -8,17 +8,23 @@ namespace osgLego
 namespace
 {
 
-TEST(SlabPlan, SlabsCoverEveryLayerOnceAndIncludeTheirNeighbours)
+class SlabPlanOfTexels : public ::testing::TestWithParam<int>
 {
+};
+
+TEST_P(SlabPlanOfTexels, CoversEveryLayerOnceAndIncludesItsNeighboursWithin128MiB)
+{
+    const int texelBytes = GetParam();
     for (const glm::ivec3& size : {glm::ivec3(1), glm::ivec3(64, 50, 30), glm::ivec3(256), glm::ivec3(257, 256, 256),
                                    glm::ivec3(1024), glm::ivec3(1024, 2560, 1024), glm::ivec3(1024, 1024, 2560)})
     {
         BrickGrid grid;
         grid.dimensions = size;
-        const SlabPlan plan = SlabPlan::create(grid);
+        const SlabPlan plan = SlabPlan::create(grid, texelBytes);
         const std::size_t texels =
             static_cast<std::size_t>(plan.imageSize.x) * static_cast<std::size_t>(plan.imageSize.y);
-        EXPECT_LE(texels, static_cast<std::size_t>(SlabPlan::MAXIMUM_TEXELS));
+        EXPECT_LE(texels, std::size_t(1) << 24);
+        EXPECT_LE(texels * static_cast<std::size_t>(texelBytes), std::size_t(128) << 20);
         int next = 0;
         for (const Slab& slab : plan.slabs)
         {
@@ -35,16 +41,18 @@ TEST(SlabPlan, SlabsCoverEveryLayerOnceAndIncludeTheirNeighbours)
     }
 }
 
+INSTANTIATE_TEST_SUITE_P(Sizes, SlabPlanOfTexels, ::testing::Values(4, 8, 16));
+
 TEST(SlabPlan, ASmallGridIsOneSlab)
 {
     BrickGrid grid;
     grid.dimensions = glm::ivec3(256);
-    EXPECT_EQ(SlabPlan::create(grid).slabs.size(), 1u);
+    EXPECT_EQ(SlabPlan::create(grid, 8).slabs.size(), 1u);
 }
 
 TEST(SlabPlan, AnEmptyGridHasNoSlabs)
 {
-    EXPECT_TRUE(SlabPlan::create(BrickGrid()).slabs.empty());
+    EXPECT_TRUE(SlabPlan::create(BrickGrid(), 8).slabs.empty());
 }
 
 } // namespace

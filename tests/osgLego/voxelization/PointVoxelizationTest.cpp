@@ -1,11 +1,15 @@
 #include <common/RacingCar.h>
 #include <osgLego/cpu/CpuVoxelizer.h>
 #include <osgLego/cpu/TriangleOverlap.h>
+#include <osgLego/voxelization/ProjectionPass.h>
 
 #include <GlTest.h>
 #include <Meshes.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -103,6 +107,37 @@ std::size_t countTunnels(const GridTriangles& triangles, const BrickModel& found
     return tunnels;
 }
 
+/** Whether the ray from a cell's centre to the picture of the projected target meets another cell. */
+bool isHidden(const BrickModel& found, const glm::ivec3& cell)
+{
+    const glm::dvec3 direction(ProjectionPass::getDirection()); // upward along every axis
+    const glm::ivec3& size = found.getGrid().dimensions;
+    glm::dvec3 next = 0.5 / direction; // where the ray leaves its cell along each axis
+    glm::ivec3 place = cell;
+    while (true)
+    {
+        const int axis = next.x <= std::min(next.y, next.z) ? 0 : next.y <= next.z ? 1 : 2;
+        next[axis] += 1.0 / direction[axis];
+        if (++place[axis] == size[axis]) return false;
+        if (found.find(place)) return true;
+    }
+}
+
+/** The share of the cells found by `reachable` that `found` contains too: of the front ones and of the hidden ones. */
+std::array<double, 2> sharesOfFrontAndHidden(const BrickModel& reachable, const BrickModel& found)
+{
+    std::array<std::size_t, 2> hits{};
+    std::array<std::size_t, 2> counts{};
+    for (const Brick& brick : reachable.getBricks())
+    {
+        const std::size_t side = isHidden(reachable, brick.getCell()) ? 1 : 0;
+        ++counts[side];
+        if (found.find(brick.getCell())) ++hits[side];
+    }
+    return {static_cast<double>(hits[0]) / static_cast<double>(counts[0]),
+            static_cast<double>(hits[1]) / static_cast<double>(counts[1])};
+}
+
 /** Runs on each model, and prints the share of covered cells that is found. */
 class PointVoxelizationOfModels : public GlTest, public ::testing::WithParamInterface<Model>
 {
@@ -185,6 +220,27 @@ TEST_F(PointVoxelization, AddressedLeaksWhenEdgesAreLonger)
     EXPECT_GT(countTunnels(*toGrid(*node, settings), *found), 100u);
 }
 
+TEST_F(PointVoxelization, TheLastPointInACellDeterminesItsColour)
+{
+    const auto add = [](osg::Group& node, const osg::Vec4& color)
+    {
+        const osg::ref_ptr<osg::Geometry> triangle = createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 1});
+        const osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(1);
+        colors->front() = color;
+        triangle->setColorArray(colors, osg::Array::BIND_OVERALL);
+        node.addChild(triangle);
+    };
+    osg::ref_ptr<osg::Group> node = new osg::Group;
+    add(*node, osg::Vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    add(*node, osg::Vec4(0.2f, 0.4f, 0.6f, 1.0f));
+    const osg::ref_ptr<const BrickModel> found =
+        legolizeOnGpu(*node, parseSettings("16,method=points,target=addressed"));
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->getBricks().size(), 16u);
+    for (const Brick& brick : found->getBricks())
+        ASSERT_EQ(brick.color, (std::array<std::uint8_t, 3>{51, 102, 153}));
+}
+
 TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
 {
     const osg::ref_ptr<osg::Node> node = createRacingCar();
@@ -196,6 +252,26 @@ TEST_F(PointVoxelization, ProjectedNeverFindsMoreThanAddressed)
     EXPECT_LE(projected->getBricks().size(), addressed->getBricks().size());
     for (const Brick& brick : projected->getBricks())
         ASSERT_TRUE(addressed->find({brick.cell[0], brick.cell[1], brick.cell[2]}));
+}
+
+TEST_F(PointVoxelization, ProjectedKeepsTheCellsInFrontAndLosesThoseBehindThem)
+{
+    const osg::ref_ptr<osg::Node> node = readBunny();
+    if (!node) GTEST_SKIP() << "the model could not be fetched";
+    const osg::ref_ptr<const BrickModel> reachable =
+        legolizeOnGpu(*node, parseSettings("64,up=y,method=points,target=addressed"));
+    ASSERT_TRUE(reachable);
+    for (const int size : {128, 256, 512, 1024, 2048, 4096})
+    {
+        const osg::ref_ptr<const BrickModel> found =
+            legolizeOnGpu(*node, parseSettings("64,up=y,method=points,fbo=" + std::to_string(size)));
+        ASSERT_TRUE(found);
+        const auto [front, hidden] = sharesOfFrontAndHidden(*reachable, *found);
+        std::printf("points, projected  bunny 64, fbo=%d: kept %.4f of the cells in front, %.4f of the hidden ones\n",
+                    size, front, hidden);
+        EXPECT_GT(front, hidden);
+        EXPECT_GT(front, size < 256 ? 0.9 : 0.985);
+    }
 }
 
 TEST_F(PointVoxelization, ProjectedNumbersTheLastCellsOfTheLargestGrid)
