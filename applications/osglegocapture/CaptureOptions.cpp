@@ -214,8 +214,8 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--compare", options.reference,
                    "Compare with a picture: print the differences, write a picture of them beside the output, and exit "
-                   "with 1 if "
-                   "more than 0.1 % of the pixels are off")
+                   "with 1 if more than 0.1 % of the pixels are off or the mean error is more than a quarter of "
+                   "--threshold")
         ->type_name("REFERENCE");
     const CLI::Option* threshold =
         app.add_option(

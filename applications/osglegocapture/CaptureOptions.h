@@ -48,6 +48,7 @@ struct CaptureOptions
     std::optional<LegoSettings> settings; //!< unset: 64, or the settings in the mesh's file name
     int width = 1280;
     int height = 720;
+    int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
     CaptureProbe probe;
     bool hasOcclusion = true;

@@ -25,7 +25,6 @@ namespace osgLego
 namespace
 {
 
-constexpr int SAMPLES = 4;
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
@@ -281,7 +280,8 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     camera->setRenderOrder(osg::Camera::PRE_RENDER);
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-    camera->attach(osg::Camera::COLOR_BUFFER, &image, SAMPLES, SAMPLES);
+    const auto samples = static_cast<unsigned int>(_options.samples > 1 ? _options.samples : 0);
+    camera->attach(osg::Camera::COLOR_BUFFER, &image, samples, samples);
     camera->setViewport(0, 0, _options.width, _options.height);
     camera->setClearColor(_options.transparent ? BLACK : BACKGROUND);
     if (_options.view.near > 0.0) camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);

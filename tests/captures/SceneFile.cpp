@@ -2,9 +2,11 @@
 
 #include <osglegocapture/ExitCode.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace osgLego::test
@@ -12,6 +14,8 @@ namespace osgLego::test
 
 namespace
 {
+
+constexpr const char* ALIASED = "--aliased";
 
 std::string findBunny()
 {
@@ -44,7 +48,8 @@ CaptureOptions toCaptureOptions(const SceneLine& line, const std::string& folder
 {
     std::vector<std::string> words{"osglegocapture", "-o", output};
     if (line.mesh == "bunny") words.push_back(findBunny());
-    words.insert(words.end(), line.options.begin(), line.options.end());
+    const auto isOwn = [](const std::string& option) { return option == ALIASED; };
+    std::remove_copy_if(line.options.begin(), line.options.end(), std::back_inserter(words), isOwn);
     std::vector<char*> arguments;
     arguments.reserve(words.size());
     for (std::string& word : words)
@@ -52,6 +57,7 @@ CaptureOptions toCaptureOptions(const SceneLine& line, const std::string& folder
     CaptureOptions options;
     if (readOptions(static_cast<int>(arguments.size()), arguments.data(), options))
         throw CaptureError(EXIT_BAD_OPTIONS, "scene '" + line.name + "' has bad options");
+    if (std::any_of(line.options.begin(), line.options.end(), isOwn)) options.samples = 1;
     if (!options.probe.file.empty()) options.probe.file = (std::filesystem::path(folder) / options.probe.file).string();
     return options;
 }

@@ -8,7 +8,8 @@
 namespace osgLego::test
 {
 
-/** A line of a file of scenes: `NAME MESH OPTIONS...`, with the options of osglegocapture. */
+/** A line of a file of scenes: `NAME MESH OPTIONS...`, with the options of osglegocapture, and `--aliased` for one
+ * sample per pixel. */
 struct SceneLine
 {
     std::string name;

@@ -33,10 +33,11 @@ const osg::Vec4 GREY(0.75f, 0.75f, 0.72f, 1.0f);
 const osg::Vec4 GREEN(0.25f, 0.62f, 0.30f, 1.0f);
 const osg::Vec4 ORANGE(0.95f, 0.55f, 0.10f, 1.0f);
 
-osg::ref_ptr<LegoNode> createLego(const osg::ref_ptr<osg::Node>& source = createRacingCar())
+osg::ref_ptr<LegoNode> createLego(const osg::ref_ptr<osg::Node>& source = createRacingCar(),
+                                  unsigned int resolution = RESOLUTION)
 {
     LegoSettings settings;
-    settings.resolution = RESOLUTION;
+    settings.resolution = resolution;
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(source);
     return lego;
@@ -277,14 +278,31 @@ osg::ref_ptr<osg::Node> createReliefImage()
     return occlusionOf(lego);
 }
 
+constexpr float CAR_LENGTH = 4.35f; // from the nose to the pipes' ends
+
+/** A box of the car's colour that fills one brick. */
+osg::ref_ptr<osg::Node> createOneBrick(const osg::Vec3& middle, float size)
+{
+    return createBox(middle, osg::Vec3(size, size, size), osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f));
+}
+
 /** The car with a brick of the same colour on its nose. @param cells the brick's offset. */
 osg::ref_ptr<osg::Node> createOneStud(int cells)
 {
-    constexpr float CELL = 4.35f / RESOLUTION; // from the nose to the pipes' ends
+    constexpr float CELL = CAR_LENGTH / RESOLUTION;
     const osg::Vec3 place(-1.35f + CELL * static_cast<float>(cells), 0.0f, 0.71f);
-    const osg::Vec3 size(0.02f, 0.02f, 0.02f);
-    return occlusionOf(
-        createLego(groupOf(createRacingCar(), createBox(place, size, osg::Vec4(0.80f, 0.10f, 0.11f, 1.0f)))));
+    return occlusionOf(createLego(groupOf(createRacingCar(), createOneBrick(place, 0.02f))));
+}
+
+/** The car in 128 cells, with two bricks of the same colour on its flank. */
+osg::ref_ptr<osg::Node> createFewBricks()
+{
+    constexpr unsigned int FINE_RESOLUTION = 128;
+    constexpr float CELL = CAR_LENGTH / FINE_RESOLUTION;
+    const osg::ref_ptr<osg::Group> source = groupOf(createRacingCar());
+    for (const float cells : {0.0f, 3.0f})
+        source->addChild(createOneBrick(osg::Vec3(-0.705f + CELL * cells, -0.205f, 0.663f), 0.005f));
+    return occlusionOf(createLego(source, FINE_RESOLUTION));
 }
 
 } // namespace
@@ -303,6 +321,7 @@ osg::ref_ptr<osg::Node> createLibraryScene(const std::string& name)
         {"material", createMaterial},
         {"no-joints", createNoJoints},
         {"relief-image", createReliefImage},
+        {"few-bricks", createFewBricks},
         {"one-stud", [] { return createOneStud(0); }},
         {"one-stud-moved", [] { return createOneStud(1); }}};
     const auto found = scenes.find(name);

@@ -11,7 +11,8 @@
 namespace osgLego::test
 {
 
-/** A test with its own GL context, without a display. Fails on any GL error or message of high severity. */
+/** A test with its own GL context, without a display. Fails on any GL error or message of high severity, including
+ * those of contexts that close after the test. */
 class GlTest : public ::testing::Test
 {
 public:
@@ -19,8 +20,9 @@ public:
     static constexpr int WIDTH = 200;
     static constexpr int HEIGHT = 150;
 
+    ~GlTest() override;
+
 protected:
-    void SetUp() override;
     void TearDown() override;
 
     /** A context that is watched for errors, realized, and not current. */
@@ -31,6 +33,12 @@ protected:
 
     /** The picture in a context's own frame buffer. */
     static osg::ref_ptr<osg::Image> readPixels(osg::GraphicsContext& context);
+
+    /** Draw a scene as a camera sees it, with bricks that the CPU finds: a copy of the scene in another context. */
+    static osg::ref_ptr<osg::Image> drawWithCpu(const osg::Node& scene, const osg::Camera& camera);
+
+    /** Expect that a context shows the picture of drawWithCpu(). The context is current afterwards. */
+    static void expectPictureOfCpu(osg::GraphicsContext& context, const osg::Node& scene, const osg::Camera& camera);
 
     /** Legolize in a new context and read the covered cells back. @return null on failure, which fails the test. */
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,

@@ -64,6 +64,7 @@ osg::Vec3d placeBefore(const BrickGrid& grid, const Brick& brick, int axis, bool
 void expectEverySideIsFound(osg::Node& scene, const BrickModel& model, const LegoNode* lego)
 {
     const BrickGrid& grid = model.getGrid();
+    ASSERT_GT(model.getBricks().size(), 100u);
     for (const Brick& brick : model.getBricks())
         for (int number = 0; number < 6; ++number)
         {

@@ -3,6 +3,8 @@
 #include <GlTest.h>
 #include <Meshes.h>
 
+#include <tuple>
+
 #include <osg/MatrixTransform>
 #include <osgViewer/CompositeViewer>
 
@@ -13,7 +15,8 @@ namespace
 {
 
 /** Two contexts with one view each, and a scene in which a node has two parents and its source moves. */
-class Threading : public GlTest, public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel>
+class Threading : public GlTest,
+                  public ::testing::WithParamInterface<std::tuple<osgViewer::ViewerBase::ThreadingModel, const char*>>
 {
 protected:
     void SetUp() override
@@ -30,8 +33,13 @@ protected:
         _root->addChild(_beside);
         for (int index = 0; index < 2; ++index)
             addView();
-        _viewer.setThreadingModel(GetParam());
+        _viewer.setThreadingModel(std::get<0>(GetParam()));
         _viewer.realize();
+    }
+
+    static LegoSettings parseSettings(const std::string& text)
+    {
+        return GlTest::parseSettings(text + ",device=" + std::get<1>(GetParam()));
     }
 
     void addView()
@@ -41,6 +49,9 @@ protected:
         osg::Camera* camera = view->getCamera();
         camera->setGraphicsContext(_contexts.back());
         camera->setViewport(0, 0, WIDTH, HEIGHT);
+        camera->setDrawBuffer(GL_BACK);
+        camera->setReadBuffer(GL_BACK);
+        camera->setClearColor(osg::Vec4(0.0f, 0.0f, 0.2f, 1.0f));
         camera->setProjectionMatrixAsPerspective(30, static_cast<double>(WIDTH) / HEIGHT, 1, 100);
         camera->setViewMatrixAsLookAt(osg::Vec3d(0, -12, 3), osg::Vec3d(), osg::Vec3d(0, 0, 1));
         view->setSceneData(_root);
@@ -53,11 +64,17 @@ protected:
             _viewer.frame();
     }
 
-    void expectLegolized()
+    /** Expect that, after a few more frames, every view shows the bricks of the current source. */
+    void expectBricksInAllViews()
     {
+        _lego->setWaiting(true);
+        drawFrames(3);
         _viewer.stopThreading();
-        for (const osg::ref_ptr<osg::GraphicsContext>& context : _contexts)
-            EXPECT_TRUE(_lego->isLegolized(context->getState()->getContextID()));
+        for (unsigned int index = 0; index < _contexts.size(); ++index)
+        {
+            EXPECT_TRUE(_lego->isLegolized(_contexts[index]->getState()->getContextID()));
+            expectPictureOfCpu(*_contexts[index], *_root, *_viewer.getView(index)->getCamera());
+        }
     }
 
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;
@@ -75,8 +92,7 @@ TEST_P(Threading, ASourceThatMovesInEveryFrameIsDrawnWithoutAHang)
         _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * frame));
         _viewer.frame();
     }
-    drawFrames(3);
-    expectLegolized();
+    expectBricksInAllViews();
 }
 
 TEST_P(Threading, SettingsMayChangeWhileItRuns)
@@ -88,8 +104,8 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
         _lego->setSettings(parseSettings(texts[frame % 4]));
         _viewer.frame();
     }
-    drawFrames(3);
-    expectLegolized();
+    _lego->setSettings(parseSettings("12"));
+    expectBricksInAllViews();
 }
 
 TEST_P(Threading, PassesThatAreStillDrawnBringNoBricksBackWhenTheSourceHasGone)
@@ -103,8 +119,7 @@ TEST_P(Threading, PassesThatAreStillDrawnBringNoBricksBackWhenTheSourceHasGone)
         EXPECT_FALSE(_lego->getBound().valid()) << repeat;
         _lego->addChild(_source);
     }
-    drawFrames(2);
-    expectLegolized();
+    expectBricksInAllViews();
 }
 
 TEST_P(Threading, ANodeMayBeAddedAndRemovedWhileItRuns)
@@ -119,8 +134,7 @@ TEST_P(Threading, ANodeMayBeAddedAndRemovedWhileItRuns)
         guest = nullptr;
         drawFrames(1);
     }
-    drawFrames(2);
-    expectLegolized();
+    expectBricksInAllViews();
 }
 
 TEST_P(Threading, AViewMayBeAddedAndThreadsRestarted)
@@ -130,8 +144,7 @@ TEST_P(Threading, AViewMayBeAddedAndThreadsRestarted)
     addView();
     _viewer.realize();
     _viewer.startThreading();
-    drawFrames(4);
-    expectLegolized();
+    expectBricksInAllViews();
 }
 
 TEST_P(Threading, GlObjectsMayBeReleasedBetweenFramesWhileNoThreadDraws)
@@ -143,29 +156,32 @@ TEST_P(Threading, GlObjectsMayBeReleasedBetweenFramesWhileNoThreadDraws)
         _lego->releaseGLObjects();
         _viewer.startThreading();
     }
-    drawFrames(3);
-    expectLegolized();
+    expectBricksInAllViews();
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Threading,
-                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded,
-                                           osgViewer::ViewerBase::CullDrawThreadPerContext,
-                                           osgViewer::ViewerBase::DrawThreadPerContext,
-                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext),
-                         [](const auto& instance)
-                         {
-                             switch (instance.param)
-                             {
-                             case osgViewer::ViewerBase::SingleThreaded:
-                                 return "SingleThreaded";
-                             case osgViewer::ViewerBase::CullDrawThreadPerContext:
-                                 return "CullDrawThreadPerContext";
-                             case osgViewer::ViewerBase::DrawThreadPerContext:
-                                 return "DrawThreadPerContext";
-                             default:
-                                 return "CullThreadPerCameraDrawThreadPerContext";
-                             }
-                         });
+std::string nameOf(osgViewer::ViewerBase::ThreadingModel model)
+{
+    switch (model)
+    {
+    case osgViewer::ViewerBase::SingleThreaded:
+        return "SingleThreaded";
+    case osgViewer::ViewerBase::CullDrawThreadPerContext:
+        return "CullDrawThreadPerContext";
+    case osgViewer::ViewerBase::DrawThreadPerContext:
+        return "DrawThreadPerContext";
+    default:
+        return "CullThreadPerCameraDrawThreadPerContext";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, Threading,
+    ::testing::Combine(::testing::Values(osgViewer::ViewerBase::SingleThreaded,
+                                         osgViewer::ViewerBase::CullDrawThreadPerContext,
+                                         osgViewer::ViewerBase::DrawThreadPerContext,
+                                         osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext),
+                       ::testing::Values("gpu", "auto")),
+    [](const auto& instance) { return nameOf(std::get<0>(instance.param)) + "_" + std::get<1>(instance.param); });
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include <common/RacingCar.h>
 
 #include <LookTest.h>
+#include <OnDevices.h>
 #include <osglegobench/AllocationCount.h>
 
 #include <osg/Geode>
@@ -13,7 +14,7 @@ namespace
 {
 
 /** Frames in which nothing changes. */
-class UnchangedFrame : public LookTest
+class UnchangedFrame : public OnDevices<LookTest>
 {
 protected:
     /** The number of allocations in many frames, after everything that is created once exists. */
@@ -28,7 +29,7 @@ protected:
         return AllocationCount::getNumAllocations() - before;
     }
 
-    static osg::ref_ptr<LegoNode> createLego(const std::string& settings)
+    osg::ref_ptr<LegoNode> createLego(const std::string& settings) const
     {
         osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
         lego->addChild(createRacingCar());
@@ -36,22 +37,29 @@ protected:
     }
 };
 
-TEST_F(UnchangedFrame, AllocatesNoMoreThanAnOrdinaryNode)
+TEST_P(UnchangedFrame, AllocatesNoMoreThanAnOrdinaryNode)
 {
     osg::ref_ptr<osg::Geode> box = new osg::Geode;
     box->addDrawable(new osg::ShapeDrawable(new osg::Box));
     const std::size_t expected = countInFrames(*box);
     for (const char* settings : {"20,look=plain,drawing=splats", "20,look=plain,drawing=triangles",
                                  "20,look=full,drawing=splats", "20,look=full,drawing=triangles"})
-        EXPECT_LE(countInFrames(*createLego(settings)), expected) << settings;
+    {
+        const osg::ref_ptr<LegoNode> lego = createLego(settings);
+        EXPECT_LE(countInFrames(*lego), expected) << settings;
+        expectPictureOfCpu(*_context, *lego, *_viewer.getCamera());
+    }
 }
 
-TEST_F(UnchangedFrame, RunsNoPass)
+TEST_P(UnchangedFrame, MakesNoBricks)
 {
     const osg::ref_ptr<LegoNode> lego = createLego("20");
     countInFrames(*lego);
+    expectPictureOfCpu(*_context, *lego, *_viewer.getCamera());
     EXPECT_EQ(lego->getStatistics(_context->getState()->getContextID()).numLegolizations, 1u);
 }
+
+INSTANTIATE_ON_DEVICES(UnchangedFrame);
 
 } // namespace
 
