@@ -31,6 +31,7 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setBricksCallback(node.getBricksCallback().get());
     setAppearance(node.getAppearance());
     setLightProbe(node.getLightProbe());
+    setStoredBricks(node.getStoredBricks());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
@@ -90,7 +91,7 @@ void LegoNode::dirty()
 bool LegoNode::hasTriangles() const
 {
     refresh();
-    return _pipeline->getSource().valid();
+    return _pipeline->getRevision() != 0;
 }
 
 void LegoNode::setTiming(bool timing)
@@ -143,6 +144,17 @@ osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
     return getReadBack() ? _pipeline->getStore().getContext(contextID)->getModel() : nullptr;
 }
 
+void LegoNode::setStoredBricks(const BrickModel* bricks)
+{
+    _pipeline->setStoredBricks(bricks);
+    dirtyBound();
+}
+
+osg::ref_ptr<const BrickModel> LegoNode::getStoredBricks() const
+{
+    return _pipeline->getStoredBricks();
+}
+
 LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 {
     return _pipeline->getStore().getContext(contextID)->getStatistics();
@@ -150,8 +162,8 @@ LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 
 bool LegoNode::isLegolized(unsigned int contextID) const
 {
-    const osg::ref_ptr<const LegoSource> source = _pipeline->getSource();
-    return source && _pipeline->getStore().getContext(contextID)->isOf(source->revision);
+    const std::uint64_t revision = _pipeline->getRevision();
+    return revision != 0 && _pipeline->getStore().getContext(contextID)->isOf(revision);
 }
 
 bool LegoNode::isSupported(const osg::State& state)

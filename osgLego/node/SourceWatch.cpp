@@ -42,4 +42,11 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
     return true;
 }
 
+std::uint64_t SourceWatch::drop()
+{
+    _revision = makeRevision();
+    _source = nullptr;
+    return _revision;
+}
+
 } // namespace osgLego
