@@ -212,7 +212,17 @@ void LegoNode::cull(osg::NodeVisitor& visitor)
 {
     _pipeline->refreshIfDirty(*this);
     osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
-    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) osg::Group::traverse(visitor);
+    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) visitSource(visitor);
+}
+
+/** Visit the parts that contexts draw that can't draw bricks: the source or, if there are only stored bricks, these as
+ * geometry. */
+void LegoNode::visitSource(osg::NodeVisitor& visitor)
+{
+    if (getNumChildren() == 0 && getStoredBricks())
+        _pipeline->getGeometryNode()->accept(visitor);
+    else
+        osg::Group::traverse(visitor);
 }
 
 void LegoNode::visitBricks(osg::NodeVisitor& visitor)
@@ -238,7 +248,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
         if (!state || _pipeline->isFit(*state))
             _pipeline->getDisplay().getBrickNode()->accept(visitor);
         else
-            osg::Group::traverse(visitor);
+            visitSource(visitor);
     }
     else
     {

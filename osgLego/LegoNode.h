@@ -133,11 +133,12 @@ public:
      *     lego->removeChildren(0, lego->getNumChildren());
      *
      * Bricks stored in a node have every look, and are picked, bounded and exported like others. Changes of the
-     * settings other than the look and the drawing take effect only after setStoredBricks(nullptr). Children of the
-     * node, even if they are added later, are updated and receive events, but are drawn only in contexts that can't
-     * draw bricks, and not saved by the option "bake". Copies of the node share the bricks, even deep copies, since a
-     * model is immutable.
-     */
+     * settings other than the look and the drawing take effect only after setStoredBricks(nullptr).
+     *
+     * Children of the node, even if they are added later, are updated and receive events. They are drawn only in
+     * contexts that can't draw bricks, and the option "bake" does not save them. Without children, such a context draws
+     * the bricks as createBrickGeometry() makes them. Copies of the node share its bricks, even deep copies, since a
+     * model is immutable. */
     void setStoredBricks(const BrickModel* bricks);
     osg::ref_ptr<const BrickModel> getStoredBricks() const;
 
@@ -177,6 +178,7 @@ protected:
 private:
     void refresh() const;
     void cull(osg::NodeVisitor& visitor);
+    void visitSource(osg::NodeVisitor& visitor);
     void visitBricks(osg::NodeVisitor& visitor);
 
     osg::ref_ptr<LegoPipeline> _pipeline;

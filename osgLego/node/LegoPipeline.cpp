@@ -227,12 +227,14 @@ osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
 
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
+    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->resizeGLObjectBuffers(maxSize);
     _display.resizeGLObjectBuffers(maxSize);
     _gpuProducer->resizeGLObjectBuffers(maxSize);
 }
 
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
+    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->releaseGLObjects(state);
     _display.releaseGLObjects(state);
     _store->releaseGLObjects(state);
     _gpuProducer->releaseGLObjects(state);
