@@ -4,9 +4,11 @@
 #include <osgLego/LegoNode.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <osg/CopyOp>
@@ -26,11 +28,14 @@ bool isOurs(const osg::Node& node)
     return node.asGroup() && std::string_view(node.libraryName()) == "osgLego";
 }
 
+using IsReplaced = bool (*)(const osg::Node&);
+
 /** Finds the nodes to be replaced, and all nodes above them. */
 class ReplacedNodes : public osg::NodeVisitor
 {
 public:
-    explicit ReplacedNodes(const osg::Node& scene) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN)
+    ReplacedNodes(const osg::Node& scene, IsReplaced isReplaced) :
+        osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), _isReplaced(isReplaced)
     {
         setNodeMaskOverride(~0u);
         const_cast<osg::Node&>(scene).accept(*this); // the visitor changes nothing
@@ -41,11 +46,12 @@ public:
     void apply(osg::Group& group) override
     {
         const bool isLego = dynamic_cast<LegoNode*>(&group) != nullptr;
-        if (isOurs(group)) _nodes.insert(getNodePath().begin(), getNodePath().end());
+        if (_isReplaced(group)) _nodes.insert(getNodePath().begin(), getNodePath().end());
         if (!isLego) traverse(group);
     }
 
 private:
+    IsReplaced _isReplaced;
     std::set<const osg::Node*> _nodes;
 };
 
@@ -78,41 +84,55 @@ osg::ref_ptr<osg::Geode> createBrickGeode(const BrickModel& model, BrickColors c
     return geode;
 }
 
-/** Copies the nodes to be replaced and the nodes above them. */
-class BrickSceneCopy : public osg::CopyOp
+osg::ref_ptr<osg::Node> createBricks(const LegoNode& lego, BrickColors colors, const osg::CopyOp& copyop)
+{
+    const osg::ref_ptr<const BrickModel> model = lego.getBricks();
+    if (!model) return new osg::Group(lego, copyop);
+    const osg::ref_ptr<osg::Geode> geode = createBrickGeode(*model, colors);
+    geode->setName(lego.getName());
+    geode->setNodeMask(lego.getNodeMask());
+    return geode;
+}
+
+bool hasBricks(const osg::Node& node)
+{
+    const auto* lego = dynamic_cast<const LegoNode*>(&node);
+    return lego && lego->getBricks();
+}
+
+osg::ref_ptr<osg::Node> createBaked(const LegoNode& lego)
+{
+    osg::ref_ptr<LegoNode> baked = new LegoNode(lego);
+    baked->removeChildren(0, baked->getNumChildren());
+    baked->setStoredBricks(lego.getBricks().get());
+    return baked;
+}
+
+/** Copies the nodes to be replaced, by a function, and the nodes above them. */
+class SceneCopy : public osg::CopyOp
 {
 public:
-    BrickSceneCopy(const ReplacedNodes& replaced, BrickColors colors) : _replaced(replaced), _colors(colors) {}
+    using Replace = std::function<osg::ref_ptr<osg::Node>(const osg::Node&, const osg::CopyOp&)>;
+
+    SceneCopy(const osg::Node& scene, IsReplaced isReplaced, Replace replace) :
+        _nodes(scene, isReplaced), _isReplaced(isReplaced), _replace(std::move(replace))
+    {
+    }
 
     using osg::CopyOp::operator();
     osg::Node* operator()(const osg::Node* node) const override
     {
-        if (!node || !_replaced.contains(*node)) return const_cast<osg::Node*>(node);
+        if (!node || !_nodes.contains(*node)) return const_cast<osg::Node*>(node);
         osg::ref_ptr<osg::Node>& copy = _copies[node]; // one copy, even if the node has several parents
-        if (!copy) copy = createCopy(*node);
+        if (!copy && _isReplaced(*node)) copy = _replace(*node, *this);
+        if (!copy) copy = static_cast<osg::Node*>(node->clone(*this));
         return copy;
     }
 
 private:
-    osg::ref_ptr<osg::Node> createCopy(const osg::Node& node) const
-    {
-        if (const auto* lego = dynamic_cast<const LegoNode*>(&node)) return createBricks(*lego);
-        if (isOurs(node)) return new osg::Group(*node.asGroup(), *this);
-        return static_cast<osg::Node*>(node.clone(*this));
-    }
-
-    osg::ref_ptr<osg::Node> createBricks(const LegoNode& lego) const
-    {
-        const osg::ref_ptr<const BrickModel> model = lego.getBricks();
-        if (!model) return new osg::Group(lego, *this);
-        const osg::ref_ptr<osg::Geode> geode = createBrickGeode(*model, _colors);
-        geode->setName(lego.getName());
-        geode->setNodeMask(lego.getNodeMask());
-        return geode;
-    }
-
-    const ReplacedNodes& _replaced;
-    BrickColors _colors;
+    ReplacedNodes _nodes;
+    IsReplaced _isReplaced;
+    Replace _replace;
     mutable std::map<const osg::Node*, osg::ref_ptr<osg::Node>> _copies;
 };
 
@@ -120,8 +140,19 @@ private:
 
 osg::ref_ptr<const osg::Node> createBrickScene(const osg::Node& scene, BrickColors colors)
 {
-    const ReplacedNodes replaced(scene);
-    return BrickSceneCopy(replaced, colors)(&scene);
+    const auto replace = [colors](const osg::Node& node, const osg::CopyOp& copyop) -> osg::ref_ptr<osg::Node>
+    {
+        if (const auto* lego = dynamic_cast<const LegoNode*>(&node)) return createBricks(*lego, colors, copyop);
+        return new osg::Group(*node.asGroup(), copyop);
+    };
+    return SceneCopy(scene, isOurs, replace)(&scene);
+}
+
+osg::ref_ptr<const osg::Node> createBakedScene(const osg::Node& scene)
+{
+    const auto replace = [](const osg::Node& node, const osg::CopyOp&)
+    { return createBaked(dynamic_cast<const LegoNode&>(node)); };
+    return SceneCopy(scene, hasBricks, replace)(&scene);
 }
 
 } // namespace osgLego

@@ -30,4 +30,20 @@ enum class BrickColors
  * @return the scene itself if it contains neither a LegoNode nor an AmbientOcclusionScene. */
 OSGLEGO_EXPORT osg::ref_ptr<const osg::Node> createBrickScene(const osg::Node& scene, BrickColors colors);
 
+/** Create a scene without the sources of its bricks: each LegoNode is replaced by a copy without children, in which its
+ * bricks are stored (LegoNode::setStoredBricks()). The look of the bricks, AmbientOcclusionScenes included, is kept.
+ * Needs no GL context.
+ *
+ * With the option "bake", osgDB writes this scene to files in OSG's own formats:
+ *
+ *     osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
+ *     osgDB::writeNodeFile(*scene, "bricks.osgb", options);
+ *
+ * LegoNodes without triangles keep their sources, since these are what they draw. Nodes above the bricks are copied;
+ * other nodes are shared with the original.
+ *
+ * Call it from the thread that updates the scene.
+ * @return the scene itself if it contains no LegoNode with bricks. */
+OSGLEGO_EXPORT osg::ref_ptr<const osg::Node> createBakedScene(const osg::Node& scene);
+
 } // namespace osgLego

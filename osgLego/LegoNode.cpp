@@ -31,6 +31,7 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setBricksCallback(node.getBricksCallback().get());
     setAppearance(node.getAppearance());
     setLightProbe(node.getLightProbe());
+    setStoredBricks(node.getStoredBricks());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
@@ -90,7 +91,7 @@ void LegoNode::dirty()
 bool LegoNode::hasTriangles() const
 {
     refresh();
-    return _pipeline->getSource().valid() || !_pipeline->getObstacle().empty();
+    return _pipeline->getRevision() != 0 || !_pipeline->getObstacle().empty();
 }
 
 std::string LegoNode::getObstacle() const
@@ -149,6 +150,17 @@ osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
     return getReadBack() ? _pipeline->getStore().getContext(contextID)->getModel() : nullptr;
 }
 
+void LegoNode::setStoredBricks(const BrickModel* bricks)
+{
+    _pipeline->setStoredBricks(bricks);
+    dirtyBound();
+}
+
+osg::ref_ptr<const BrickModel> LegoNode::getStoredBricks() const
+{
+    return _pipeline->getStoredBricks();
+}
+
 LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 {
     return _pipeline->getStore().getContext(contextID)->getStatistics();
@@ -156,8 +168,8 @@ LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 
 bool LegoNode::isLegolized(unsigned int contextID) const
 {
-    const osg::ref_ptr<const LegoSource> source = _pipeline->getSource();
-    return source && _pipeline->getStore().getContext(contextID)->isOf(source->revision);
+    const std::uint64_t revision = _pipeline->getRevision();
+    return revision != 0 && _pipeline->getStore().getContext(contextID)->isOf(revision);
 }
 
 bool LegoNode::isSupported(const osg::State& state)
@@ -207,7 +219,17 @@ void LegoNode::cull(osg::NodeVisitor& visitor)
 {
     _pipeline->refreshIfDirty(*this);
     osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
-    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) osg::Group::traverse(visitor);
+    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) visitSource(visitor);
+}
+
+/** Visit the parts that contexts draw that can't draw bricks: the source or, if there are only stored bricks, these as
+ * geometry. */
+void LegoNode::visitSource(osg::NodeVisitor& visitor)
+{
+    if (getNumChildren() == 0 && getStoredBricks())
+        _pipeline->getGeometryNode()->accept(visitor);
+    else
+        osg::Group::traverse(visitor);
 }
 
 void LegoNode::visitBricks(osg::NodeVisitor& visitor)
@@ -233,7 +255,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
         if (!state || _pipeline->isFit(*state))
             _pipeline->getDisplay().getBrickNode()->accept(visitor);
         else
-            osg::Group::traverse(visitor);
+            visitSource(visitor);
     }
     else
     {

@@ -45,7 +45,10 @@ class LegoPipeline;
  * Node visitors other than the update, event and cull visitors see the bricks alone if they traverse active children,
  * and both the source and the bricks if they traverse all children. BrickIntersection gives the brick that was picked.
  *
- * In osgDB's native formats .osgt, .osgb and .osgx, the node is saved as its settings and its source. In other formats,
+ * Bricks can also be stored in the node, instead of being made from a source: see setStoredBricks().
+ *
+ * In osgDB's native formats .osgt, .osgb and .osgx, the node is saved as its settings and its source, or its stored
+ * bricks; the option "bake" stores bricks in the file instead of the source (see createBakedScene()). In other formats,
  * the bricks are saved as osg::Geometry (see createBrickScene()), by a WriteFileCallback that the first LegoNode puts
  * into osgDB's registry, in front of any existing one. A program that later sets a callback of its own calls the
  * previous one in it, or createBrickScene().
@@ -84,7 +87,7 @@ public:
     /** Remake the bricks in the next frame, even if no change of the source is detected. */
     void dirty();
 
-    /** Whether the source has any visible triangles; without them there are no bricks. */
+    /** Whether there is anything to show in bricks: visible triangles in the source, or stored bricks. */
     bool hasTriangles() const;
 
     /** The reason, in one sentence, why a source with triangles has no bricks: cells of the size in the settings would
@@ -125,9 +128,28 @@ public:
     void setReadBack(bool readBack);
     bool getReadBack() const;
 
-    /** The bricks, made on the CPU by the first call and kept until the source changes; null without triangles.
+    /** Show these bricks instead of those of the children; null: legolize the children again.
      *
-     * The cells are those of VoxelizationMethod::EXACT, regardless of the settings. Needs no GL context. */
+     * Bricks that were read from a file or received over a network are shown in this way, and bricks whose source is no
+     * longer needed:
+     *
+     *     lego->setStoredBricks(lego->getBricks());
+     *     lego->removeChildren(0, lego->getNumChildren());
+     *
+     * Bricks stored in a node have every look, and are picked, bounded and exported like others. Changes of the
+     * settings other than the look and the drawing take effect only after setStoredBricks(nullptr).
+     *
+     * Children of the node, even if they are added later, are updated and receive events. They are drawn only in
+     * contexts that can't draw bricks, and the option "bake" does not save them. Without children, such a context draws
+     * the bricks as createBrickGeometry() makes them. Copies of the node share its bricks, even deep copies, since a
+     * model is immutable. */
+    void setStoredBricks(const BrickModel* bricks);
+    osg::ref_ptr<const BrickModel> getStoredBricks() const;
+
+    /** The bricks: those stored, or else those of the source, made on the CPU by the first call and kept until the
+     * source changes; null without triangles.
+     *
+     * The cells of a source are those of VoxelizationMethod::EXACT, regardless of the settings. Needs no GL context. */
     osg::ref_ptr<const BrickModel> getBricks() const;
 
     /** Every covered cell, as made for a context; null until its bricks are made, and while setReadBack() is off. */
@@ -160,6 +182,7 @@ protected:
 private:
     void refresh() const;
     void cull(osg::NodeVisitor& visitor);
+    void visitSource(osg::NodeVisitor& visitor);
     void visitBricks(osg::NodeVisitor& visitor);
 
     osg::ref_ptr<LegoPipeline> _pipeline;

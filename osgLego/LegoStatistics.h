@@ -12,6 +12,7 @@ namespace osgLego
 struct LegoStatistics
 {
     bool isFromCpu = false;               //!< the bricks were made on the CPU, without subdivision
+    bool isStored = false;                //!< the bricks were not made, but given to LegoNode::setStoredBricks()
     unsigned int numLegolizations = 0;    //!< in this context so far
     std::size_t numTriangles = 0;         //!< of the source, except those beside the grid
     std::size_t numSubdivisionPasses = 0; //!< the largest number that any batch of triangles took
@@ -20,7 +21,7 @@ struct LegoStatistics
     double flattening = 0.0;        //!< converting the source to triangles in the grid, on the CPU
     double subdivision = 0.0;       //!< including the upload
     double voxelization = 0.0;
-    double extraction = 0.0; //!< for bricks made on the CPU: the upload
+    double extraction = 0.0; //!< for bricks that were not made on the GPU: the upload
 };
 
 } // namespace osgLego

@@ -122,6 +122,10 @@ void CaptureScene::unwrapSource()
     const osg::ref_ptr<LegoNode> lego = Finder<LegoNode>(*_source).getFound();
     const auto* occlusion = dynamic_cast<AmbientOcclusionScene*>(_source.get());
     if (!lego || (lego != _source && !(occlusion && occlusion->containsNode(lego)))) return;
+    if (lego->getStoredBricks() && lego->getNumChildren() == 0)
+        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh +
+                                               "' has stored bricks but no mesh; expected it without " +
+                                               (_options.original ? "--original" : "--legolize"));
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
         group->addChild(lego->getChild(child));
@@ -315,9 +319,10 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
 
 void CaptureScene::placeCamera(osg::Camera& camera) const
 {
-    // Placed according to the mesh, not its bricks, so that pictures of both match.
+    // Placed according to the mesh, if there is one, not its bricks, so that pictures of both match.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
-    osg::BoundingSphere bound = isInSource ? _lego->osg::Group::computeBound() : _source->getBound();
+    const bool hasMesh = isInSource && !_lego->getStoredBricks();
+    osg::BoundingSphere bound = hasMesh ? _lego->osg::Group::computeBound() : _source->getBound();
     // A grid beside the mesh has no bricks, but is drawn.
     if (_lego && !bound.intersects(_lego->getBound())) bound.expandBy(_lego->getBound());
     const LegoSettings settings = getSettings();

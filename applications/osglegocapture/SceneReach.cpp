@@ -121,6 +121,11 @@ void SceneReach::apply(osg::Group& group)
         traverse(group);
         return;
     }
+    if (const osg::ref_ptr<const BrickModel> stored = lego->getStoredBricks())
+    {
+        addStoredBricks(*stored);
+        return;
+    }
     addBricks(lego->getSettings(),
               [&]
               {
@@ -186,6 +191,28 @@ void SceneReach::addBox(const osg::BoundingBoxd& box)
 {
     for (unsigned int corner = 0; corner < 8; ++corner)
         addPoint(box.corner(corner) * _matrix);
+}
+
+void SceneReach::addStoredBricks(const BrickModel& model)
+{
+    const BrickGrid& grid = model.getGrid();
+    const osg::Matrixd toSurface = grid.getCellsToModel() * _matrix;
+    const osg::Matrixd toScene = toSurface * _surface.toScene;
+    std::vector<double> cellReach(_directions.size(), NOWHERE);
+    for (const Brick& brick : model.getBricks())
+    {
+        if (brick.openSides == 0) continue;
+        const osg::Vec3d corner(brick.cell[0], brick.cell[1], brick.cell[2]);
+        _surface.bounds.expandBy(corner * toSurface);
+        const osg::Vec3d inScene = corner * toScene;
+        for (std::size_t index = 0; index < _directions.size(); ++index)
+            cellReach[index] = std::max(cellReach[index], _directions[index] * inScene);
+    }
+    osg::BoundingBoxd around(osg::Vec3d(0, 0, 0), osg::Vec3d(1, 1, 1)); // a brick and its stud
+    around._max[grid.getUpIndex()] += grid.getStudHeight();
+    const std::vector<double> brickReach = reachOf(around, toScene, true);
+    for (std::size_t index = 0; index < _directions.size(); ++index)
+        _surface.reach[index] = std::max(_surface.reach[index], cellReach[index] + brickReach[index]);
 }
 
 void SceneReach::addPoint(const osg::Vec3d& point)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BrickModel.h>
 #include <osgLego/LegoSettings.h>
 
 #include <functional>
@@ -17,7 +18,7 @@ namespace osgLego
 /** The extent of a scene along given directions, including the possible extent of the bricks of its LegoNodes.
  *
  * Bricks are within one cell of the surface and inside the grid, so their extent is known before they exist. A mesh has
- * the same extent as the bricks that would be made from it.
+ * the same extent as the bricks that would be made from it. Stored bricks have the extent of the visible ones.
  *
  *     SceneReach reach({osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0)});
  *     reach.addSource(*mesh, settings);
@@ -54,6 +55,7 @@ private:
 
     void addBricks(const LegoSettings& settings, const std::function<void()>& visitSource);
     void addBox(const osg::BoundingBoxd& box);
+    void addStoredBricks(const BrickModel& model);
     void addPoint(const osg::Vec3d& point);
     std::vector<double> reachOf(const osg::BoundingBoxd& box, const osg::Matrixd& toScene, bool isOffset) const;
 

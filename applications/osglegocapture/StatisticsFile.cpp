@@ -45,7 +45,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::Graph
         const osg::ref_ptr<const BrickModel> model = lego->getBricks(contextID);
         const BrickGrid& grid = model->getGrid();
         json["settings"] = lego->getSettings().toString();
-        json["device"] = statistics.isFromCpu ? "cpu" : "gpu";
+        if (!statistics.isStored) json["device"] = statistics.isFromCpu ? "cpu" : "gpu";
         json["triangles"] = statistics.numTriangles;
         json["passes"] = statistics.numSubdivisionPasses;
         json["fineTriangles"] = statistics.numFineTriangles;

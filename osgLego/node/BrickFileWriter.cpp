@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <mutex>
+#include <sstream>
 #include <string_view>
 
 #include <osg/Notify>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
+#include <osgDB/ObjectWrapper>
 #include <osgDB/Registry>
 
 namespace osgLego
@@ -36,6 +39,26 @@ bool storesNodes(const std::string& format)
 {
     const osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension(format);
     return writer && writer->acceptsExtension("osgt");
+}
+
+/** Whether the words of the options include "bake". */
+bool mustBake(const osgDB::Options* options)
+{
+    std::istringstream words(options ? options->getOptionString() : std::string());
+    return std::find(std::istream_iterator<std::string>(words), {}, "bake") != std::istream_iterator<std::string>();
+}
+
+/** Have OSG compress binary files, unless the options choose otherwise: damage is then found by the compressor's check
+ * sum, before OSG interprets the file. */
+osg::ref_ptr<const osgDB::Options> protect(const osgDB::Options& options)
+{
+    constexpr const char* KEY = "Compressor";
+    const std::string zlib = "zlib";
+    const osg::ref_ptr<osgDB::Options> result = new osgDB::Options(options);
+    if (result->getPluginStringData(KEY).empty() &&
+        osgDB::Registry::instance()->getObjectWrapperManager()->findCompressor(zlib))
+        result->setPluginStringData(KEY, zlib);
+    return result;
 }
 
 // The formats written by OSG 3.6.5 that keep colours by vertex. All others keep them only as materials.
@@ -67,15 +90,16 @@ void BrickFileWriter::install()
 
 template <typename Write>
 BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node, const std::string& fileName,
-                                                          const Write& write)
+                                                          const Options* options, const Write& write)
 {
     const std::string format = formatOf(fileName);
-    if (storesNodes(format)) return write(node);
+    if (storesNodes(format) && mustBake(options)) return write(*createBakedScene(node), protect(*options));
+    if (storesNodes(format)) return write(node, options);
     const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));
     if (scene != &node && isOneOf(NO_GEOMETRY, format))
         return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " leaves bricks out; expected " +
                            "another format for '" + fileName + "', such as .obj");
-    WriteResult result = write(*scene);
+    WriteResult result = write(*scene, options);
     if (scene == &node || !result.success()) return result;
     // Some writers write nothing and report success.
     if (!osgDB::containsServerAddress(fileName) && !osgDB::fileExists(fileName))
@@ -92,8 +116,9 @@ BrickFileWriter::WriteResult BrickFileWriter::writeObject(const osg::Object& obj
 {
     const auto* node = dynamic_cast<const osg::Node*>(&object);
     if (!node) return _next->writeObject(object, fileName, options);
-    return writeBricks(*node, fileName,
-                       [&](const osg::Node& scene) { return _next->writeObject(scene, fileName, options); });
+    return writeBricks(*node, fileName, options,
+                       [&](const osg::Node& scene, const osg::ref_ptr<const Options>& used)
+                       { return _next->writeObject(scene, fileName, used); });
 }
 
 BrickFileWriter::WriteResult BrickFileWriter::writeImage(const osg::Image& image, const std::string& fileName,
@@ -111,8 +136,9 @@ BrickFileWriter::WriteResult BrickFileWriter::writeHeightField(const osg::Height
 BrickFileWriter::WriteResult BrickFileWriter::writeNode(const osg::Node& node, const std::string& fileName,
                                                         const Options* options)
 {
-    return writeBricks(node, fileName,
-                       [&](const osg::Node& scene) { return _next->writeNode(scene, fileName, options); });
+    return writeBricks(node, fileName, options,
+                       [&](const osg::Node& scene, const osg::ref_ptr<const Options>& used)
+                       { return _next->writeNode(scene, fileName, used); });
 }
 
 BrickFileWriter::WriteResult BrickFileWriter::writeShader(const osg::Shader& shader, const std::string& fileName,

@@ -10,7 +10,8 @@
 namespace osgLego
 {
 
-/** Makes osgDB write the bricks of LegoNodes as geometry to files whose format can't store the node.
+/** Makes osgDB write the bricks of LegoNodes as geometry to files whose format can't store the node, and instead of
+ * the source to files whose format can, if the option "bake" is given.
  *
  * It is a callback of osgDB's registry. The registry writes every file whose format OSG chooses by its name
  * (osgDB::writeNodeFile, osgconv), and only there is the format known before a writer traverses the scene. All calls
@@ -39,9 +40,11 @@ public:
 private:
     ~BrickFileWriter() override = default;
 
-    /** Write a node by `write(node)`, after replacing its bricks by geometry if the format requires it. */
+    /** Write a node by `write(node, options)`, after replacing its bricks by geometry if the format requires it, or its
+     * sources by their bricks if the options request it. */
     template <typename Write>
-    static WriteResult writeBricks(const osg::Node& node, const std::string& fileName, const Write& write);
+    static WriteResult writeBricks(const osg::Node& node, const std::string& fileName, const Options* options,
+                                   const Write& write);
 
     osg::ref_ptr<osgDB::WriteFileCallback> _next;
 };

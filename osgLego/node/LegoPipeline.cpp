@@ -68,9 +68,41 @@ void LegoPipeline::Announcement::operator()()
     if (call) call();
 }
 
+void LegoPipeline::setStoredBricks(const BrickModel* bricks)
+{
+    std::uint64_t revision = 0;
+    {
+        const std::lock_guard lock(_mutex);
+        if (bricks == _storedBricks) return;
+        _storedBricks = bricks;
+        revision = _watch.drop();
+    }
+    _isDirty = !bricks;
+    if (!bricks) return;
+    _cpuProducer->cancel();
+    _gpuProducer->cancel();
+    _store->clear(revision);
+    LegoStatistics statistics;
+    statistics.isStored = true;
+    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, *bricks, statistics);
+    _store->deliver(*set);
+    _display.dirtyBound();
+}
+
+osg::ref_ptr<const BrickModel> LegoPipeline::getStoredBricks() const
+{
+    const std::lock_guard lock(_mutex);
+    return _storedBricks;
+}
+
 void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
+    if (_storedBricks)
+    {
+        _isDirty = false;
+        return;
+    }
     if (!_watch.look(source, _request, _isDirty.exchange(false))) return;
     if (const osg::ref_ptr<const LegoSource> lego = _watch.getSource())
         _store->expect(lego->revision, lego->triangles->getGrid());
@@ -99,18 +131,19 @@ bool LegoPipeline::update(unsigned int frame)
 bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (!source)
+    const std::uint64_t revision = source ? source->revision : getRevision();
+    if (revision == 0)
     {
         warnOfObstacle();
         return false;
     }
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
-    if (mustDrawSource(state, *bricks, *source)) return false;
-    if (!bricks->isOf(source->revision))
+    if (mustDrawSource(state, *bricks, revision)) return false;
+    if (source && !bricks->isOf(revision))
     {
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
-        if (mustDrawSource(state, *bricks, *source)) return false;
+        if (mustDrawSource(state, *bricks, revision)) return false;
     }
     _display.cull(visitor);
     return true;
@@ -134,9 +167,9 @@ bool LegoPipeline::mustWait(const ContextBricks& bricks) const
     return bricks.isEmpty() && !(newest && newest->hasPoints());
 }
 
-bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const
+bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const
 {
-    if (bricks.isUnsupported() || bricks.getFailedRevision() == source.revision) return true;
+    if (bricks.isUnsupported() || bricks.getFailedRevision() == revision) return true;
     // Null until the context has been current; in such a first frame, drawing checks the requirements.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
     const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();
@@ -150,6 +183,12 @@ bool LegoPipeline::isFit(const osg::State& state) const
     const std::string& missing = GlRequirements::getMissing(state);
     if (!missing.empty()) _store->getContext(state.getContextID())->markUnsupported(state.getContextID(), missing);
     return missing.empty();
+}
+
+std::uint64_t LegoPipeline::getRevision() const
+{
+    const std::lock_guard lock(_mutex);
+    return _storedBricks || _watch.getSource() ? _watch.getRevision() : 0;
 }
 
 osg::ref_ptr<const LegoSource> LegoPipeline::getSource() const
@@ -175,6 +214,7 @@ void LegoPipeline::warnOfObstacle()
 
 osg::ref_ptr<const BrickModel> LegoPipeline::getModel()
 {
+    if (osg::ref_ptr<const BrickModel> stored = getStoredBricks()) return stored;
     const osg::ref_ptr<const LegoSource> source = getSource();
     if (!source) return nullptr;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
@@ -208,12 +248,14 @@ osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
 
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
+    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->resizeGLObjectBuffers(maxSize);
     _display.resizeGLObjectBuffers(maxSize);
     _gpuProducer->resizeGLObjectBuffers(maxSize);
 }
 
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
+    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->releaseGLObjects(state);
     _display.releaseGLObjects(state);
     _store->releaseGLObjects(state);
     _gpuProducer->releaseGLObjects(state);

@@ -8,6 +8,7 @@
 #include <osgLego/store/BrickStore.h>
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -44,6 +45,10 @@ public:
     /** Set the function to call when a set has been made on the CPU; it is called in the thread that made the set. */
     void setAnnouncement(std::function<void()> announcement);
 
+    /** Show bricks instead of those of the source; null: legolize the source again. Called in the update traversal. */
+    void setStoredBricks(const BrickModel* bricks);
+    osg::ref_ptr<const BrickModel> getStoredBricks() const;
+
     BrickDisplay& getDisplay() { return _display; }
     const BrickDisplay& getDisplay() const { return _display; }
     const BrickStore& getStore() const { return *_store; }
@@ -52,7 +57,9 @@ public:
     void dirty() { _isDirty = true; }
     bool isDirty() const { return _isDirty; }
 
-    /** Check the source, and flatten it if it has changed since the last check. */
+    /** Check the source, and flatten it if it has changed since the last check. Does nothing if there are stored
+     * bricks.
+     */
     void refresh(const osg::Node& source);
     /** The same, but only after dirty(). */
     void refreshIfDirty(const osg::Node& source)
@@ -70,18 +77,21 @@ public:
     /** Whether a context, which must be current, meets the requirements of bricks. */
     bool isFit(const osg::State& state) const;
 
-    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle. */
+    /** The revision of the bricks to show: those stored, or else those of the source; 0 if there are none. */
+    std::uint64_t getRevision() const;
+    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle or stored bricks.
+     */
     osg::ref_ptr<const LegoSource> getSource() const;
     /** The reason why a source with triangles can't be legolized; empty if there is none. */
     std::string getObstacle() const;
-    /** The model of that source, made now if necessary; null without a source. */
+    /** The stored bricks, or else those of the source, made now if necessary; null if there are neither. */
     osg::ref_ptr<const BrickModel> getModel();
     /** The bounds of the bricks, including those still being made. */
     osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
 
     /** Make sure that there is a brick set for picking, even before any context has drawn one. */
     void prepareForPicking();
-    /** The bricks of the source as osg::Geometry, created by the first call; null if there are none. */
+    /** The bricks of getModel() as osg::Geometry, created by the first call; null if there are none. */
     osg::ref_ptr<osg::Node> getGeometryNode();
 
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -91,14 +101,15 @@ private:
     ~LegoPipeline() override = default;
 
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
-    bool mustDrawSource(const osg::State& state, ContextBricks& bricks, const LegoSource& source) const;
+    bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
     bool mustWait(const ContextBricks& bricks) const;
     void warnOfObstacle();
 
-    mutable std::mutex _mutex; // guards the request, the watch and its obstacle, the last bounds and the geometry
+    mutable std::mutex _mutex; // guards the request, the watch, the stored bricks, the last bounds and the geometry
     SourceWatch::Request _request;
     SourceWatch _watch;
     std::string _printedObstacle;
+    osg::ref_ptr<const BrickModel> _storedBricks;
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _waiting{false};
 

@@ -43,4 +43,12 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
     return true;
 }
 
+std::uint64_t SourceWatch::drop()
+{
+    _revision = makeRevision();
+    _source = nullptr;
+    _obstacle.clear();
+    return _revision;
+}
+
 } // namespace osgLego

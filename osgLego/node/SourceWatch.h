@@ -34,10 +34,16 @@ public:
      * @return whether it was flattened. */
     bool look(const osg::Node& node, const Request& request, bool isDirty);
 
-    /** The number of the last source, or of its absence; higher after every change. */
+    /** Forget the source, because other bricks are shown instead of its own.
+     * @return the revision of these bricks. */
+    std::uint64_t drop();
+
+    /** The number of the last source, of its absence, or of the bricks shown instead of its own;
+     * higher after every change. */
     std::uint64_t getRevision() const { return _revision; }
 
-    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle. */
+    /** The source of the last check; null if it has no visible triangles, or if there is an obstacle, and after drop().
+     */
     osg::ref_ptr<const LegoSource> getSource() const { return _source; }
 
     /** The reason why a source with triangles can't be legolized; empty if there is none. */

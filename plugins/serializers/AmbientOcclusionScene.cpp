@@ -1,3 +1,5 @@
+#include "SettingsField.h"
+
 #include <osgLego/AmbientOcclusionScene.h>
 
 #include <osgDB/InputStream>
@@ -11,8 +13,7 @@ static bool checkSettings(const osgLego::AmbientOcclusionScene&)
 
 static bool readSettings(osgDB::InputStream& stream, osgLego::AmbientOcclusionScene& scene)
 {
-    std::string text;
-    stream.readWrappedString(text);
+    const std::string text = readSettingsField(stream);
     osgLego::AmbientOcclusionSettings settings;
     std::string error;
     if (osgLego::AmbientOcclusionSettings::parse(text, settings, error)) return scene.setSettings(settings);

@@ -1,11 +1,15 @@
+#include "BytesField.h"
+#include "SettingsField.h"
+
+#include <osgLego/BrickCodec.h>
 #include <osgLego/LegoNode.h>
 
 #include <osgDB/InputStream>
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 
-// OSG's own formats store a LegoNode's settings, as text, its appearance, its light and its source. The bricks are made
-// again after reading.
+// OSG's own formats store a LegoNode's settings, as text, its appearance, its light and its source, from which the
+// bricks are made again after reading, or its stored bricks.
 
 static bool checkSettings(const osgLego::LegoNode&)
 {
@@ -14,8 +18,7 @@ static bool checkSettings(const osgLego::LegoNode&)
 
 static bool readSettings(osgDB::InputStream& stream, osgLego::LegoNode& node)
 {
-    std::string text;
-    stream.readWrappedString(text);
+    const std::string text = readSettingsField(stream);
     osgLego::LegoSettings settings;
     std::string error;
     if (osgLego::LegoSettings::parse(text, settings, error)) return node.setSettings(settings);
@@ -73,10 +76,59 @@ static bool writeLight(osgDB::OutputStream& stream, const osgLego::LegoNode& nod
     return true;
 }
 
+constexpr const char* NO_BRICKS = "none"; // in the place of stored bricks
+
+// The last node whose stored bricks, or their absence, have been read by this thread.
+static thread_local const osgLego::LegoNode* lastComplete = nullptr;
+
+/** Refuses files that end, or are damaged, between a node without children and its stored bricks. In such a file, OSG
+ * finds no property of this name, and would return an empty node. */
+class StoredBricksCheck : public osgDB::FinishedObjectReadCallback
+{
+public:
+    void objectRead(osgDB::InputStream& stream, osg::Object& object) override
+    {
+        const auto& node = static_cast<const osgLego::LegoNode&>(object);
+        if (node.getNumChildren() == 0 && lastComplete != &node && !stream.getException())
+            stream.throwException("osgLego: a LegoNode in the file is incomplete; expected a source or stored bricks");
+        lastComplete = nullptr;
+    }
+};
+
+static bool checkStoredBricks(const osgLego::LegoNode& node)
+{
+    return node.getStoredBricks().valid() || node.getNumChildren() == 0;
+}
+
+static bool readStoredBricks(osgDB::InputStream& stream, osgLego::LegoNode& node)
+{
+    lastComplete = &node;
+    std::string bytes;
+    std::string error = "the stored bricks are damaged or incomplete; expected the file as it was written";
+    const bool isRead = readBytesField(stream, bytes);
+    if (isRead && bytes == NO_BRICKS) return true;
+    const osg::ref_ptr<const osgLego::BrickModel> bricks = isRead ? osgLego::decodeBricks(bytes, error) : nullptr;
+    // Without its bricks, the node would be empty: the whole file is refused.
+    if (bricks)
+        node.setStoredBricks(bricks);
+    else
+        stream.throwException("osgLego: " + error);
+    return bricks.valid();
+}
+
+static bool writeStoredBricks(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
+{
+    const osg::ref_ptr<const osgLego::BrickModel> bricks = node.getStoredBricks();
+    writeBytesField(stream, bricks ? osgLego::encodeBricks(*bricks) : std::string(NO_BRICKS));
+    return true;
+}
+
 REGISTER_OBJECT_WRAPPER(osgLego_LegoNode, new osgLego::LegoNode, osgLego::LegoNode,
                         "osg::Object osg::Node osg::Group osgLego::LegoNode")
 {
     ADD_USER_SERIALIZER(Settings);
     ADD_USER_SERIALIZER(Appearance);
     ADD_USER_SERIALIZER(Light);
+    ADD_USER_SERIALIZER(StoredBricks);
+    wrapper->addFinishedObjectReadCallback(new StoredBricksCheck);
 }

@@ -1,3 +1,4 @@
+#include <common/RacingCar.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include <osgDB/ReadFile>
@@ -146,6 +148,184 @@ TEST_F(Serializer, BadSettingsInAFileGiveAWarningAndTheDefaults)
     ASSERT_TRUE(back);
     EXPECT_EQ(back->getSettings(), LegoSettings());
     EXPECT_EQ(back->getNumChildren(), 1u);
+}
+
+/** A car, stored as bricks in files of OSG's own formats. */
+class StoredBricks : public Serializer
+{
+protected:
+    void SetUp() override
+    {
+        Serializer::SetUp();
+        LegoSettings settings;
+        std::string error;
+        ASSERT_TRUE(LegoSettings::parse("16,proportions=plate", settings, error)) << error;
+        _lego = new LegoNode(settings);
+        _lego->addChild(createRacingCar());
+        _bricks = _lego->getBricks();
+    }
+
+    /** Write the car. @return the bytes of the file. */
+    std::string write(const std::string& name)
+    {
+        const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
+        EXPECT_TRUE(osgDB::writeNodeFile(*_lego, pathOf(name), options)) << name;
+        std::stringstream content;
+        content << std::ifstream(pathOf(name), std::ios::binary).rdbuf();
+        return content.str();
+    }
+
+    osg::ref_ptr<osg::Node> readFile(const std::string& name) { return osgDB::readRefNodeFile(pathOf(name)); }
+
+    /** Read a file with these bytes. @return null, after checking that there is a message. */
+    osg::ref_ptr<osg::Node> readDamaged(const std::string& name, const std::string& bytes)
+    {
+        std::ofstream(pathOf(name), std::ios::binary) << bytes;
+        osg::ref_ptr<osg::Node> node;
+        const std::string notices = noticesOf([&] { node = readFile(name); });
+        EXPECT_TRUE(node || !notices.empty()) << name;
+        return node;
+    }
+
+    /** Whether a node has the bricks of the car; no other node may be read. */
+    void expectCar(osg::Node* node, const std::string& where)
+    {
+        const auto* lego = dynamic_cast<LegoNode*>(node);
+        ASSERT_TRUE(lego) << where;
+        ASSERT_TRUE(lego->getStoredBricks()) << where;
+        EXPECT_EQ(lego->getStoredBricks()->getGrid(), _bricks->getGrid()) << where;
+        EXPECT_TRUE(lego->getStoredBricks()->getBricks() == _bricks->getBricks()) << where;
+    }
+
+    osg::ref_ptr<LegoNode> _lego;
+    osg::ref_ptr<const BrickModel> _bricks;
+};
+
+TEST_F(StoredBricks, EqualBricksSettingsAndLookWithoutTheSourceSurviveEveryVariantOfOsgsFormat)
+{
+    BrickAppearance appearance;
+    appearance.joints = false;
+    _lego->setAppearance(appearance);
+    osg::ref_ptr<LightProbe> probe = new LightProbe;
+    probe->setIntensity(2.0);
+    _lego->setLightProbe(probe);
+    _lego->setName("a \"car\"");
+    for (const char* name : {"car.osgt", "car.osgb", "car.osgx"})
+    {
+        write(name);
+        const osg::ref_ptr<osg::Node> node = readFile(name);
+        expectCar(node, name);
+        const auto& lego = dynamic_cast<LegoNode&>(*node);
+        EXPECT_EQ(lego.getNumChildren(), 0u);
+        EXPECT_EQ(lego.getSettings(), _lego->getSettings());
+        EXPECT_FALSE(lego.getAppearance().joints);
+        EXPECT_DOUBLE_EQ(lego.getLightProbe()->getIntensity(), 2.0);
+        EXPECT_EQ(lego.getName(), "a \"car\"");
+    }
+}
+
+TEST_F(StoredBricks, TheySurviveWritingAgainWithAndWithoutTheOption)
+{
+    write("car.osgb");
+    const osg::ref_ptr<osg::Node> first = readFile("car.osgb");
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
+    ASSERT_TRUE(osgDB::writeNodeFile(*first, pathOf("again.osgt"), options));
+    expectCar(readFile("again.osgt"), "with the option");
+    ASSERT_TRUE(osgDB::writeNodeFile(*first, pathOf("again.osgx")));
+    expectCar(readFile("again.osgx"), "without the option");
+}
+
+TEST_F(StoredBricks, EmptyModelsAndEmptyNodesSurvive)
+{
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    const osg::ref_ptr<LegoNode> stored = new LegoNode;
+    stored->setStoredBricks(BrickModel::create(BrickGrid(), {}));
+    scene->addChild(stored);
+    scene->addChild(new LegoNode);
+    for (const char* name : {"empty.osgt", "empty.osgb", "empty.osgx"})
+    {
+        ASSERT_TRUE(osgDB::writeNodeFile(*scene, pathOf(name)));
+        const osg::ref_ptr<osg::Node> node = readFile(name);
+        ASSERT_TRUE(node && node->asGroup() && node->asGroup()->getNumChildren() == 2) << name;
+        const auto& first = dynamic_cast<LegoNode&>(*node->asGroup()->getChild(0));
+        ASSERT_TRUE(first.getStoredBricks()) << name;
+        EXPECT_TRUE(first.getStoredBricks()->getBricks().empty());
+        EXPECT_EQ(first.getStoredBricks()->getGrid(), BrickGrid());
+        EXPECT_FALSE(dynamic_cast<LegoNode&>(*node->asGroup()->getChild(1)).getStoredBricks());
+    }
+}
+
+TEST_F(StoredBricks, LargeModelsSurviveEveryVariantOfOsgsFormat)
+{
+    // Random colours can't be compressed, so that the bytes have several parts.
+    std::mt19937 engine(1);
+    BrickGrid grid;
+    grid.dimensions = {50, 50, 50};
+    std::vector<Brick> bricks;
+    for (int number = 0; number < 50 * 50 * 50; ++number)
+    {
+        Brick brick;
+        brick.cell = {static_cast<std::uint16_t>(number % 50), static_cast<std::uint16_t>(number / 50 % 50),
+                      static_cast<std::uint16_t>(number / 2500)};
+        for (std::uint8_t& channel : brick.color)
+            channel = static_cast<std::uint8_t>(engine());
+        bricks.push_back(brick);
+    }
+    _bricks = BrickModel::create(grid, bricks);
+    _lego->setStoredBricks(_bricks);
+    for (const char* name : {"large.osgt", "large.osgb", "large.osgx"})
+    {
+        EXPECT_GT(write(name).size(), 300000u);
+        expectCar(readFile(name), name);
+    }
+}
+
+TEST_F(StoredBricks, ADamagedFileIsRefused)
+{
+    // OSG itself reads the header, with the version of its format and the name of the compressor, and in text formats
+    // the names of properties. Only the bricks follow the place that is searched for.
+    const std::pair<const char*, const char*> files[]{
+        {"car.osgb", "zlib"}, {"car.osgt", "StoredBricks "}, {"car.osgx", "StoredBricks attribute="}};
+    for (const auto& [name, mark] : files)
+    {
+        const std::string good = write(name);
+        const std::size_t begin = good.find(mark) + std::string(mark).size();
+        ASSERT_LT(begin, good.size());
+        for (std::size_t place = begin; place < good.size(); place += 5)
+        {
+            std::string damaged = good;
+            damaged[place] = static_cast<char>(damaged[place] ^ 0x15);
+            if (const osg::ref_ptr<osg::Node> node = readDamaged(name, damaged))
+                expectCar(node, std::string(name) + " " + std::to_string(place));
+        }
+    }
+}
+
+TEST_F(StoredBricks, ATruncatedFileIsRefused)
+{
+    for (const char* name : {"car.osgb", "car.osgt", "car.osgx"})
+    {
+        const std::string good = write(name);
+        const std::size_t end = good.find_last_not_of("\n ");
+        for (std::size_t size = good.size() / 20; size < end; size += 7)
+        {
+            // XML files may end without their last brackets.
+            const osg::ref_ptr<osg::Node> node = readDamaged(name, good.substr(0, size));
+            if (node && size > good.rfind('"'))
+                expectCar(node, name);
+            else
+                EXPECT_FALSE(node) << name << " " << size;
+        }
+    }
+}
+
+TEST_F(StoredBricks, AMessageNamesTheReason)
+{
+    std::string text = write("car.osgt");
+    text[text.find("StoredBricks") + 40] ^= 1;
+    std::ofstream(pathOf("car.osgt")) << text;
+    const std::string notices = noticesOf([&] { EXPECT_FALSE(readFile("car.osgt")); });
+    EXPECT_NE(notices.find("the stored bricks are damaged or incomplete"), std::string::npos) << notices;
 }
 
 } // namespace

@@ -79,6 +79,26 @@ TEST_F(BrickFileWriterTest, TheNextCallbackGetsTheNodeForOsgsOwnFormatsAndBricks
     }
 }
 
+TEST_F(BrickFileWriterTest, TheOptionBakeStoresBricksInOsgsOwnFormats)
+{
+    const auto writtenWith = [&](const char* name, const char* options)
+    {
+        const osg::ref_ptr<osgDB::Options> parsed = new osgDB::Options(options);
+        _writer->writeNode(*_lego, name, parsed);
+        return dynamic_cast<const LegoNode*>(_next->written.get());
+    };
+    for (const char* name : {"lego.osgt", "lego.osgb", "lego.osgx"})
+        for (const char* options : {"bake", "Ascii bake", "64,up=y  bake noRotation"})
+        {
+            const LegoNode* baked = writtenWith(name, options);
+            ASSERT_TRUE(baked) << name;
+            EXPECT_EQ(baked->getStoredBricks(), _lego->getBricks()) << options;
+        }
+    for (const char* options : {"", "rebake", "bake=no", "Bake"})
+        EXPECT_EQ(writtenWith("lego.osgb", options), _lego) << options;
+    EXPECT_FALSE(writtenWith("lego.obj", "bake")) << "this format has geometry in any case";
+}
+
 TEST_F(BrickFileWriterTest, ObjectsOtherThanScenesArePassedOn)
 {
     const osg::ref_ptr<osg::Image> image = new osg::Image;

@@ -141,6 +141,52 @@ TEST(BrickScene, HiddenBricksAreReplacedToo)
     EXPECT_EQ(copy->getNodeMask(), 0u);
 }
 
+TEST(BakedScene, ANodeKeepsItsBricksAndLookWithoutItsSource)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego();
+    BrickAppearance appearance;
+    appearance.joints = false;
+    lego->setAppearance(appearance);
+    osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+    scene->addChild(lego);
+
+    const osg::ref_ptr<const osg::Node> baked = createBakedScene(*scene);
+    ASSERT_NE(baked, scene);
+    ASSERT_TRUE(dynamic_cast<const AmbientOcclusionScene*>(baked.get()));
+    const auto* bakedLego = dynamic_cast<const LegoNode*>(baked->asGroup()->getChild(0));
+    ASSERT_TRUE(bakedLego);
+    EXPECT_EQ(bakedLego->getNumChildren(), 0u);
+    EXPECT_EQ(bakedLego->getStoredBricks(), lego->getBricks());
+    EXPECT_EQ(bakedLego->getSettings(), lego->getSettings());
+    EXPECT_EQ(bakedLego->getAppearance(), appearance);
+    EXPECT_EQ(bakedLego->getName(), "ball");
+    EXPECT_EQ(bakedLego->getNodeMask(), 0xf0u);
+    EXPECT_EQ(lego->getNumChildren(), 1u) << "the original must not change";
+    EXPECT_FALSE(lego->getStoredBricks());
+
+    const osg::ref_ptr<const osg::Node> again = createBakedScene(*baked);
+    EXPECT_EQ(dynamic_cast<const LegoNode&>(*again->asGroup()->getChild(0)).getStoredBricks(), lego->getBricks());
+}
+
+TEST(BakedScene, WithoutTrianglesANodeKeepsItsSource)
+{
+    const osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->addChild(new osg::Group);
+    EXPECT_EQ(createBakedScene(*lego), lego);
+    const osg::ref_ptr<osg::Node> sphere = createSphere(4);
+    EXPECT_EQ(createBakedScene(*sphere), sphere);
+}
+
+TEST(BrickScene, StoredBricksBecomeAGeode)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego();
+    const osg::ref_ptr<const osg::Node> baked = createBakedScene(*lego);
+    const osg::ref_ptr<const osg::Node> scene = createBrickScene(*baked, BrickColors::BY_VERTEX);
+    const osg::ref_ptr<const osg::Node> expected = createBrickScene(*lego, BrickColors::BY_VERTEX);
+    ASSERT_TRUE(findGeode(scene));
+    EXPECT_EQ(countTriangles(*findGeode(scene)), countTriangles(*findGeode(expected)));
+}
+
 TEST(BrickScene, WithoutBricksTheSceneIsTheSame)
 {
     const osg::ref_ptr<osg::Node> sphere = createSphere(4);

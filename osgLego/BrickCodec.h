@@ -1,0 +1,38 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Export.h>
+
+#include <string>
+#include <string_view>
+
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Encode a model compactly, for files and networks: its grid, and the cells and colours of its bricks, compressed and
+ * protected by a check sum. The bytes are the same on every machine.
+ *
+ * Precondition: the bricks are in the grid, sorted and unique, as in every model from BrickModel::create().
+ *
+ * Usage:
+ *
+ *     const std::string bytes = osgLego::encodeBricks(*lego->getBricks());
+ *     std::string error;
+ *     const osg::ref_ptr<const osgLego::BrickModel> model = osgLego::decodeBricks(bytes, error);
+ *     if (model)
+ *         lego->setStoredBricks(model);
+ *     else
+ *         std::cerr << error << '\n';
+ *
+ * Needs no GL; may be called from any thread. Needs about 20 bytes of memory for each brick.
+ * @throws std::bad_alloc if there is not enough memory. */
+OSGLEGO_EXPORT std::string encodeBricks(const BrickModel& model);
+
+/** Decode the bytes of encodeBricks() into an equal model. May be called from any thread.
+ * @return null, with one sentence in `error`, if the bytes are damaged or incomplete, or in the format of a newer
+ * version. */
+OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string& error);
+
+} // namespace osgLego

@@ -1,0 +1,223 @@
+#include <osgLego/BrickCodec.h>
+
+#include <common/RacingCar.h>
+#include <osgLego/CpuLegolizer.h>
+
+#include <Meshes.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+LegoSettings parse(const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
+    return settings;
+}
+
+Brick createBrick(int x, int y, int z, std::array<std::uint8_t, 3> color = {10, 20, 30})
+{
+    Brick brick;
+    brick.cell = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
+    brick.color = color;
+    return brick;
+}
+
+BrickGrid createGrid(const glm::ivec3& dimensions)
+{
+    BrickGrid grid;
+    grid.dimensions = dimensions;
+    grid.origin = {-1.1, 1e-300, 1e300};
+    grid.cellSize = {0.1, 0.1, 0.04};
+    return grid;
+}
+
+void expectEqualAfterDecoding(const BrickModel& model)
+{
+    std::string error;
+    const osg::ref_ptr<const BrickModel> decoded = decodeBricks(encodeBricks(model), error);
+    ASSERT_TRUE(decoded) << error;
+    EXPECT_TRUE(error.empty());
+    EXPECT_EQ(decoded->getGrid(), model.getGrid());
+    EXPECT_TRUE(decoded->getBricks() == model.getBricks());
+}
+
+std::string errorOf(const std::string& bytes)
+{
+    std::string error;
+    EXPECT_FALSE(decodeBricks(bytes, error));
+    return error;
+}
+
+/** CRC-32 bit by bit, as its definition has it. */
+std::uint32_t checkSumOf(const std::string& bytes)
+{
+    std::uint32_t sum = ~0u;
+    for (const char byte : bytes)
+    {
+        sum ^= static_cast<std::uint8_t>(byte);
+        for (int bit = 0; bit < 8; ++bit)
+            sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0u);
+    }
+    return ~sum;
+}
+
+/** Replace bytes and correct the check sum. */
+std::string forge(std::string bytes, std::size_t place, const std::string& replacement)
+{
+    bytes.replace(place, replacement.size(), replacement);
+    const std::uint32_t sum = checkSumOf(bytes.substr(0, 4) + bytes.substr(8));
+    for (std::size_t byte = 0; byte < 4; ++byte)
+        bytes[4 + byte] = static_cast<char>(sum >> (8 * byte));
+    return bytes;
+}
+
+std::string toBytes(double number)
+{
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    std::string bytes;
+    for (int byte = 0; byte < 8; ++byte)
+        bytes += static_cast<char>(bits >> (8 * byte));
+    return bytes;
+}
+
+// Places in the bytes.
+constexpr std::size_t DIMENSIONS = 8;
+constexpr std::size_t UP_AXIS = 20;
+constexpr std::size_t ORIGIN = 21;
+constexpr std::size_t CELL_SIZE = 45;
+constexpr std::size_t NUM_BRICKS = 69;
+constexpr std::size_t DATA_SIZE = 77;
+
+class BrickCodec : public ::testing::Test
+{
+protected:
+    osg::ref_ptr<const BrickModel> _car = legolizeOnCpu(*createRacingCar(), parse("20,proportions=plate"));
+    std::string _bytes = encodeBricks(*_car);
+};
+
+TEST_F(BrickCodec, ModelsAreEqualAfterDecoding)
+{
+    for (const char* settings : {"1", "7,up=y", "64", "100,proportions=plate", "64,proportions=brick,up=y"})
+    {
+        SCOPED_TRACE(settings);
+        for (const osg::ref_ptr<osg::Node>& mesh :
+             {createRacingCar(), createSphere(), createTorus(), createThinPlate(), createSliverSoup()})
+            expectEqualAfterDecoding(*legolizeOnCpu(*mesh, parse(settings)));
+    }
+}
+
+TEST_F(BrickCodec, TheBunnyIsEqualAfterDecodingAndTakesLessThanHalfAByteForEachBrick)
+{
+    const osg::ref_ptr<osg::Node> bunny = readBunny();
+    if (!bunny) GTEST_SKIP() << "the bunny is missing";
+    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*bunny, parse("64,up=y"));
+    expectEqualAfterDecoding(*model);
+    EXPECT_LT(2 * encodeBricks(*model).size(), model->getBricks().size());
+}
+
+TEST_F(BrickCodec, ModelsOfRandomBricksAreEqualAfterDecoding)
+{
+    std::mt19937 engine(5);
+    for (const unsigned int density : {1u, 10u, 50u, 90u, 100u})
+    {
+        const glm::ivec3 size(13, 17, 11);
+        std::vector<Brick> bricks;
+        for (int number = 0; number < size.x * size.y * size.z; ++number)
+            if (engine() % 100 < density)
+                bricks.push_back(
+                    createBrick(number % size.x, number / size.x % size.y, number / size.x / size.y,
+                                {static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()), 255}));
+        expectEqualAfterDecoding(*BrickModel::create(createGrid(size), bricks));
+    }
+}
+
+TEST_F(BrickCodec, EmptyModelsAndTheCornersOfTheLargestGridAreEqualAfterDecoding)
+{
+    expectEqualAfterDecoding(*BrickModel::create(BrickGrid(), {}));
+    expectEqualAfterDecoding(*BrickModel::create(createGrid({4, 5, 6}), {}));
+    const BrickGrid largest = createGrid({1024, 1024, 2560});
+    expectEqualAfterDecoding(*BrickModel::create(largest, {createBrick(0, 0, 0)}));
+    expectEqualAfterDecoding(*BrickModel::create(largest, {createBrick(0, 0, 0), createBrick(1023, 0, 0),
+                                                           createBrick(0, 1023, 1), createBrick(1023, 1023, 2559)}));
+}
+
+TEST_F(BrickCodec, TheCheckSumIsCrc32)
+{
+    EXPECT_EQ(forge(_bytes, 0, _bytes.substr(0, 1)), _bytes);
+}
+
+TEST_F(BrickCodec, ChangingAnyByteIsAnError)
+{
+    for (std::size_t place = 0; place < _bytes.size(); ++place)
+        for (const char change : {'\x01', '\x80', '\xff'})
+        {
+            std::string damaged = _bytes;
+            damaged[place] = static_cast<char>(damaged[place] ^ change);
+            EXPECT_NE(errorOf(damaged).find("damaged or incomplete"), std::string::npos) << place;
+        }
+}
+
+TEST_F(BrickCodec, TruncatingAndAppendingIsAnError)
+{
+    for (std::size_t size = 0; size < _bytes.size(); ++size)
+        EXPECT_NE(errorOf(_bytes.substr(0, size)).find("damaged or incomplete"), std::string::npos) << size;
+    EXPECT_NE(errorOf(_bytes + '\0').find("damaged or incomplete"), std::string::npos);
+}
+
+TEST_F(BrickCodec, ANewerVersionIsNamed)
+{
+    EXPECT_EQ(errorOf(forge(_bytes, 0, "\x02")),
+              "the stored bricks have version 2 of their format; expected version 1, or a newer osgLego to read them");
+}
+
+TEST_F(BrickCodec, ImpossibleValuesAreErrorsEvenIfTheCheckSumIsRight)
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    const std::string huge(8, '\x7f');
+    const std::vector<std::string> forged{forge(_bytes, DIMENSIONS, std::string(12, '\0')),
+                                          forge(_bytes, DIMENSIONS, std::string(1, '\x01')),
+                                          forge(_bytes, DIMENSIONS, huge),
+                                          forge(_bytes, UP_AXIS, std::string(1, '\0')),
+                                          forge(_bytes, UP_AXIS, "\x03"),
+                                          forge(_bytes, ORIGIN, toBytes(-infinity)),
+                                          forge(_bytes, ORIGIN + 16, toBytes(std::nan(""))),
+                                          forge(_bytes, CELL_SIZE, toBytes(0.0)),
+                                          forge(_bytes, CELL_SIZE + 8, toBytes(-1.0)),
+                                          forge(_bytes, CELL_SIZE + 16, toBytes(infinity)),
+                                          forge(_bytes, NUM_BRICKS, huge),
+                                          forge(_bytes, NUM_BRICKS, std::string(1, _bytes[NUM_BRICKS] - 1)),
+                                          forge(_bytes, DATA_SIZE, huge),
+                                          forge(_bytes, DATA_SIZE, std::string(1, _bytes[DATA_SIZE] + 1)),
+                                          forge(_bytes.substr(0, DATA_SIZE), 0, ""),
+                                          forge(_bytes.substr(0, DATA_SIZE + 20), 0, ""),
+                                          forge(_bytes, DATA_SIZE + 8, "no zlib data")};
+    for (std::size_t index = 0; index < forged.size(); ++index)
+        EXPECT_NE(errorOf(forged[index]).find("contradict"), std::string::npos) << index;
+}
+
+TEST_F(BrickCodec, BricksOutsideTheGridOrTwiceInACellAreErrors)
+{
+    const BrickGrid grid = createGrid({4, 4, 4});
+    for (const std::vector<Brick>& bricks :
+         {std::vector<Brick>{createBrick(0, 0, 4)}, std::vector<Brick>{createBrick(3, 3, 3), createBrick(0, 0, 4)},
+          std::vector<Brick>{createBrick(1, 1, 1), createBrick(1, 1, 1)},
+          std::vector<Brick>{createBrick(2, 1, 1), createBrick(1, 1, 1)}})
+        EXPECT_NE(errorOf(encodeBricks(*BrickModel::createComplete(grid, bricks))).find("contradict"),
+                  std::string::npos);
+}
+
+} // namespace
+
+} // namespace osgLego::test
