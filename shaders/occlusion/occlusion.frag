@@ -74,7 +74,7 @@ vec3 lightTo(float cosine, float sign, Slice slice)
     // With x = |cosine|, both acos(x) and sqrt(1 - x * x) are sqrt(1 - x) times a smooth function (for acos: Abramowitz and
     // Stegun 1964, 4.4.45). The errors are below 1e-4.
     float x = abs(cosine);
-    float root = sqrt(1.0 - x);
+    float root = sqrt(max(1.0 - x, 0.0));
     float acute = root * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
     float angle = sign * (cosine < 0.0 ? PI - acute : acute);
     float sine = sign * root * (1.0 + x * (0.4979 + x * (-0.1137 + x * 0.0300)));
@@ -112,9 +112,9 @@ void raise(inout Side side, float sign, vec3 step, vec3 toEye, Slice slice, vec2
     step -= dot(step, slice.axis) * slice.back;
     float square = max(dot(step, step), 1e-18);
     float inverse = inversesqrt(square);
-    float cosine = clamp(dot(step, toEye) * inverse, -1.0, 1.0);
-    float weight = clamp(fade.x + fade.y * square * inverse, 0.0, 1.0);
-    if (cosine <= side.horizon || weight == 0.0) return;
+    float cosine = dot(step, toEye) * inverse;
+    float weight = min(fade.x + fade.y * square * inverse, 1.0);
+    if (cosine <= side.horizon || weight <= 0.0) return;
     vec3 below = lightTo(cosine, sign, slice);
     side.light -= weight * (side.below - below);
     side.below = below;

@@ -23,25 +23,27 @@ void main()
     vec4 normal = texelFetch(normalBuffer, pixel, 0);
 
     // The slope of depth across the picture: the smaller of the slopes on both sides.
-    vec4 beside = vec4(texelFetch(depthImage, min(pixel + ivec2(1, 0), area.zw), 0).r - depth,
+    vec4 slopes = vec4(texelFetch(depthImage, min(pixel + ivec2(1, 0), area.zw), 0).r - depth,
                        depth - texelFetch(depthImage, max(pixel - ivec2(1, 0), area.xy), 0).r,
                        texelFetch(depthImage, min(pixel + ivec2(0, 1), area.zw), 0).r - depth,
                        depth - texelFetch(depthImage, max(pixel - ivec2(0, 1), area.xy), 0).r);
-    vec2 slope = vec2(abs(beside.x) < abs(beside.y) ? beside.x : beside.y,
-                      abs(beside.z) < abs(beside.w) ? beside.z : beside.w);
+    vec2 slope = vec2(abs(slopes.x) < abs(slopes.y) ? slopes.x : slopes.y,
+                      abs(slopes.z) < abs(slopes.w) ? slopes.z : slopes.w);
     float width = pixelWidthAt(depth);
 
     // The average is as wide as the noise is coarse: if the radius is many pixels wide, steps are far apart.
     float reach = radius / (width * REACH);
     float distinct = distinctnessOf(radius, depth);
     float spread = mix(0.1, 1.0 / clamp(reach * reach, 2.0, 10.0), distinct);
+    float near1 = exp(-spread);
+    float near2 = near1 * near1 * near1 * near1;
+    float kernel[5] = float[5](near2, near1, 1.0, near1, near2);
 
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x)
         {
-            if (abs(x) + abs(y) > 3) continue; // the corners
             ivec2 other = clamp(pixel + ivec2(x, y), area.xy, area.zw);
             float otherDepth = texelFetch(depthImage, other, 0).r;
             if (otherDepth < NOTHING) continue;
@@ -50,7 +52,7 @@ void main()
             vec4 otherNormal = texelFetch(normalBuffer, other, 0);
             vec2 turned = abs(otherNormal.xy - normal.xy);
             if (isBrick(normal) && isBrick(otherNormal)) alike *= clamp(1.0 - 4.0 * max(turned.x, turned.y), 0.0, 1.0);
-            float weight = exp(-spread * float(x * x + y * y)) * mix(1.0, alike, distinct);
+            float weight = kernel[x + 2] * kernel[y + 2] * mix(1.0, alike, distinct);
             sum += weight * texelFetch(occlusion, other, 0);
             weights += weight;
         }
