@@ -7,7 +7,7 @@ uniform vec3 voxel;       // the extent of a voxel, in texture coordinates
 uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + y * z|
 
 // The distance from the surface at which occlusion is read, in voxels: voxels with bricks have none of their own.
-const float LIFT = 0.4;
+const float LIFT = 0.5;
 // The least width of a voxel, in pixels: smaller ones would flicker when the camera moves.
 const float LEAST_WIDTH = 8.0;
 
