@@ -27,14 +27,13 @@ struct OcclusionOptions : BenchOptions
 };
 
 constexpr glm::ivec2 SIZE(1280, 720);
-constexpr std::array NEAR{"low,distant=off", "medium,distant=off", "high,distant=off"};
-constexpr std::array DISTANT{"low", "medium", "high"};
+constexpr std::array QUALITIES{"low", "medium", "high", "low,distant=off", "medium,distant=off", "high,distant=off"};
 
-AmbientOcclusionSettings createSettings(const char* text)
+AmbientOcclusionSettings createSettings(const char* quality)
 {
     AmbientOcclusionSettings settings;
     std::string error;
-    AmbientOcclusionSettings::parse(text, settings, error);
+    AmbientOcclusionSettings::parse(quality, settings, error);
     return settings;
 }
 
@@ -96,11 +95,10 @@ void runOcclusion(const OcclusionOptions& options)
     ordered_json document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
-    for (const auto& qualities : {NEAR, DISTANT})
-        for (const BenchScene& scene : scenes)
-            for (const char* quality : qualities)
-                document["errors"].push_back(compareWithRays(scene, quality, options));
-    for (const char* quality : DISTANT)
+    for (const BenchScene& scene : scenes)
+        for (const char* quality : QUALITIES)
+            document["errors"].push_back(compareWithRays(scene, quality, options));
+    for (const char* quality : QUALITIES)
         if (options.numFrames > 0) document["times"].push_back(timePasses(scenes.front(), quality, options.numFrames));
     options.write(document);
 }

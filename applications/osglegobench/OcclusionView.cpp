@@ -2,13 +2,11 @@
 
 #include "Spread.h"
 
-#include <osgLego/data/DistantOcclusion.h>
-
 #include <common/BrickRayCaster.h>
+#include <osgLego/data/DistantOcclusion.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -49,7 +47,7 @@ public:
         _visibility += rays.visibility;
         _visibilitySquares += rays.visibility * rays.visibility;
         const double cosine = std::clamp(glm::dot(screen.bentNormal, rays.bentNormal), -1.0, 1.0);
-        _angles.push_back(std::acos(cosine) * 180.0 / std::numbers::pi);
+        _angles.push_back(osg::RadiansToDegrees(std::acos(cosine)));
         const double lit = irradianceOf(rays);
         const double difference = irradianceOf(screen) - lit;
         _irradiance += lit;
@@ -148,9 +146,7 @@ nlohmann::ordered_json OcclusionView::compare(AmbientOcclusionSettings settings,
     const osg::ref_ptr<osg::Image> normals = drawOutput(AmbientOcclusionOutput::NORMALS);
     OcclusionError error;
     const BrickRayCaster caster(*_lego->getBricks());
-    const BrickGrid& grid = caster.getModel().getGrid();
-    const glm::dvec3 sides = glm::dvec3(grid.dimensions) * grid.cellSize / grid.getPitch();
-    const double reach = settings.hasDistant() ? DistantOcclusion::REACH * std::max({sides.x, sides.y, sides.z})
+    const double reach = settings.hasDistant() ? DistantOcclusion::getReach(caster.getModel().getGrid())
                                                : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
     glm::ivec2 pixel;
     for (pixel.y = stride / 2; pixel.y < _size.y; pixel.y += stride)

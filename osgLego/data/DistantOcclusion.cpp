@@ -3,15 +3,16 @@
 #include <osgLego/AmbientOcclusionSettings.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -24,6 +25,13 @@ namespace
 constexpr int NUM_DIRECTIONS = 64;
 constexpr int BORDER = DistantOcclusion::BORDER;
 
+/** In pitches. */
+double longestSide(const BrickGrid& grid)
+{
+    const glm::dvec3 sides = glm::dvec3(grid.dimensions) * grid.cellSize / grid.getPitch();
+    return std::max({sides.x, sides.y, sides.z});
+}
+
 /** The voxels around a grid of cells, with a margin wide enough for every ray. */
 class VoxelGrid
 {
@@ -31,13 +39,12 @@ public:
     explicit VoxelGrid(const BrickGrid& grid)
     {
         const glm::dvec3 cell = grid.cellSize / grid.getPitch();
-        const glm::dvec3 sides = glm::dvec3(grid.dimensions) * cell;
-        const double longest = std::max({sides.x, sides.y, sides.z});
+        const double longest = longestSide(grid);
         const double width = std::max(1.0, std::ceil(longest / DistantOcclusion::MAXIMUM_SIZE));
         cellsPerVoxel = glm::max(glm::ivec3(glm::round(width / cell)), 1);
         extent = glm::dvec3(cellsPerVoxel) * cell;
         size = (grid.dimensions + cellsPerVoxel - 1) / cellsPerVoxel + 2 * BORDER;
-        reach = DistantOcclusion::REACH * longest;
+        reach = DistantOcclusion::getReach(grid);
         margin = glm::ivec3(glm::ceil(reach / extent)) + 1;
         const glm::ivec3 all = size + 2 * margin;
         strides = {1, all.x, static_cast<std::ptrdiff_t>(all.x) * all.y};
@@ -124,19 +131,42 @@ std::vector<Path> createPaths(const VoxelGrid& grid)
     return paths;
 }
 
-/** b and a of a voxel, as class DistantOcclusion describes them. */
-glm::vec4 castRays(const VoxelGrid& grid, const std::vector<Path>& paths, std::size_t place)
+/** The hidden fractions of surfaces that face the ends of the axes. */
+struct Cube
+{
+    std::array<glm::vec3, 2> sides{glm::vec3(0.0f), glm::vec3(0.0f)}; // lower ends, upper ends
+
+    void add(const glm::vec3& direction, float weight)
+    {
+        sides[0] += weight * glm::max(-direction, 0.0f);
+        sides[1] += weight * glm::max(direction, 0.0f);
+    }
+    void add(const Cube& cube)
+    {
+        for (std::size_t end = 0; end < sides.size(); ++end)
+            sides[end] += cube.sides[end];
+    }
+    void divideBy(const Cube& cube)
+    {
+        for (std::size_t end = 0; end < sides.size(); ++end)
+            sides[end] /= cube.sides[end];
+    }
+};
+
+Cube castRays(const VoxelGrid& grid, const std::vector<Path>& paths, std::size_t place)
 {
     const std::uint32_t* voxel = grid.counts.data() + place;
-    glm::vec4 sum(0.0f);
+    Cube hidden;
+    Cube all;
     for (const Path& path : paths)
-        for (const Path::Step& step : path.steps)
-        {
-            if (voxel[step.offset] == 0) continue;
-            sum += std::max(step.weight, 0.0f) * glm::vec4(2.0f * path.direction, 1.0f);
-            break;
-        }
-    return sum / static_cast<float>(paths.size());
+    {
+        all.add(path.direction, 1.0f);
+        const auto hit = std::find_if(path.steps.begin(), path.steps.end(),
+                                      [&](const Path::Step& step) { return voxel[step.offset] != 0; });
+        if (hit != path.steps.end()) hidden.add(path.direction, std::max(hit->weight, 0.0f));
+    }
+    hidden.divideBy(all);
+    return hidden;
 }
 
 /** Whether any of the 26 neighbours of a voxel has bricks. */
@@ -168,79 +198,88 @@ void forEachVoxel(const glm::ivec3& size, const Function& function)
         });
 }
 
-/** The values of voxels. Voxels without a value have a negative a. */
-class Values
+/** The cubes of voxels, for those that have one. */
+class Cubes
 {
 public:
-    explicit Values(const glm::ivec3& size) :
-        _size(size), _values(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y * size.z))
+    explicit Cubes(const glm::ivec3& size) :
+        _size(size), _cubes(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y * size.z))
     {
     }
 
-    glm::vec4& at(const glm::ivec3& voxel)
+    std::optional<Cube>& at(const glm::ivec3& voxel)
     {
-        return _values[static_cast<std::size_t>(voxel.x + _size.x * (voxel.y + _size.y * voxel.z))];
+        return _cubes[static_cast<std::size_t>(voxel.x + _size.x * (voxel.y + _size.y * voxel.z))];
     }
-    const glm::vec4& at(const glm::ivec3& voxel) const { return const_cast<Values*>(this)->at(voxel); }
 
-    /** The mean of the neighbours that have values; 0 if there are none. */
-    glm::vec4 getMeanAround(const glm::ivec3& voxel) const
+    /** The mean of the neighbours that have cubes; 0 if there are none. */
+    Cube getMeanAround(const glm::ivec3& voxel)
     {
-        glm::vec4 sum(0.0f);
-        float count = 0.0f;
+        Cube sum;
+        Cube count;
         const glm::ivec3 first = glm::max(voxel - 1, 0);
         const glm::ivec3 last = glm::min(voxel + 1, _size - 1);
         for (int z = first.z; z <= last.z; ++z)
             for (int y = first.y; y <= last.y; ++y)
                 for (int x = first.x; x <= last.x; ++x)
                 {
-                    const glm::vec4& value = at({x, y, z});
-                    if (value.w < 0.0f) continue;
-                    sum += value;
-                    count += 1.0f;
+                    const std::optional<Cube>& cube = at({x, y, z});
+                    if (!cube) continue;
+                    sum.add(*cube);
+                    count.add({{glm::vec3(1.0f), glm::vec3(1.0f)}});
                 }
-        return count > 0.0f ? sum / count : sum;
+        if (count.sides[0].x > 0.0f) sum.divideBy(count);
+        return sum;
     }
 
 private:
     glm::ivec3 _size;
-    std::vector<glm::vec4> _values;
+    std::vector<std::optional<Cube>> _cubes;
 };
 
-void write(const glm::vec4& value, unsigned char* bytes)
+void write(const glm::vec3& hidden, unsigned char* bytes)
 {
-    const glm::vec4 scaled = glm::clamp(glm::vec4(127.0f + 127.0f * glm::vec3(value), 255.0f * value.w), 0.0f, 255.0f);
-    for (int channel = 0; channel < 4; ++channel)
-        bytes[channel] = static_cast<unsigned char>(std::lround(scaled[channel]));
+    for (int channel = 0; channel < 3; ++channel)
+        bytes[channel] = static_cast<unsigned char>(std::lround(255.0f * std::min(hidden[channel], 1.0f)));
+    bytes[3] = 255;
 }
 
 } // namespace
+
+double DistantOcclusion::getReach(const BrickGrid& grid)
+{
+    return 0.25 * longestSide(grid);
+}
 
 osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& grid, std::span<const BrickPoint> points)
 {
     VoxelGrid voxels(grid);
     voxels.add(points);
     const std::vector<Path> paths = createPaths(voxels);
-    const glm::vec4 nothing(0.0f, 0.0f, 0.0f, -1.0f);
-    Values values(voxels.size);
+    Cubes cubes(voxels.size);
     forEachVoxel(voxels.size,
                  [&](const glm::ivec3& voxel)
                  {
                      const std::size_t place = voxels.placeOf(voxel);
-                     const bool isUsed = voxels.counts[place] == 0 && isNearBricks(voxels, place);
-                     values.at(voxel) = isUsed ? castRays(voxels, paths, place) : nothing;
+                     if (voxels.counts[place] == 0 && isNearBricks(voxels, place))
+                         cubes.at(voxel) = castRays(voxels, paths, place);
                  });
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(voxels.size.x, voxels.size.y, voxels.size.z, GL_RGBA, GL_UNSIGNED_BYTE);
+    osg::ref_ptr<DistantOcclusion> result = new DistantOcclusion(voxels.cellsPerVoxel);
+    for (osg::ref_ptr<osg::Image>& image : result->_images)
+    {
+        image = new osg::Image;
+        image->allocateImage(voxels.size.x, voxels.size.y, voxels.size.z, GL_RGBA, GL_UNSIGNED_BYTE);
+    }
     forEachVoxel(voxels.size,
                  [&](const glm::ivec3& voxel)
                  {
-                     const glm::vec4& own = values.at(voxel);
-                     write(own.w < 0.0f ? values.getMeanAround(voxel) : own,
-                           image->data(static_cast<unsigned int>(voxel.x), static_cast<unsigned int>(voxel.y),
-                                       static_cast<unsigned int>(voxel.z)));
+                     const Cube cube = cubes.at(voxel) ? *cubes.at(voxel) : cubes.getMeanAround(voxel);
+                     for (std::size_t end = 0; end < cube.sides.size(); ++end)
+                         write(cube.sides[end], result->_images[end]->data(static_cast<unsigned int>(voxel.x),
+                                                                           static_cast<unsigned int>(voxel.y),
+                                                                           static_cast<unsigned int>(voxel.z)));
                  });
-    return new DistantOcclusion(voxels.cellsPerVoxel, *image);
+    return result;
 }
 
 } // namespace osgLego

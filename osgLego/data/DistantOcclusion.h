@@ -3,6 +3,7 @@
 #include <osgLego/BrickGrid.h>
 #include <osgLego/data/BrickPoints.h>
 
+#include <array>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -17,44 +18,40 @@ namespace osgLego
  *
  * A voxel is a block of cells of about the same width, depth and height. From the centre of each empty voxel near a
  * brick, rays in all directions end at the first voxel with bricks. A hit at a distance t counts with the weight
- * fade(t, reach) - fade(t, near), where fade(t, r) = clamp((r - t) / (r * falloff), 0, 1): the part of the occlusion up
- * to `reach` that the search for near occluders leaves out. For a surface with normal n, the hidden fraction of the
- * cosine-weighted sky is approximately
- *
- *     a + dot(b, n), where a = mean(weight) and b = 2 * mean(weight * direction)
- *
- * which is exact if all directions on one side of a plane are hidden (the first two bands of spherical harmonics;
- * Ramamoorthi and Hanrahan 2001). Voxels with bricks have the mean of their empty neighbours.
+ * fade(t, reach) - fade(t, radius), where fade(t, r) = clamp((r - t) / (r * falloff), 0, 1), with the default radius
+ * and falloff of AmbientOcclusionSettings: the part of the occlusion up to `reach` that the search in the picture
+ * leaves out. For each of the six directions of the axes, the voxel has the cosine-weighted mean of the weights of the
+ * rays on that side: the fraction of the sky that is hidden from a surface facing there. Surfaces that face other
+ * directions interpolate these with the squares of their normal's components (the ambient cube of McTaggart 2004).
+ * Voxels with bricks have the mean of their empty neighbours.
  *
  * Immutable; every function may be called from any thread.
  */
 class DistantOcclusion : public osg::Referenced
 {
 public:
-    /** The greatest number of voxels along an axis. */
+    /** The greatest number of voxels along an axis, without the border. */
     static constexpr int MAXIMUM_SIZE = 64;
-    /** The greatest distance of occluders, as a part of the longest side of the grid. */
-    static constexpr double REACH = 0.25;
-
     /** Voxels around the grid, so that samples at its border are interpolated, too. */
     static constexpr int BORDER = 1;
+    /** The greatest distance of occluders, in pitches: a quarter of the longest side of the grid. */
+    static double getReach(const BrickGrid& grid);
 
     /** @param points the visible bricks. */
     static osg::ref_ptr<const DistantOcclusion> create(const BrickGrid& grid, std::span<const BrickPoint> points);
 
-    /** The voxels as a picture of bytes: b, from -1 to 1 in axes of the model, as 0 to 254; and a, from 0 to 1. */
-    const osg::Image& getImage() const { return *_image; }
+    /** The hidden fractions, 0 to 1, of surfaces that face the upper (+x, +y, +z) or the lower (-x, -y, -z) ends of the
+     * axes: red for x, green for y, blue for z, in bytes. */
+    const osg::Image& getImage(bool upper) const { return *_images[upper ? 1 : 0]; }
     /** The number of cells in a voxel, along each axis. */
     const glm::ivec3& getCellsPerVoxel() const { return _cellsPerVoxel; }
 
 private:
-    DistantOcclusion(const glm::ivec3& cellsPerVoxel, osg::Image& image) : _cellsPerVoxel(cellsPerVoxel), _image(&image)
-    {
-    }
+    explicit DistantOcclusion(const glm::ivec3& cellsPerVoxel) : _cellsPerVoxel(cellsPerVoxel) {}
     ~DistantOcclusion() override = default;
 
     glm::ivec3 _cellsPerVoxel;
-    osg::ref_ptr<osg::Image> _image;
+    std::array<osg::ref_ptr<osg::Image>, 2> _images;
 };
 
 } // namespace osgLego

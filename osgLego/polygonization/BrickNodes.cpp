@@ -109,7 +109,8 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
         for (const osg::ref_ptr<osg::StateSet>& stateSet : {buffer, distant})
             stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
-    distant->addUniform(new osg::Uniform("distantOcclusion", static_cast<int>(DistantOcclusionView::TEXTURE_UNIT)));
+    distant->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
+    distant->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
     _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS, light);
     _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
     _distantNode = createNode(store, drawing, *distant, NAME, FRAGMENTS, DISTANT, true);

@@ -25,7 +25,8 @@ void DistantOcclusionView::apply(osg::State& state) const
     static const UniformName MODEL_TO_EYE("modelToEye");
     static const UniformName VOXEL("voxel");
     static const UniformName PIXEL_WIDTH("pixelWidth");
-    state.applyTextureAttribute(TEXTURE_UNIT, &_occlusion->getTexture());
+    state.applyTextureAttribute(LOWER_UNIT, &_occlusion->getTexture(false));
+    state.applyTextureAttribute(UPPER_UNIT, &_occlusion->getTexture(true));
     const ProgramUniforms uniforms(state);
     uniforms.set(EYE_TO_VOXELS, _eyeToVoxels);
     uniforms.set(MODEL_TO_EYE, _modelToEye);

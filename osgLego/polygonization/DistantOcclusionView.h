@@ -16,13 +16,15 @@ namespace osgLego
 class DistantOcclusionView
 {
 public:
-    static constexpr unsigned int TEXTURE_UNIT = 3; // different from those of relief and splats
+    // Different from those of relief and splats.
+    static constexpr unsigned int LOWER_UNIT = 2;
+    static constexpr unsigned int UPPER_UNIT = 3;
 
     /** @param width of the picture, in pixels. */
     DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
                          const osg::Matrixd& projection, double width);
 
-    /** Bind the texture, and set the uniforms of the program that a state has applied. Needs its context current. */
+    /** Bind the textures, and set the uniforms of the program that a state has applied. Needs its context current. */
     void apply(osg::State& state) const;
 
 private:

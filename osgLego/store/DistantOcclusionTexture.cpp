@@ -25,22 +25,24 @@ osg::ref_ptr<osg::Image> createEmptyImage()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    std::fill_n(image->data(), 3, static_cast<unsigned char>(127));
-    image->data()[3] = 0;
+    std::fill_n(image->data(), 4, static_cast<unsigned char>(0));
     return image;
 }
 
 } // namespace
 
 DistantOcclusionTexture::DistantOcclusionTexture(const DistantOcclusion& occlusion) :
-    _texture(createTexture(occlusion.getImage()))
+    _textures{createTexture(occlusion.getImage(false)), createTexture(occlusion.getImage(true))}
 {
-    const osg::Image& image = occlusion.getImage();
+    const osg::Image& image = occlusion.getImage(true);
     _voxel = 1.0f / glm::vec3(image.s(), image.t(), image.r());
     _scale = _voxel / glm::vec3(occlusion.getCellsPerVoxel());
     _offset = static_cast<float>(DistantOcclusion::BORDER) * _voxel;
 }
 
-DistantOcclusionTexture::DistantOcclusionTexture() : _texture(createTexture(*createEmptyImage())) {}
+DistantOcclusionTexture::DistantOcclusionTexture() :
+    _textures{createTexture(*createEmptyImage()), createTexture(*createEmptyImage())}
+{
+}
 
 } // namespace osgLego

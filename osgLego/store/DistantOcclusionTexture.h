@@ -2,6 +2,8 @@
 
 #include <osgLego/data/DistantOcclusion.h>
 
+#include <array>
+
 #include <glm/vec3.hpp>
 #include <osg/Referenced>
 #include <osg/Texture3D>
@@ -10,7 +12,7 @@
 namespace osgLego
 {
 
-/** Distant occlusion as a texture with linear interpolation, and the transform from cells to texture coordinates,
+/** Distant occlusion as two textures with linear interpolation, and the transform from cells to texture coordinates,
  * `scale * cell + offset`. */
 class DistantOcclusionTexture : public osg::Referenced
 {
@@ -19,7 +21,8 @@ public:
     /** Create a texture without occlusion, for bricks whose occlusion is not known yet. */
     DistantOcclusionTexture();
 
-    osg::Texture3D& getTexture() const { return *_texture; }
+    /** The hidden fractions of surfaces that face the upper or lower ends of the axes. */
+    osg::Texture3D& getTexture(bool upper) const { return *_textures[upper ? 1 : 0]; }
     const glm::vec3& getScale() const { return _scale; }
     const glm::vec3& getOffset() const { return _offset; }
     /** The extent of a voxel, in texture coordinates. */
@@ -28,7 +31,7 @@ public:
 private:
     ~DistantOcclusionTexture() override = default;
 
-    osg::ref_ptr<osg::Texture3D> _texture;
+    std::array<osg::ref_ptr<osg::Texture3D>, 2> _textures;
     glm::vec3 _scale{1.0f};
     glm::vec3 _offset{0.5f};
     glm::vec3 _voxel{1.0f};

@@ -31,9 +31,11 @@ const float BEND = 0.5625;
 // occlusion are taken as independent.
 void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
 {
-    vec3 towards = 2.0 * distant.rgb - 1.0;
+    // Eight bits represent 0 as 128.
+    vec4 values = (distant * 255.0 - 128.0) / 127.0;
+    vec3 towards = values.xyz;
     float facing = dot(towards, normal);
-    visibility *= 1.0 - clamp(distant.a + facing, 0.0, 1.0);
+    visibility = max(visibility - max(values.w + facing, 0.0), 0.0);
     bent = normalize(bent - BEND * (towards - facing * normal));
 }
 #endif

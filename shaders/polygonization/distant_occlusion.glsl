@@ -1,25 +1,30 @@
 // The light that distant bricks of the same node hide (see class DistantOcclusion).
 
-uniform sampler3D distantOcclusion;
+// The hidden fractions of surfaces that face the lower and upper ends of the model's axes.
+uniform sampler3D hiddenFromLower;
+uniform sampler3D hiddenFromUpper;
 uniform mat4 eyeToVoxels; // from eye coordinates to texture coordinates
 uniform mat3 modelToEye;  // a rotation or reflection
 uniform vec3 voxel;       // the extent of a voxel, in texture coordinates
 uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + y * z|
 
 // The distance from the surface at which occlusion is read, in voxels: voxels with bricks have none of their own.
-const float LIFT = 0.5;
+const float LIFT = 0.4;
 // The least width of a voxel, in pixels: smaller ones would flicker when the camera moves.
-const float LEAST_WIDTH = 8.0;
+const float LEAST_WIDTH = 12.0;
 
-// The vector b in eye coordinates, from -1 to 1 as 0 to 1, and a.
+// The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and
+// similar ones: b in eye coordinates, and a, both from -1 to 1 as 0 to 1.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 toEye)
 {
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
     float level = round(smallness);
     // The normals of bricks as small as pixels are noise.
-    vec3 lift = normalize(mix(eyeNormal, toEye, min(smallness, 1.0))) * modelToEye;
-    vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + LIFT * exp2(level) * voxel * lift;
-    vec4 texel = textureLod(distantOcclusion, place, level);
-    vec3 towards = modelToEye * (texel.rgb * (255.0 / 127.0) - 1.0);
-    return vec4(0.5 + 0.5 * towards, texel.a);
+    vec3 normal = normalize(mix(eyeNormal, toEye, clamp(smallness - 1.0, 0.0, 1.0))) * modelToEye;
+    vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + LIFT * exp2(level) * voxel * normal;
+    vec3 lower = textureLod(hiddenFromLower, place, level).rgb;
+    vec3 upper = textureLod(hiddenFromUpper, place, level).rgb;
+    float hidden = dot(normal * normal, mix(lower, upper, greaterThan(normal, vec3(0.0))));
+    vec3 towards = 0.5 * (upper - lower);
+    return 0.5 + 0.5 * vec4(modelToEye * towards, hidden - dot(towards, normal));
 }

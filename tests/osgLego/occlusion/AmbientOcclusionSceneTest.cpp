@@ -1,3 +1,5 @@
+#include <osgLego/data/DistantOcclusion.h>
+
 #include <common/BrickRayCaster.h>
 #include <common/RacingCar.h>
 
@@ -173,9 +175,17 @@ TEST_F(AmbientOcclusionSceneTest, BricksOccludeAndAreOccluded)
     EXPECT_GT(colorAt(*image, {6, -5, 0}).x(), 0.95);
 }
 
-TEST_F(AmbientOcclusionSceneTest, VisibilityIsThatOfRaysCastAtTheBricks)
+/** Whether distant bricks occlude. */
+class AmbientOcclusionReach : public AmbientOcclusionSceneTest, public testing::WithParamInterface<bool>
 {
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("14"));
+};
+
+INSTANTIATE_TEST_SUITE_P(Reaches, AmbientOcclusionReach, testing::Bool(),
+                         [](const auto& reach) { return reach.param ? "distant" : "near"; });
+
+TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(GetParam() ? "24" : "14"));
     lego->addChild(createRacingCar());
     const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", lego);
     const osg::BoundingSphere bound = lego->getBound();
@@ -183,7 +193,8 @@ TEST_F(AmbientOcclusionSceneTest, VisibilityIsThatOfRaysCastAtTheBricks)
                               bound.center()};
     const auto drawOutput = [&](const char* show)
     {
-        group->setSettings(parseOcclusion(std::string("high,show=") + show));
+        group->setSettings(
+            parseOcclusion(std::string("high,distant=") + (GetParam() ? "on" : "off") + ",show=" + show));
         return draw(*group, viewpoint);
     };
     const osg::ref_ptr<osg::Image> visibility = drawOutput("occlusion");
@@ -195,6 +206,8 @@ TEST_F(AmbientOcclusionSceneTest, VisibilityIsThatOfRaysCastAtTheBricks)
     const auto toGlm = [](const osg::Vec3d& vector) { return glm::dvec3(vector.x(), vector.y(), vector.z()); };
 
     const BrickRayCaster caster(*lego->getBricks());
+    const double reach = GetParam() ? DistantOcclusion::getReach(caster.getModel().getGrid())
+                                    : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
     double squares = 0.0;
     int count = 0;
     for (int row = 3; row < HEIGHT; row += 5)
@@ -211,15 +224,35 @@ TEST_F(AmbientOcclusionSceneTest, VisibilityIsThatOfRaysCastAtTheBricks)
                 osg::Matrixd::transform3x3(readColor(*normals, column, row) * 2.0 - osg::Vec3d(1, 1, 1), viewToWorld);
             normal.normalize();
             const BrickRayCaster::Occlusion rays = caster.sampleOcclusion(
-                start + *distance * toGlm(direction), toGlm(normal), AmbientOcclusionSettings::RADIUS_IN_BRICKS,
-                AmbientOcclusionSettings::FALLOFF, 64, static_cast<std::uint32_t>(row * WIDTH + column));
+                start + *distance * toGlm(direction), toGlm(normal), reach, AmbientOcclusionSettings::FALLOFF, 64,
+                static_cast<std::uint32_t>(row * WIDTH + column));
             squares += (shown.x() - rays.visibility) * (shown.x() - rays.visibility);
             ++count;
         }
     ASSERT_GT(count, 150);
     const double error = std::sqrt(squares / count);
     RecordProperty("rootMeanSquare", std::to_string(error));
-    EXPECT_LE(error, 0.08) << count << " pixels";
+    EXPECT_LE(error, GetParam() ? 0.1 : 0.08) << count << " pixels";
+}
+
+TEST_F(AmbientOcclusionSceneTest, ItIsComputedWhereverChildrenAreDrawn)
+{
+    const osg::ref_ptr<osg::Group> children = createMixedScene();
+    const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", children);
+    for (const Viewpoint& viewpoint :
+         {MIXED_VIEW, Viewpoint{{120, -180, 140}, {4, 4, 1}}, Viewpoint{{6, 2, 3}, {4, 4, 1}}})
+    {
+        children->setCullingActive(true);
+        const osg::ref_ptr<osg::Image> within = draw(*group, viewpoint);
+        // Without culling, bounds say nothing about the area that children cover.
+        for (unsigned int child = 0; child < children->getNumChildren(); ++child)
+            children->getChild(child)->setCullingActive(false);
+        const osg::ref_ptr<osg::Image> everywhere = draw(*group, viewpoint);
+        for (unsigned int child = 0; child < children->getNumChildren(); ++child)
+            children->getChild(child)->setCullingActive(true);
+        EXPECT_EQ(countDifferent(*within, *everywhere, 0), 0u) << viewpoint.eye.x();
+        EXPECT_GT(countDrawn(*within), 20u) << viewpoint.eye.x();
+    }
 }
 
 TEST_F(AmbientOcclusionSceneTest, NodesOutsideIntersectThoseInside)

@@ -1,0 +1,128 @@
+#include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/data/DistantOcclusion.h>
+
+#include <common/BrickRayCaster.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& dimensions,
+                                           const std::function<bool(glm::ivec3)>& isCovered)
+{
+    BrickGrid grid;
+    grid.dimensions = dimensions;
+    std::vector<Brick> bricks;
+    for (int z = 0; z < dimensions.z; ++z)
+        for (int y = 0; y < dimensions.y; ++y)
+            for (int x = 0; x < dimensions.x; ++x)
+            {
+                if (!isCovered({x, y, z})) continue;
+                bricks.emplace_back();
+                bricks.back().cell = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                      static_cast<std::uint16_t>(z)};
+            }
+    return BrickModel::create(grid, bricks);
+}
+
+class DistantOcclusionOf
+{
+public:
+    explicit DistantOcclusionOf(const BrickModel& model) :
+        _occlusion(DistantOcclusion::create(model.getGrid(), createBrickPoints(model).points))
+    {
+    }
+
+    /** The hidden fraction in the voxel of a cell, for a surface that faces an end of an axis. */
+    double getHidden(const glm::ivec3& cell, int axis, bool upper) const
+    {
+        const glm::ivec3 place = cell / _occlusion->getCellsPerVoxel() + DistantOcclusion::BORDER;
+        return getImage(upper).data(static_cast<unsigned int>(place.x), static_cast<unsigned int>(place.y),
+                                    static_cast<unsigned int>(place.z))[axis] /
+               255.0;
+    }
+    double getHiddenFromTop(const glm::ivec3& cell) const { return getHidden(cell, 2, true); }
+    const osg::Image& getImage(bool upper) const { return _occlusion->getImage(upper); }
+    const glm::ivec3& getCellsPerVoxel() const { return _occlusion->getCellsPerVoxel(); }
+
+private:
+    osg::ref_ptr<const DistantOcclusion> _occlusion;
+};
+
+const glm::dvec3 UP(0, 0, 1);
+
+/** The fraction of light that bricks beyond the reach of near occlusion hide from the middle of a cell. */
+double castRays(const BrickModel& model, const glm::ivec3& cell, const glm::dvec3& normal)
+{
+    const BrickRayCaster caster(model);
+    const double reach = DistantOcclusion::getReach(model.getGrid());
+    const auto visibilityWithin = [&](double radius)
+    {
+        return caster
+            .sampleOcclusion(glm::dvec3(cell) + 0.5, normal, radius, AmbientOcclusionSettings::FALLOFF, 4096, 1)
+            .visibility;
+    };
+    return visibilityWithin(AmbientOcclusionSettings::RADIUS_IN_BRICKS) - visibilityWithin(reach);
+}
+
+TEST(DistantOcclusion, AFloorHidesNothingFromItsTop)
+{
+    const DistantOcclusionOf occlusion(*createModel({32, 32, 8}, [](const glm::ivec3& cell) { return cell.z == 0; }));
+    for (const int x : {2, 9, 16, 29})
+        EXPECT_EQ(occlusion.getHiddenFromTop({x, 16, 1}), 0.0) << x;
+}
+
+TEST(DistantOcclusion, ARoofHidesAsMuchAsRaysCastAtIt)
+{
+    const osg::ref_ptr<const BrickModel> model =
+        createModel({40, 40, 12}, [](const glm::ivec3& cell)
+                    { return cell.z == 0 || (cell.z == 7 && cell.x >= 10 && cell.x < 30 && cell.y >= 10); });
+    const DistantOcclusionOf occlusion(*model);
+    for (const glm::ivec3& cell :
+         {glm::ivec3(20, 20, 1), glm::ivec3(10, 20, 1), glm::ivec3(5, 20, 1), glm::ivec3(20, 4, 1)})
+        EXPECT_NEAR(occlusion.getHiddenFromTop(cell), castRays(*model, cell, UP), 0.08) << cell.x << " " << cell.y;
+    EXPECT_GT(castRays(*model, {20, 20, 1}, UP), 0.3) << "the roof hides nothing";
+}
+
+TEST(DistantOcclusion, SurfacesThatFaceAWallAreHidden)
+{
+    const DistantOcclusionOf occlusion(
+        *createModel({32, 32, 16}, [](const glm::ivec3& cell) { return cell.z == 0 || cell.x == 20; }));
+    EXPECT_GT(occlusion.getHidden({15, 16, 1}, 0, true), occlusion.getHidden({15, 16, 1}, 0, false) + 0.1)
+        << "a wall towards +x";
+    EXPECT_NEAR(occlusion.getHidden({15, 16, 1}, 1, true), occlusion.getHidden({15, 16, 1}, 1, false), 0.05);
+    EXPECT_GT(occlusion.getHidden({25, 16, 1}, 0, false), occlusion.getHidden({25, 16, 1}, 0, true) + 0.1)
+        << "the wall towards -x";
+}
+
+TEST(DistantOcclusion, WithoutBricksThereIsNone)
+{
+    const DistantOcclusionOf occlusion(*createModel({4, 4, 4}, [](const glm::ivec3&) { return false; }));
+    for (const bool upper : {false, true})
+        for (unsigned int place = 0; place < occlusion.getImage(upper).getTotalSizeInBytes(); ++place)
+            EXPECT_EQ(occlusion.getImage(upper).data()[place], place % 4 == 3 ? 255 : 0);
+}
+
+TEST(DistantOcclusion, LargeGridsHaveLargeVoxels)
+{
+    BrickGrid grid;
+    grid.dimensions = {1024, 1024, 2560};
+    grid.cellSize = {1.0, 1.0, 0.4};
+    const osg::ref_ptr<const DistantOcclusion> occlusion = DistantOcclusion::create(grid, {});
+    EXPECT_LE(occlusion->getImage(true).s(), DistantOcclusion::MAXIMUM_SIZE + 2 * DistantOcclusion::BORDER);
+    EXPECT_LE(occlusion->getImage(true).r(), DistantOcclusion::MAXIMUM_SIZE + 2 * DistantOcclusion::BORDER);
+    EXPECT_EQ(occlusion->getCellsPerVoxel(), glm::ivec3(16, 16, 40));
+}
+
+} // namespace
+
+} // namespace osgLego::test
