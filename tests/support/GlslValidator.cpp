@@ -5,13 +5,14 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <mutex>
-#include <regex>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include <osg/Program>
@@ -24,6 +25,23 @@ namespace
 
 /** The stages of a program by the names of the files that glslangValidator expects. */
 using Stages = std::map<std::string, std::string>;
+
+/** The names that a stage tests with #ifdef, #ifndef or defined(), except those of GL and the guards of headers. */
+std::set<std::string> findConditions(const std::string& text)
+{
+    std::set<std::string> names;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        for (const char* start : {"#ifdef ", "#ifndef ", "#if defined(", "#if !defined("})
+        {
+            if (!line.starts_with(start)) continue;
+            std::string name = line.substr(std::strlen(start));
+            name = name.substr(0, name.find_first_of(") "));
+            if (!name.starts_with("GL_") && !name.starts_with("OSGLEGO_") && !name.starts_with("__"))
+                names.insert(name);
+        }
+    return names;
+}
 
 class ProgramRecord
 {
@@ -55,18 +73,12 @@ public:
 
     Conditions getConditions()
     {
-        // Not those of GL, nor the guards of headers.
-        const std::regex pattern("^#if(?:n?def | !?defined\\()(?!GL_|OSGLEGO_|__)(\\w+)", std::regex::multiline);
         const std::lock_guard lock(_mutex);
         Conditions conditions;
         for (const Stages& stages : _known)
             for (const auto& [file, text] : stages)
-                for (std::sregex_iterator match(text.begin(), text.end(), pattern); match != std::sregex_iterator();
-                     ++match)
-                {
-                    const std::string name = (*match)[1];
+                for (const std::string& name : findConditions(text))
                     conditions[name].insert(text.find("\n#define " + name + "\n") != std::string::npos);
-                }
         return conditions;
     }
 
