@@ -34,6 +34,8 @@ target_compile_options(osgLegoOptions INTERFACE
     $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
 if(OSGLEGO_SANITIZE)
     target_compile_options(osgLegoOptions INTERFACE
-        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-    target_link_options(osgLegoOptions INTERFACE -fsanitize=address,undefined)
+        -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow
+        -fno-omit-frame-pointer)
+    target_compile_definitions(osgLegoOptions INTERFACE _GLIBCXX_ASSERTIONS)
+    target_link_options(osgLegoOptions INTERFACE -fsanitize=address,undefined,float-cast-overflow)
 endif()

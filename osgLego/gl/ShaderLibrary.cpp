@@ -1,5 +1,6 @@
 #include <osgLego/gl/ShaderLibrary.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -54,6 +55,8 @@ private:
     mutable std::mutex _mutex;
     ShaderLibrary::Sources _sources = getEmbeddedShaders();
 };
+
+std::atomic<ShaderLibrary::ProgramCallback> programCallback{nullptr};
 
 KnownSources& getKnownSources()
 {
@@ -117,7 +120,13 @@ osg::ref_ptr<osg::Program> ShaderLibrary::createProgram(const std::string& pass,
         shader->setName("osgLego/" + fileName);
         program->addShader(shader);
     }
+    if (const ProgramCallback callback = programCallback) callback(*program);
     return program;
+}
+
+void ShaderLibrary::setProgramCallback(ProgramCallback callback)
+{
+    programCallback = callback;
 }
 
 } // namespace osgLego

@@ -39,6 +39,11 @@ public:
     static osg::ref_ptr<osg::Program> createProgram(const std::string& pass,
                                                     std::initializer_list<const char*> fileNames,
                                                     const std::string& definitions = {});
+
+    using ProgramCallback = void (*)(const osg::Program& program);
+    /** Set a function that receives each program that createProgram() creates, in the calling thread; null for none.
+     * Tests use it to check every program that the library creates. */
+    static void setProgramCallback(ProgramCallback callback);
 };
 
 } // namespace osgLego

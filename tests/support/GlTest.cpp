@@ -1,6 +1,7 @@
 #include "GlTest.h"
 
 #include "GlDebug.h"
+#include "GlslValidator.h"
 
 #include <offscreen/OffscreenContext.h>
 
@@ -44,10 +45,17 @@ void failOnGlMessages()
 
 } // namespace
 
+GlTest::GlTest()
+{
+    watchPrograms();
+}
+
 GlTest::~GlTest()
 {
     // The contexts of derived classes have been closed.
     failOnGlMessages();
+    for (const std::string& error : takeProgramErrors())
+        ADD_FAILURE() << "GLSL: " << error;
 }
 
 void GlTest::TearDown()

@@ -12,7 +12,7 @@ namespace osgLego::test
 {
 
 /** A test with its own GL context, without a display. Fails on any GL error or message of high severity, including
- * those of contexts that close after the test. */
+ * those of contexts that close after the test, and on any program that glslangValidator rejects. */
 class GlTest : public ::testing::Test
 {
 public:
@@ -20,6 +20,7 @@ public:
     static constexpr int WIDTH = 200;
     static constexpr int HEIGHT = 150;
 
+    GlTest();
     ~GlTest() override;
 
 protected:

@@ -1,4 +1,5 @@
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/light/LatitudeLongitude.h>
 #include <osgLego/light/LightProbeState.h>
 
 #include <GlslFunctionTest.h>
@@ -18,6 +19,8 @@ namespace
 
 constexpr const char* HARMONICS = AMBIENT_LIGHT;
 constexpr const char* CONVOLVED_MAP = "#define CONVOLVED_MAP\n" AMBIENT_LIGHT;
+constexpr const char* REFLECTION = "#include \"light/ambient_light.glsl\"\n"
+                                   "void main() { result = vec4(reflectionAt(a.xyz, a.xyz, b.x), 1.0); }\n";
 
 class AmbientLight : public GlslFunctionTest
 {
@@ -75,6 +78,36 @@ TEST_F(AmbientLight, TheShadersConvolvedMapEqualsTheProbes)
         createProbe([](const osg::Vec3d& d) { return d.x() > 0.97 ? osg::Vec3d(60, 50, 40) : osg::Vec3d(1, 1, 1); });
     ASSERT_TRUE(probe->usesConvolvedMap());
     expectIrradiance(*probe, 0.02);
+}
+
+TEST_F(AmbientLight, EachRoughnessReflectsItsLevelOfTheProbe)
+{
+    const osg::ref_ptr<LightProbe> probe =
+        createProbe([](const osg::Vec3d& d) { return d.x() > 0.8 ? osg::Vec3d(9, 8, 7) : osg::Vec3d(1, 1, 1); });
+    probe->setRotation(osg::Quat());
+    const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    applyLightProbe(*probe, *stateSet);
+    stateSet->addUniform(new osg::Uniform("eyeToWorld", toUniform(osg::Matrixd())));
+    for (int level = 0; level < LightProbe::REFLECTION_LEVELS; ++level)
+    {
+        // Two pixels, of the lamp and opposite to it, seen along the normal. Their quotient does not depend on the
+        // reflectance of the material.
+        const osg::Image& map = *probe->getReflectionMap(level);
+        std::vector<osg::Vec3d> pixels;
+        std::vector<Arguments> arguments;
+        for (const int column : {3 * map.s() / 4, map.s() / 4})
+        {
+            const int row = map.t() / 2;
+            pixels.push_back(pixelOf(map, column, row));
+            const osg::Vec3d n = LatitudeLongitude::directionAt((column + 0.5) / map.s(), (row + 0.5) / map.t());
+            const float roughness = static_cast<float>(level) / (LightProbe::REFLECTION_LEVELS - 1);
+            arguments.push_back({glm::vec4(n.x(), n.y(), n.z(), 0.0), glm::vec4(roughness)});
+        }
+        const std::vector<glm::vec4> results = evaluate("tests/reflection.vert", REFLECTION, arguments, *stateSet);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(results[0][channel] / results[1][channel], pixels[0][channel] / pixels[1][channel], 0.02)
+                << level;
+    }
 }
 
 } // namespace
