@@ -63,6 +63,9 @@ glm::dvec3 largestSize(const BrickGrid& lattice)
     return largest;
 }
 
+// In cells. Farther away, positions in double precision are too coarse to be assigned to cells.
+constexpr double MAXIMUM_DISTANCE = 1e9;
+
 /** A grid of cells of a given pitch; empty if there would be too many. */
 BrickGrid createFromLattice(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
 {
@@ -115,6 +118,12 @@ std::string BrickGrid::findObstacle(const osg::BoundingBoxd& bounds, const LegoS
 {
     if (!settings.cellPitch || settings.gridSize || !isFitToMeasure(bounds)) return {};
     const BrickGrid lattice = createLattice(settings);
+    const glm::dvec3 farthest =
+        glm::max(glm::abs(lattice.toCells(bounds._min)), glm::abs(lattice.toCells(bounds._max)));
+    if (!glm::all(glm::lessThanEqual(farthest, glm::dvec3(MAXIMUM_DISTANCE))))
+        return "the model is too far from the grid's origin; expected at most 1e9 cells along each axis, by a larger "
+               "cell "
+               "or a nearer origin";
     const glm::dvec3 count = findCells(lattice, bounds).count;
     const glm::dvec3 largest = largestSize(lattice);
     if (glm::all(glm::lessThanEqual(count, largest))) return {};

@@ -30,7 +30,7 @@ constexpr std::array DRAWING_NAMES{SettingName<Drawing>{"auto", Drawing::AUTO},
 constexpr std::string_view KEYS =
     "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, look, drawing";
 
-constexpr const char* EXPECTED_CELL = "a number of model units, 1e-18 to 1e+18";
+constexpr const char* EXPECTED_CELL = "a number of model units, 1e-9 to 1e+12";
 constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
 constexpr const char* EXPECTED_SIZE = "w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
 

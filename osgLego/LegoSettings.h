@@ -76,7 +76,7 @@ enum class Drawing
  * | key         | values                                     | default                             |
  * |-------------|--------------------------------------------|-------------------------------------|
  * | resolution  | 1 to 1024                                  | 64                                  |
- * | cell        | 1e-18 to 1e+18 model units, instead of a resolution | none                       |
+ * | cell        | 1e-9 to 1e+12 model units, instead of a resolution | none                        |
  * | origin      | x:y:z in model units, with cell            | 0:0:0                               |
  * | size        | w:d:h in cells, with origin                | as large as the model               |
  * | proportions | cube, brick, plate                         | cube                                |
@@ -101,8 +101,8 @@ struct OSGLEGO_EXPORT LegoSettings
 {
     static constexpr unsigned int MAXIMUM_RESOLUTION = 1024;
     static constexpr int MAXIMUM_LAYERS = 2560; //!< cells along the up axis
-    static constexpr double MINIMUM_CELL = 1e-18;
-    static constexpr double MAXIMUM_CELL = 1e18;
+    static constexpr double MINIMUM_CELL = 1e-9;
+    static constexpr double MAXIMUM_CELL = 1e12;
     static constexpr double MAXIMUM_ORIGIN = 1e18; //!< of either sign
     static constexpr unsigned int MINIMUM_FBO_SIZE = 16;
     static constexpr unsigned int MAXIMUM_FBO_SIZE = 8192;

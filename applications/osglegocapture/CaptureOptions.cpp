@@ -141,6 +141,7 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
 OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
   quality      low, medium, high                         (medium)
   radius       above 0, in the mesh's units              (2.5 bricks)
+  distant      on, off: occlusion by distant bricks      (on; off if a radius is given)
   show         picture, occlusion, bent-normals, irradiance, normals
 
 Exit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be written,

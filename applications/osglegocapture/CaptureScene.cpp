@@ -31,7 +31,7 @@ const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
 // Growth of resident memory per pixel, measured with llvmpipe: for the frame buffer object and the picture, and for the
 // buffers of an AmbientOcclusionScene.
 constexpr double BYTES_PER_PIXEL = 50.0;
-constexpr double OCCLUSION_BYTES_PER_PIXEL = 140.0;
+constexpr double OCCLUSION_BYTES_PER_PIXEL = 160.0;
 
 /** Finds the visible nodes of a class in a scene, without nodes below other nodes of that class. */
 template <typename Found>

@@ -41,7 +41,7 @@ public:
         const glm::dvec3 cell = grid.cellSize / grid.getPitch();
         const double longest = longestSide(grid);
         const double width = std::max(1.0, std::ceil(longest / DistantOcclusion::MAXIMUM_SIZE));
-        cellsPerVoxel = glm::max(glm::ivec3(glm::round(width / cell)), 1);
+        cellsPerVoxel = glm::ivec3(glm::clamp(glm::round(width / cell), 1.0, double(LegoSettings::MAXIMUM_LAYERS)));
         extent = glm::dvec3(cellsPerVoxel) * cell;
         size = (grid.dimensions + cellsPerVoxel - 1) / cellsPerVoxel + 2 * BORDER;
         reach = DistantOcclusion::getReach(grid);
@@ -101,6 +101,8 @@ double fade(double distance, double radius)
 Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
 {
     Path path{glm::vec3(direction), {}};
+    // The stairs of voxels must not hide each other, so voxels of several cells need a larger radius.
+    const double nearest = AmbientOcclusionSettings::RADIUS_IN_BRICKS * std::max(grid.extent.x, grid.extent.y);
     const glm::dvec3 steps = grid.extent / glm::max(glm::abs(direction), 1e-12);
     glm::dvec3 next = 0.5 * steps;
     glm::ivec3 voxel(0);
@@ -112,8 +114,7 @@ Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
         voxel[axis] += direction[axis] < 0.0 ? -1 : 1;
         next[axis] += steps[axis];
         const std::ptrdiff_t offset = voxel.x * grid.strides.x + voxel.y * grid.strides.y + voxel.z * grid.strides.z;
-        path.steps.push_back({offset, static_cast<float>(fade(distance, grid.reach) -
-                                                         fade(distance, AmbientOcclusionSettings::RADIUS_IN_BRICKS))});
+        path.steps.push_back({offset, static_cast<float>(fade(distance, grid.reach) - fade(distance, nearest))});
     }
 }
 

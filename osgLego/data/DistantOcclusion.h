@@ -19,11 +19,11 @@ namespace osgLego
  * A voxel is a block of cells of about the same width, depth and height. From the centre of each empty voxel near a
  * brick, rays in all directions end at the first voxel with bricks. A hit at a distance t counts with the weight
  * fade(t, reach) - fade(t, radius), where fade(t, r) = clamp((r - t) / (r * falloff), 0, 1), with the default radius
- * and falloff of AmbientOcclusionSettings: the part of the occlusion up to `reach` that the search in the picture
- * leaves out. For each of the six directions of the axes, the voxel has the cosine-weighted mean of the weights of the
- * rays on that side: the fraction of the sky that is hidden from a surface facing there. Surfaces that face other
- * directions interpolate these with the squares of their normal's components (the ambient cube of McTaggart 2004).
- * Voxels with bricks have the mean of their empty neighbours.
+ * and falloff of AmbientOcclusionSettings, in voxels if they are wider than bricks: the part of the occlusion up to
+ * `reach` that the search in the picture leaves out. For each of the six directions of the axes, the voxel has the
+ * cosine-weighted mean of the weights of the rays on that side: the fraction of the sky that is hidden from a surface
+ * facing there. Surfaces that face other directions interpolate these with the squares of their normal's components
+ * (the ambient cube of McTaggart 2004). Voxels with bricks have the mean of their empty neighbours.
  *
  * Immutable; every function may be called from any thread.
  */

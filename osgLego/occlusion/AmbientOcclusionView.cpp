@@ -329,7 +329,7 @@ void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
 }
 
 void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
-                                double sceneRadius, const std::function<void()>& cullChildren)
+                                double sceneRadius, bool hasBounds, const std::function<void()>& cullChildren)
 {
     osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
     osgUtil::RenderStage& outer = *outerBin->getStage();
@@ -343,8 +343,10 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
     _stage->handOnPostRenderStages(outer);
     handOnPositionalState(*_stage, outer);
-    const PictureArea area = findArea(*_stage, _format.size);
-    if (area.isEmpty()) return;
+    PictureArea area{glm::ivec2(0), _format.size};
+    if (hasBounds) area = findArea(*_stage, _format.size);
+    // The stage is drawn in any case: cameras among the children are drawn before it.
+    if (area.isEmpty()) area = {glm::ivec2(0), glm::ivec2(1)};
     const glm::ivec2 size = area.getSize();
     _stage->setViewport(new osg::Viewport(area.begin.x, area.begin.y, size.x, size.y));
     outer.addPreRenderStage(_stage, ScreenPass::RENDER_ORDER);

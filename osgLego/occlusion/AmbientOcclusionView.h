@@ -61,9 +61,10 @@ public:
 
     /** Cull the children for the geometry buffer, then the passes and the composite.
      * @param sceneRadius the radius of the children's bound, in world units.
+     * @param hasBounds whether the bounds of all children say where they are drawn.
      * @param cullChildren traverses the children with the visitor. */
     void cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings, double sceneRadius,
-              const std::function<void()>& cullChildren);
+              bool hasBounds, const std::function<void()>& cullChildren);
 
     /** Whether the GPU had too little memory for the buffers. */
     bool hasFailed() const { return _stage->hasFailed(); }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <glm/vector_relational.hpp>
-#include <osg/Drawable>
+#include <osg/Geometry>
 #include <osg/Matrixd>
 
 namespace osgLego
@@ -14,7 +14,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int MARGIN = 16; // pixels
+constexpr int MARGIN = 4; // pixels, for the lines of wire frames
 
 /** Bounds in a picture whose coordinates run from -1 to 1. */
 struct PictureBounds
@@ -43,11 +43,20 @@ std::optional<PictureBounds> project(const osg::BoundingBox& box, const osg::Mat
     return bounds;
 }
 
+bool isPolygonal(const osg::Drawable& drawable)
+{
+    const osg::Geometry* geometry = drawable.asGeometry();
+    if (!geometry) return true;
+    const osg::Geometry::PrimitiveSetList& primitives = geometry->getPrimitiveSetList();
+    return std::none_of(primitives.begin(), primitives.end(),
+                        [](const osg::ref_ptr<osg::PrimitiveSet>& set) { return set->getMode() <= GL_LINE_STRIP; });
+}
+
 /** Add the bounds of a leaf. @return false if they are unknown. */
 bool addLeaf(const osgUtil::RenderLeaf& leaf, PictureBounds& bounds)
 {
     const osg::Drawable* drawable = leaf.getDrawable();
-    if (!drawable || !drawable->isCullingActive() || !leaf._projection || !leaf._modelview) return false;
+    if (!drawable || !isPolygonal(*drawable) || !leaf._projection || !leaf._modelview) return false;
     const osg::BoundingBox& box = drawable->getBoundingBox();
     if (!box.valid()) return false;
     const std::optional<PictureBounds> projected = project(box, *leaf._modelview * *leaf._projection);

@@ -23,9 +23,10 @@ struct PictureArea
 };
 
 /** Find the part of a picture in which the drawables of a stage may be seen: the rectangle around their bounds, with a
- * margin for wide lines and points.
+ * small margin.
  * @param size of the picture, in pixels.
- * @return the whole picture if a drawable has no bounds, is exempt from culling, or reaches behind the eye. */
+ * @return the whole picture if a drawable has no bounds, reaches behind the eye, or has points or lines, which may be
+ * wide. */
 PictureArea findArea(osgUtil::RenderStage& stage, const glm::ivec2& size);
 
 } // namespace osgLego

@@ -154,12 +154,14 @@ void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
     osg::Drawable::resizeGLObjectBuffers(maxSize);
     _workspaces.resize(maxSize);
     _splats.resizeGLObjectBuffers(maxSize);
+    _noOcclusion->resizeGLObjectBuffers(maxSize);
 }
 
 void BrickDrawable::releaseGLObjects(osg::State* state) const
 {
     osg::Drawable::releaseGLObjects(state);
     _splats.releaseGLObjects(state);
+    _noOcclusion->releaseGLObjects(state);
     _store->releaseGLObjects(state);
 }
 

@@ -45,4 +45,16 @@ DistantOcclusionTexture::DistantOcclusionTexture() :
 {
 }
 
+void DistantOcclusionTexture::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    for (const osg::ref_ptr<osg::Texture3D>& texture : _textures)
+        texture->resizeGLObjectBuffers(maxSize);
+}
+
+void DistantOcclusionTexture::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::ref_ptr<osg::Texture3D>& texture : _textures)
+        texture->releaseGLObjects(state);
+}
+
 } // namespace osgLego

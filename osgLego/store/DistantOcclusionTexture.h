@@ -28,6 +28,9 @@ public:
     /** The extent of a voxel, in texture coordinates. */
     const glm::vec3& getVoxel() const { return _voxel; }
 
+    void resizeGLObjectBuffers(unsigned int maxSize) const;
+    void releaseGLObjects(osg::State* state) const;
+
 private:
     ~DistantOcclusionTexture() override = default;
 

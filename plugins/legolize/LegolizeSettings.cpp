@@ -25,7 +25,7 @@ std::string trimmed(const std::string& text)
 
 bool isOwnKey(const std::string& key)
 {
-    return key == "occlusion" || key == "probe";
+    return key == "occlusion" || key == "distant" || key == "probe";
 }
 
 /** Take apart a list into the pairs whose keys are the loader's own, and a list of all other items, if there are any.
@@ -65,6 +65,9 @@ std::string readOwnItem(const Item& item, LegolizeSettings& settings)
     const auto& [key, value] = item;
     if (key == "occlusion" && !readOcclusion(value, settings.occlusion))
         return "bad value '" + value + "' for occlusion; expected off, low, medium or high";
+    if (key == "distant" && value != "on" && value != "off")
+        return "bad value '" + value + "' for distant; expected on or off";
+    if (key == "distant") settings.distant = value == "on";
     if (key == "probe" && value.empty())
         return "no value for probe; expected the name of a high dynamic range picture, without commas";
     if (key == "probe") settings.probe = value;
@@ -90,6 +93,7 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
 {
     using Quality = osgLego::AmbientOcclusionQuality;
     osgLego::AmbientOcclusionSettings result;
+    result.distant = distant;
     switch (occlusion)
     {
     case Occlusion::BY_LOOK:
@@ -123,7 +127,7 @@ bool LegolizeSettings::parse(const std::string& text, LegolizeSettings& settings
     if (others && !osgLego::LegoSettings::parse(*others, wanted.lego, error))
     {
         // Such messages end with the keys of LegoSettings.
-        if (error.find("the keys are") != std::string::npos) error += ", occlusion, probe";
+        if (error.find("the keys are") != std::string::npos) error += ", occlusion, distant, probe";
         return false;
     }
     settings = wanted;

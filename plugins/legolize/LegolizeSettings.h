@@ -29,6 +29,7 @@ struct LegolizeSettings
 
     osgLego::LegoSettings lego;
     Occlusion occlusion = Occlusion::BY_LOOK;
+    bool distant = true; //!< whether distant bricks occlude
     std::string probe; //!< empty: the built-in sky
 
     /** The settings of ambient occlusion; unset: no ambient occlusion. */

@@ -31,7 +31,7 @@ const float BEND = 0.5625;
 // occlusion are taken as independent.
 void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
 {
-    // Eight bits represent 0 as 128.
+    // In eight bits, 0 is 128.
     vec4 values = (distant * 255.0 - 128.0) / 127.0;
     vec3 towards = values.xyz;
     float facing = dot(towards, normal);

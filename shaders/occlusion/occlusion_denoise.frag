@@ -18,7 +18,7 @@ const float REACH = 30.0;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-        float depth = texelFetch(depthImage, pixel, 0).r;
+    float depth = texelFetch(depthImage, pixel, 0).r;
     if (depth < NOTHING) discard;
     vec4 normal = texelFetch(normalBuffer, pixel, 0);
 

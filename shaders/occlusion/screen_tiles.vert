@@ -12,7 +12,7 @@ void main()
     ivec2 first = area.xy / TILE;
     int across = area.z / TILE - first.x + 1;
     ivec2 place = first + ivec2(gl_VertexID % across, gl_VertexID / across);
-    tile = ivec4(max(TILE * place, viewport.xy), min(TILE * (place + 1), viewport.xy + viewport.zw));
+    tile = ivec4(max(TILE * place, area.xy), min(TILE * (place + 1), area.zw + 1));
     // Points are clipped by their centres. Tiles at the upper borders are moved inwards, and shaders discard the overlap.
     vec2 size = vec2(viewport.zw);
     vec2 middle = vec2(TILE * place - viewport.xy) + 0.5 * float(TILE);

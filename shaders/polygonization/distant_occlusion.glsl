@@ -4,7 +4,7 @@
 uniform sampler3D hiddenFromLower;
 uniform sampler3D hiddenFromUpper;
 uniform mat4 eyeToVoxels; // from eye coordinates to texture coordinates
-uniform mat3 modelToEye;  // a rotation or reflection
+uniform mat3 modelToEye;  // a rotation or reflection, or with columns of length 1 if the model is sheared
 uniform vec3 voxel;       // the extent of a voxel, in texture coordinates
 uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + y * z|
 
@@ -14,17 +14,17 @@ const float LIFT = 0.4;
 const float LEAST_WIDTH = 12.0;
 
 // The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and
-// similar ones: b in eye coordinates, and a, both from -1 to 1 as 0 to 1.
+// similar ones: b in eye coordinates, and a, both from -1 to 1 as 1 to 255.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 toEye)
 {
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
     float level = round(smallness);
     // The normals of bricks as small as pixels are noise.
-    vec3 normal = normalize(mix(eyeNormal, toEye, clamp(smallness - 1.0, 0.0, 1.0))) * modelToEye;
+    vec3 normal = normalize(mix(eyeNormal, toEye, clamp(smallness - 1.0, 0.0, 1.0)) * modelToEye);
     vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + LIFT * exp2(level) * voxel * normal;
     vec3 lower = textureLod(hiddenFromLower, place, level).rgb;
     vec3 upper = textureLod(hiddenFromUpper, place, level).rgb;
     float hidden = dot(normal * normal, mix(lower, upper, greaterThan(normal, vec3(0.0))));
     vec3 towards = 0.5 * (upper - lower);
-    return 0.5 + 0.5 * vec4(modelToEye * towards, hidden - dot(towards, normal));
+    return (128.0 + 127.0 * vec4(modelToEye * towards, hidden - dot(towards, normal))) / 255.0;
 }

@@ -63,7 +63,7 @@ void main()
         gl_FragData[1] = vec4(0.0);
         gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
 #if defined(DISTANT_OCCLUSION)
-        gl_FragData[3] = vec4(0.5);
+        gl_FragData[3] = vec4(128.0 / 255.0);
 #endif
         return;
     }

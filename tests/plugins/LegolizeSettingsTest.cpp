@@ -64,7 +64,7 @@ TEST(LegolizeSettings, SaysWhatWasExpected)
     EXPECT_EQ(errorOf("occlusion=low,64,occlusion=low"), "'occlusion' is given twice");
     EXPECT_NE(errorOf("occlusion=low,2000").find("'2000' for resolution"), std::string::npos);
     for (const char* text : {"colour=red", "64,probe=a.exr,nonsense", "probe=my,park.exr", "occlusion=low,"})
-        EXPECT_TRUE(errorOf(text).ends_with(", occlusion, probe")) << errorOf(text);
+        EXPECT_TRUE(errorOf(text).ends_with(", occlusion, distant, probe")) << errorOf(text);
     EXPECT_FALSE(errorOf("").empty());
 }
 

@@ -139,8 +139,10 @@ TEST(BrickGrid, TooManyCellsAreAnObstacle)
     EXPECT_EQ(BrickGrid::findObstacle(bounds, parsed("cell=0.9,up=y")),
               "the model reaches into 112 x 3 x 2779 cells; expected at most 1024 x 2560 x 1024" + limits);
     EXPECT_EQ(BrickGrid::fit(bounds, parsed("cell=0.9,up=y")).getNumCells(), 0u);
-    EXPECT_NE(BrickGrid::findObstacle(bounds, parsed("cell=1e-18")), "");
-    EXPECT_EQ(BrickGrid::findObstacle(bounds, parsed("cell=1e-18,origin=0:0:0,size=1:1:1")), "");
+    EXPECT_NE(BrickGrid::findObstacle(bounds, parsed("cell=1e-9")), "");
+    EXPECT_EQ(BrickGrid::findObstacle(bounds, parsed("cell=1e-9,origin=0:0:0,size=1:1:1")), "");
+    EXPECT_NE(BrickGrid::findObstacle(bounds, parsed("cell=1,origin=1e12:0:0")), "") << "too far for double precision";
+    EXPECT_NE(BrickGrid::findObstacle(bounds, parsed("cell=1,origin=0:-1e12:0")), "");
     EXPECT_EQ(BrickGrid::findObstacle(bounds, parsed("64")), "");
     EXPECT_EQ(BrickGrid::findObstacle({}, parsed("cell=1")), "");
 }

@@ -59,7 +59,7 @@ TEST(LegoSettings, TheTextFormRoundTrips)
 {
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
-          "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain", "cell=2,up=y", "cell=1e-18,origin=0:0:0",
+          "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain", "cell=2,up=y", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
@@ -120,7 +120,7 @@ TEST(LegoSettings, AResolutionReplacesCellsAndCellsReplaceAResolution)
 
 TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
 {
-    const std::string expectedCell = " for cell; expected a number of model units, 1e-18 to 1e+18";
+    const std::string expectedCell = " for cell; expected a number of model units, 1e-9 to 1e+12";
     for (const char* value : {"0", "nan", "inf", "-inf", "-1", "1e-19", "1e+19", "", "1 m", "0x10"})
         EXPECT_EQ(errorOf(std::string("cell=") + value), "bad value '" + std::string(value) + "'" + expectedCell);
     const std::string expectedOrigin = " for origin; expected x:y:z in model units, each -1e+18 to 1e+18";

@@ -255,6 +255,25 @@ TEST_F(AmbientOcclusionSceneTest, ItIsComputedWhereverChildrenAreDrawn)
     }
 }
 
+/** Bounds that are smaller than the drawable, as of one that a vertex shader moves. */
+struct SmallBounds : public osg::Drawable::ComputeBoundingBoxCallback
+{
+    osg::BoundingBox computeBound(const osg::Drawable&) const override { return {0.0f, 0.0f, 0.0f, 0.1f, 0.1f, 0.1f}; }
+};
+
+TEST_F(AmbientOcclusionSceneTest, ChildrenExemptFromCullingAreDrawnBeyondTheirBounds)
+{
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    const osg::ref_ptr<osg::Geometry> quad = createQuad({0, 0, 0}, {4, 0, 0}, {0, 0, 4}, GREEN);
+    quad->setComputeBoundingBoxCallback(new SmallBounds);
+    geode->addDrawable(quad);
+    geode->setCullingActive(false);
+    const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", geode);
+    const Pair pair = drawBoth(*group, *group, {{2, -15, 2}, {2, 0, 2}});
+    EXPECT_GT(countDrawn(*pair.without), 1000u);
+    EXPECT_EQ(countDrawn(*pair.with), countDrawn(*pair.without));
+}
+
 TEST_F(AmbientOcclusionSceneTest, NodesOutsideIntersectThoseInside)
 {
     const auto countCover = [](const osg::Image& image, std::vector<bool>& cover)
