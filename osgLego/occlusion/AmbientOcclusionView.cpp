@@ -48,7 +48,7 @@ Effort effortOf(AmbientOcclusionQuality quality)
     case AmbientOcclusionQuality::MEDIUM:
         break;
     }
-    return {3, 9, 1.3f, 1.03f};
+    return {3, 8, 1.3f, 1.03f};
 }
 
 void setUpTexture(osg::Texture& texture, GLint internalFormat, GLenum format, GLenum type)
