@@ -30,7 +30,7 @@ struct LegolizeSettings
     osgLego::LegoSettings lego;
     Occlusion occlusion = Occlusion::BY_LOOK;
     bool distant = true; //!< whether distant bricks occlude
-    std::string probe; //!< empty: the built-in sky
+    std::string probe;   //!< empty: the built-in sky
 
     /** The settings of ambient occlusion; unset: no ambient occlusion. */
     std::optional<osgLego::AmbientOcclusionSettings> getOcclusion() const;
