@@ -1,6 +1,7 @@
 #include <osgLego/BrickModel.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -39,6 +40,43 @@ osg::ref_ptr<const BrickModel> BrickModel::createComplete(const BrickGrid& grid,
     osg::ref_ptr<BrickModel> model = new BrickModel;
     model->_grid = grid;
     model->_bricks = std::move(bricks);
+    return model;
+}
+
+osg::ref_ptr<const BrickModel> BrickModel::createOfParts(const BrickGrid& grid, std::vector<Part> parts)
+{
+    const auto isBefore = [&grid](const Part& a, const Part& b)
+    { return numberOf(grid, a.getCell()) < numberOf(grid, b.getCell()); };
+    std::sort(parts.begin(), parts.end(), isBefore);
+    std::vector<Brick> bricks;
+    std::vector<std::uint32_t> partIndices;
+    for (const Part& part : parts)
+        for (int z = 0; z < part.size[2]; ++z)
+            for (int y = 0; y < part.size[1]; ++y)
+                for (int x = 0; x < part.size[0]; ++x)
+                {
+                    const auto at = [](std::uint16_t first, int step)
+                    { return static_cast<std::uint16_t>(first + step); };
+                    bricks.push_back({{at(part.cell[0], x), at(part.cell[1], y), at(part.cell[2], z)}, part.color});
+                    partIndices.push_back(static_cast<std::uint32_t>(&part - parts.data()));
+                }
+    std::vector<std::size_t> order(bricks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b)
+              { return numberOf(grid, bricks[a].getCell()) < numberOf(grid, bricks[b].getCell()); });
+
+    osg::ref_ptr<BrickModel> model = new BrickModel;
+    model->_grid = grid;
+    model->_parts = std::move(parts);
+    model->_bricks.reserve(order.size());
+    model->_partIndices.reserve(order.size());
+    for (const std::size_t index : order)
+    {
+        model->_bricks.push_back(bricks[index]);
+        model->_partIndices.push_back(partIndices[index]);
+    }
+    model->findOpenSides();
     return model;
 }
 
@@ -83,6 +121,12 @@ const Brick* BrickModel::find(const glm::ivec3& cell) const
         std::lower_bound(_bricks.begin(), _bricks.end(), number,
                          [this](const Brick& brick, std::size_t n) { return numberOf(_grid, brick.getCell()) < n; });
     return place != _bricks.end() && place->getCell() == cell ? &*place : nullptr;
+}
+
+const Part* BrickModel::findPart(const glm::ivec3& cell) const
+{
+    const Brick* brick = _parts.empty() ? nullptr : find(cell);
+    return brick ? &_parts[_partIndices[static_cast<std::size_t>(brick - _bricks.data())]] : nullptr;
 }
 
 } // namespace osgLego

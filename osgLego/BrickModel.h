@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickGrid.h>
 #include <osgLego/Export.h>
+#include <osgLego/Part.h>
 
 #include <array>
 #include <cstddef>
@@ -42,6 +43,8 @@ struct Brick
  *
  * Each covered cell occurs once. The bricks are sorted by the number of their cell, x + width * (y + depth * z).
  *
+ * The cells may be joined to parts, real bricks and plates; then every cell belongs to one part and has its colour.
+ *
  * Usage:
  *
  *     osg::ref_ptr<const osgLego::BrickModel> model = osgLego::legolizeOnCpu(*node, settings);
@@ -58,12 +61,22 @@ public:
     /** Create a model from covered cells that are already sorted and have their `openSides` set. */
     static osg::ref_ptr<const BrickModel> createComplete(const BrickGrid& grid, std::vector<Brick> bricks);
 
+    /** Create a model from parts, in any order: each within the grid, and no two with a common cell. */
+    static osg::ref_ptr<const BrickModel> createOfParts(const BrickGrid& grid, std::vector<Part> parts);
+
     const BrickGrid& getGrid() const { return _grid; }
     const std::vector<Brick>& getBricks() const { return _bricks; }
     /** The number of bricks with at least one open side; only these are drawn. */
     std::size_t getNumVisible() const;
     /** The brick in a cell; null if the cell is empty or outside the grid. */
     const Brick* find(const glm::ivec3& cell) const;
+
+    /** The parts, sorted by the number of their lowest cell; empty if the cells are not joined to parts. */
+    const std::vector<Part>& getParts() const { return _parts; }
+    /** For each brick, the index of its part; empty if there are no parts. */
+    const std::vector<std::uint32_t>& getPartIndices() const { return _partIndices; }
+    /** The part that covers a cell; null if there is none. */
+    const Part* findPart(const glm::ivec3& cell) const;
 
 private:
     BrickModel() = default;
@@ -73,6 +86,8 @@ private:
 
     BrickGrid _grid;
     std::vector<Brick> _bricks;
+    std::vector<Part> _parts;
+    std::vector<std::uint32_t> _partIndices;
 };
 
 } // namespace osgLego

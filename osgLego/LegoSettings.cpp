@@ -27,11 +27,23 @@ constexpr std::array LOOK_NAMES{SettingName<Look>{"plain", Look::PLAIN}, Setting
 constexpr std::array DRAWING_NAMES{SettingName<Drawing>{"auto", Drawing::AUTO},
                                    SettingName<Drawing>{"triangles", Drawing::TRIANGLES},
                                    SettingName<Drawing>{"splats", Drawing::SPLATS}};
-constexpr std::string_view KEYS =
-    "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, look, drawing";
+constexpr std::array FILL_NAMES{SettingName<Fill>{"surface", Fill::SURFACE}, SettingName<Fill>{"shell", Fill::SHELL},
+                                SettingName<Fill>{"solid", Fill::SOLID}};
+constexpr std::array PARTS_NAMES{SettingName<PartSet>{"none", PartSet::NONE},
+                                 SettingName<PartSet>{"bricks", PartSet::BRICKS}};
+constexpr std::array EFFORT_NAMES{SettingName<Effort>{"instant", Effort::INSTANT},
+                                  SettingName<Effort>{"normal", Effort::NORMAL},
+                                  SettingName<Effort>{"best", Effort::BEST}};
+constexpr std::array SWITCH_NAMES{SettingName<bool>{"off", false}, SettingName<bool>{"on", true}};
+constexpr std::string_view KEYS = "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, "
+                                  "palette, colors, dither, fill, "
+                                  "shell, parts, seed, effort, look, drawing";
 
 constexpr const char* EXPECTED_CELL = "a number of model units, 1e-9 to 1e+12";
 constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
+constexpr const char* EXPECTED_PALETTE = "none, ldraw or the path of a file, without commas";
+constexpr const char* EXPECTED_COLORS = "a whole number, 1 to 255";
+constexpr const char* EXPECTED_SHELL = "a whole number of cells, 1 to 1024";
 constexpr const char* EXPECTED_SIZE = "w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
 
 bool isNumber(std::string_view text)
@@ -53,12 +65,25 @@ std::string readSetting(std::string_view key, std::string_view value, LegoSettin
     if (key == "fbo") return readNumber(key, value, "a whole number of pixels, 16 to 8192", settings.fboSize);
     if (key == "edge") return readNumber(key, value, "a number of cells, 0.0625 to 4", settings.edgeLimit.emplace());
     if (key == "device") return readName(key, value, DEVICE_NAMES, settings.device);
+    if (key == "palette")
+    {
+        settings.palette.emplace(value);
+        return {};
+    }
+    if (key == "colors") return readNumber(key, value, EXPECTED_COLORS, settings.numColors.emplace());
+    if (key == "dither") return readName(key, value, SWITCH_NAMES, settings.dither);
+    if (key == "fill") return readName(key, value, FILL_NAMES, settings.fill);
+    if (key == "shell") return readNumber(key, value, EXPECTED_SHELL, settings.shell);
+    if (key == "parts") return readName(key, value, PARTS_NAMES, settings.parts);
+    if (key == "seed") return readNumber(key, value, "a whole number, 0 to 4294967295", settings.seed);
+    if (key == "effort") return readName(key, value, EFFORT_NAMES, settings.effort);
     if (key == "look") return readName(key, value, LOOK_NAMES, settings.look);
     if (key == "drawing") return readName(key, value, DRAWING_NAMES, settings.drawing);
     return unknownKey(key, KEYS);
 }
 
-/** Reads the settings of a text, in which either a resolution or cell, origin and size may describe the grid. */
+/** Reads the settings of a text, in which either a resolution or cell, origin and size may describe the grid, and parts
+ * are bricks unless the text gives other proportions. */
 class SettingReader
 {
 public:
@@ -77,12 +102,17 @@ public:
         }
         if (isCells) _hasCells = true;
         if (key == "cell") settings.resolution = LegoSettings().resolution;
-        return readSetting(key, value, settings);
+        if (key == "proportions") _hasProportions = true;
+        std::string error = readSetting(key, value, settings);
+        const bool isCube = settings.proportions == Proportions::CUBE;
+        if (settings.parts != PartSet::NONE && isCube && !_hasProportions) settings.proportions = Proportions::BRICK;
+        return error;
     }
 
 private:
     bool _hasResolution = false;
     bool _hasCells = false;
+    bool _hasProportions = false;
 };
 
 template <typename Number>
@@ -132,6 +162,27 @@ std::string checkLattice(const LegoSettings& settings)
     return {};
 }
 
+/** @return the first error in the settings of colours, cells to fill and parts, in one sentence; empty if there is
+ * none. */
+std::string checkParts(const LegoSettings& settings)
+{
+    if (settings.palette && (settings.palette->empty() || settings.palette->find(',') != std::string::npos))
+        return badValue("palette", *settings.palette, EXPECTED_PALETTE);
+    if (settings.numColors && (*settings.numColors < 1 || *settings.numColors > LegoSettings::MAXIMUM_COLORS))
+        return badValue("colors", toText(*settings.numColors), EXPECTED_COLORS);
+    if (settings.shell < 1 || settings.shell > LegoSettings::MAXIMUM_SHELL)
+        return badValue("shell", toText(settings.shell), EXPECTED_SHELL);
+    if (settings.getPalette() == "none" && settings.numColors)
+        return "colors is given without a palette; expected palette=ldraw or a file";
+    if (settings.getPalette() == "none" && settings.dither)
+        return "dither is on without a palette; expected palette=ldraw or a file";
+    if (settings.parts != PartSet::NONE && settings.proportions == Proportions::CUBE)
+        return "bad value 'cube' for proportions; expected brick or plate with parts";
+    if (settings.needsCpu() && (settings.method != VoxelizationMethod::EXACT || settings.device == Device::GPU))
+        return "parts, and fill other than surface, are made on the CPU; expected method=exact, and device=auto or cpu";
+    return {};
+}
+
 } // namespace
 
 VoxelizationTarget LegoSettings::getTarget() const
@@ -144,6 +195,17 @@ double LegoSettings::getEdgeLimit() const
 {
     if (edgeLimit) return *edgeLimit;
     return method == VoxelizationMethod::POINTS ? 1.0 : 2.0;
+}
+
+std::string LegoSettings::getPalette() const
+{
+    if (palette) return *palette;
+    return parts == PartSet::NONE ? "none" : "ldraw";
+}
+
+bool LegoSettings::needsCpu() const
+{
+    return parts != PartSet::NONE || fill != Fill::SURFACE;
 }
 
 double LegoSettings::getCellHeight() const
@@ -174,7 +236,7 @@ std::string LegoSettings::check() const
         return "bad value 'projected' for target; expected addressed with method=exact";
     if (method == VoxelizationMethod::POINTS && device == Device::CPU)
         return "bad value 'cpu' for device; expected auto or gpu with method=points";
-    return {};
+    return checkParts(*this);
 }
 
 bool LegoSettings::isKey(const std::string& name)
@@ -221,6 +283,14 @@ std::string LegoSettings::toString() const
     if (fboSize != defaults.fboSize) text << ",fbo=" << fboSize;
     if (edgeLimit) text << ",edge=" << toText(*edgeLimit);
     if (device != defaults.device) text << ",device=" << nameOf(DEVICE_NAMES, device);
+    if (palette) text << ",palette=" << *palette;
+    if (numColors) text << ",colors=" << *numColors;
+    if (dither) text << ",dither=on";
+    if (fill != defaults.fill) text << ",fill=" << nameOf(FILL_NAMES, fill);
+    if (shell != defaults.shell) text << ",shell=" << shell;
+    if (parts != defaults.parts) text << ",parts=" << nameOf(PARTS_NAMES, parts);
+    if (seed != defaults.seed) text << ",seed=" << seed;
+    if (effort != defaults.effort) text << ",effort=" << nameOf(EFFORT_NAMES, effort);
     if (look != defaults.look) text << ",look=" << nameOf(LOOK_NAMES, look);
     if (drawing != defaults.drawing) text << ",drawing=" << nameOf(DRAWING_NAMES, drawing);
     return text.str();

@@ -2,6 +2,7 @@
 
 #include <osgLego/Export.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -62,6 +63,29 @@ enum class Drawing
     SPLATS     //!< points whose pixels cast rays; triangles if rays can't show the bricks, such as bricks cut open
 };
 
+/** The cells that become bricks. */
+enum class Fill
+{
+    SURFACE, //!< the covered cells
+    SHELL,   //!< and the interior cells within LegoSettings::shell cells of the outside
+    SOLID    //!< and all interior cells
+};
+
+/** The parts that cells are joined to. */
+enum class PartSet
+{
+    NONE,  //!< every cell is a brick of its own
+    BRICKS //!< real bricks of 1x1 to 2x8 studs, and plates in a grid of Proportions::PLATE
+};
+
+/** The time spent on a layout of parts. */
+enum class Effort
+{
+    INSTANT, //!< fast enough for a source that moves
+    NORMAL,  //!< a second or two
+    BEST     //!< the fewest parts, however long that takes within half a minute
+};
+
 /** The settings that determine the bricks of a mesh and how they are drawn, and their text form.
  *
  * A plain value: copy it, change members, and pass it to LegoNode::setSettings() or legolizeOnCpu(), which check it.
@@ -86,8 +110,18 @@ enum class Drawing
  * | fbo         | 16 to 8192, the side of a projected target | 1024                                |
  * | edge        | 0.0625 to 4                                | 1 (points), 2 (exact)               |
  * | device      | auto, gpu, cpu (points: auto, gpu)         | auto                                |
+ * | palette     | none, ldraw, or a file (see Palette)       | none (parts: ldraw)                 |
+ * | colors      | 1 to 255, the best of the palette          | all of the palette                  |
+ * | dither      | off, on                                    | off                                 |
+ * | fill        | surface, shell, solid                      | surface                             |
+ * | shell       | 1 to 1024 cells                            | 2                                   |
+ * | parts       | none, bricks                               | none                                |
+ * | seed        | 0 to 4294967295                            | 0                                   |
+ * | effort      | instant, normal, best                      | normal                              |
  * | look        | plain, full                                | full                                |
  * | drawing     | auto, triangles, splats                    | auto                                |
+ *
+ * Parts need `proportions=brick` or `plate`: `parts=bricks` in a text without proportions selects `brick`.
  *
  * Usage:
  *
@@ -108,6 +142,8 @@ struct OSGLEGO_EXPORT LegoSettings
     static constexpr unsigned int MAXIMUM_FBO_SIZE = 8192;
     static constexpr double MINIMUM_EDGE_LIMIT = 0.0625;
     static constexpr double MAXIMUM_EDGE_LIMIT = 4.0;
+    static constexpr unsigned int MAXIMUM_COLORS = 255;
+    static constexpr unsigned int MAXIMUM_SHELL = 1024;
 
     /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the default if
      * there is a `cellPitch`. */
@@ -133,6 +169,21 @@ struct OSGLEGO_EXPORT LegoSettings
     std::optional<double> edgeLimit;
     /** Both devices find the same cells, except cells that a triangle merely grazes; colours may differ by rounding. */
     Device device = Device::AUTO;
+    /** The colours of bricks: "none" (any colour), "ldraw" or the path of a file (see Palette::read()), without commas.
+     * Unset: see getPalette(). */
+    std::optional<std::string> palette;
+    /** The number of colours, 1 to MAXIMUM_COLORS: those of the palette that suit the source best. Unset: all. */
+    std::optional<unsigned int> numColors;
+    /** Whether colours between those of the palette are imitated by a pattern of cells. */
+    bool dither = false;
+    Fill fill = Fill::SURFACE;
+    /** The thickness of Fill::SHELL in cells, 1 to MAXIMUM_SHELL; 1 is the surface alone. */
+    unsigned int shell = 2;
+    /** Parts are laid on the CPU, and need VoxelizationMethod::EXACT and bricks or plates as cells. */
+    PartSet parts = PartSet::NONE;
+    /** The start of the layout's random numbers: equal seeds give equal parts. */
+    std::uint32_t seed = 0;
+    Effort effort = Effort::NORMAL;
     // These two do not affect which cells become bricks.
     Look look = Look::FULL;
     Drawing drawing = Drawing::AUTO;
@@ -142,6 +193,10 @@ struct OSGLEGO_EXPORT LegoSettings
     /** The edge limit in effect, in cells: `edgeLimit` if set, otherwise the method's default (points: 1, as in the
      * paper; exact: 2). */
     double getEdgeLimit() const;
+    /** The palette in effect: `palette` if set, otherwise "ldraw" with parts and "none" without. */
+    std::string getPalette() const;
+    /** Whether cells are filled or joined to parts, which only the CPU does. */
+    bool needsCpu() const;
     /** The height of a cell, divided by its width: 1, 1.2 or 0.4. */
     double getCellHeight() const;
 

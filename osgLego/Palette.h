@@ -1,0 +1,72 @@
+#pragma once
+
+#include <osgLego/Export.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <osg/Referenced>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** A colour of plastic, and the sizes of parts that were made in it. */
+struct PaletteColor
+{
+    static constexpr std::uint16_t ALL_SIZES = (1u << 11) - 1;
+
+    std::int32_t code = -1;              //!< LDraw's
+    std::string name;                    //!< such as "Dark_Turquoise"
+    std::array<std::uint8_t, 3> color{}; //!< red, green, blue (sRGB)
+    std::int32_t brickLink = -1;         //!< BrickLink's number; -1 if it is not known
+    std::uint16_t bricks = ALL_SIZES;    //!< bit i is set if a brick of size PART_SIZES[i] was ever made
+    std::uint16_t plates = ALL_SIZES;    //!< likewise for plates
+};
+
+/** A list of colours in which models may be built, and the nearest of them for any colour.
+ *
+ * "Nearest" is the least distance in Oklab (Ottosson 2020), looked up in a table of 64 x 64 x 64 entries, which is the
+ * same on the CPU and on the GPU.
+ *
+ * Usage:
+ *
+ *     std::string error;
+ *     const osg::ref_ptr<const osgLego::Palette> palette = osgLego::Palette::read("ldraw", error);
+ *     if (palette) std::cout << palette->getColors()[palette->findNearest({200, 30, 30})].name << '\n';
+ *
+ * Uses no GL. Immutable once created; every function may be called from any thread.
+ */
+class OSGLEGO_EXPORT Palette : public osg::Referenced
+{
+public:
+    static constexpr int TABLE_SIDE = 64; //!< entries of the table along each of red, green and blue
+    static constexpr std::size_t MAXIMUM_COLORS = 255;
+
+    /** Create a palette of 1 to MAXIMUM_COLORS colours. */
+    explicit Palette(std::vector<PaletteColor> colors);
+
+    /** Read a palette: "ldraw", the solid colours in which nearly all sizes of bricks and plates were made, or a file:
+     * a .csv with the columns of data/ldraw-solid-colours.csv, or LDraw's LDConfig.ldr. A file that has not changed is
+     * not read again.
+     * @return null, with one sentence in `error` that names the file and the bad line, if it can't be read. */
+    static osg::ref_ptr<const Palette> read(const std::string& nameOrFile, std::string& error);
+
+    std::span<const PaletteColor> getColors() const { return _colors; }
+    /** The index of the colour nearest to an sRGB colour. */
+    std::size_t findNearest(const std::array<std::uint8_t, 3>& color) const;
+    /** The table of findNearest(): one index for each of TABLE_SIDE^3 colours, red changing fastest. */
+    std::span<const std::uint8_t> getTable() const { return _table; }
+
+private:
+    ~Palette() override = default;
+
+    std::vector<PaletteColor> _colors;
+    std::vector<std::uint8_t> _table;
+};
+
+} // namespace osgLego

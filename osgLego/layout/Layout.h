@@ -1,0 +1,29 @@
+#pragma once
+
+#include <osgLego/LegoSettings.h>
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <functional>
+
+namespace osgLego
+{
+
+/** How a layout is computed. */
+struct LayoutOptions
+{
+    Effort effort = Effort::NORMAL;
+    std::uint32_t seed = 0;
+    /** Called now and then, from any thread; the layout ends early if it returns true. May be empty. */
+    std::function<bool()> isCancelled;
+    /** Called with the fraction done, 0 to 1, in one thread. May be empty. */
+    std::function<void(double)> progress;
+};
+
+/** Cover every cell with one part, of a size that exists in its colour.
+ *
+ * @param previous a layout of similar cells, parts of which are kept where the cells are the same; empty if there is
+ * none.
+ * @return parts sorted by z, y and x of their place, the same for any number of threads; empty if it was cancelled. */
+LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts& previous = {});
+
+} // namespace osgLego
