@@ -25,8 +25,9 @@ bool isSoftware(EGLDeviceEXT device)
     return extensions && std::strstr(extensions, "EGL_MESA_device_software");
 }
 
-/** The displays to try, in order: GPUs, Mesa's surfaceless platform, software devices, the default display. */
-std::vector<EGLDisplay> findDisplays()
+/** The displays to try, in order: GPUs, Mesa's surfaceless platform, software devices, the default display.
+ * @param softwareFirst software devices before the surfaceless platform. */
+std::vector<EGLDisplay> findDisplays(bool softwareFirst)
 {
     std::vector<EGLDisplay> displays;
     std::vector<EGLDisplay> softwareDisplays;
@@ -44,8 +45,9 @@ std::vector<EGLDisplay> findDisplays()
                     .push_back(getDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
             }
     }
-    if (getDisplay) displays.push_back(getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
-    displays.insert(displays.end(), softwareDisplays.begin(), softwareDisplays.end());
+    displays.push_back(getDisplay ? getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr) : EGL_NO_DISPLAY);
+    displays.insert(softwareFirst ? displays.end() - 1 : displays.end(), softwareDisplays.begin(),
+                    softwareDisplays.end());
     displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     return displays;
 }
@@ -86,7 +88,7 @@ bool EglContext::realizeImplementation()
     // osgViewer realizes its contexts more than once.
     if (isRealizedImplementation()) return true;
     _error = "there is no EGL display that gives an OpenGL context";
-    const std::vector<EGLDisplay> displays = findDisplays();
+    const std::vector<EGLDisplay> displays = findDisplays(_traits->displayNum != 0);
     // Accept an older version only after every display has been tried: the library's message about the version of such
     // a context is clearer than EGL's.
     for (const EGLint* attributes : {COMPATIBLE.data(), ANY.data()})

@@ -34,9 +34,10 @@ void forgetDeadFunctions(osg::GraphicsContext& context)
 
 } // namespace
 
-osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error)
+osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error, int display)
 {
     osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
+    traits->displayNum = display;
     traits->width = width;
     traits->height = height;
     traits->red = traits->green = traits->blue = traits->alpha = 8;

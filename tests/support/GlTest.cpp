@@ -63,10 +63,10 @@ void GlTest::TearDown()
     failOnGlMessages();
 }
 
-osg::ref_ptr<osg::GraphicsContext> GlTest::createContext()
+osg::ref_ptr<osg::GraphicsContext> GlTest::createContext(int display)
 {
     std::string error;
-    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(WIDTH, HEIGHT, error);
+    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(WIDTH, HEIGHT, error, display);
     if (!context) throw std::runtime_error(error);
     watchGl(*context);
     return context;

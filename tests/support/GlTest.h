@@ -26,8 +26,8 @@ public:
 protected:
     void TearDown() override;
 
-    /** A context that is watched for errors, realized, and not current. */
-    static osg::ref_ptr<osg::GraphicsContext> createContext();
+    /** A context that is watched for errors, realized, and not current. @param display see createOffscreenContext(). */
+    static osg::ref_ptr<osg::GraphicsContext> createContext(int display = 0);
 
     /** Let a viewer draw a scene into a context, from a distance at which all of it is visible. */
     static void setUpViewer(osgViewer::Viewer& viewer, osg::GraphicsContext& context, osg::Node& scene);

@@ -41,10 +41,43 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.getTarget(), VoxelizationTarget::ADDRESSED);
     EXPECT_EQ(settings.fboSize, 512u);
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
+    const LegoSettings parts =
+        parsed("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best");
+    EXPECT_EQ(parts.palette, "a.csv");
+    EXPECT_EQ(parts.numColors, 6u);
+    EXPECT_TRUE(parts.dither);
+    EXPECT_EQ(parts.fill, Fill::SHELL);
+    EXPECT_EQ(parts.shell, 3u);
+    EXPECT_EQ(parts.parts, PartSet::BRICKS);
+    EXPECT_EQ(parts.seed, 7u);
+    EXPECT_EQ(parts.effort, Effort::BEST);
     const LegoSettings lattice = parsed("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
     EXPECT_EQ(lattice.cellPitch, 0.25);
     EXPECT_EQ(lattice.gridOrigin, glm::dvec3(-1.0, 2.5, 1e-3));
     EXPECT_EQ(lattice.gridSize, glm::ivec3(3, 4, 50));
+}
+
+TEST(LegoSettings, PartsAreBricksInLdrawColorsUnlessTheTextSaysOtherwise)
+{
+    EXPECT_EQ(parsed("64,parts=bricks").proportions, Proportions::BRICK);
+    EXPECT_EQ(parsed("64,proportions=plate,parts=bricks").proportions, Proportions::PLATE);
+    EXPECT_EQ(parsed("64,parts=bricks,proportions=plate").proportions, Proportions::PLATE);
+    EXPECT_EQ(parsed("64,parts=none").proportions, Proportions::CUBE);
+    EXPECT_EQ(parsed("64,parts=bricks").getPalette(), "ldraw");
+    EXPECT_EQ(parsed("64,parts=bricks,palette=none").getPalette(), "none");
+    EXPECT_EQ(parsed("64").getPalette(), "none");
+}
+
+TEST(LegoSettings, PartsNeedTheCpuExactCellsAndRealProportions)
+{
+    EXPECT_EQ(errorOf("64,proportions=cube,parts=bricks"),
+              "bad value 'cube' for proportions; expected brick or plate with parts");
+    const std::string onlyOnCpu =
+        "parts, and fill other than surface, are made on the CPU; expected method=exact, and device=auto or cpu";
+    for (const char* text : {"64,parts=bricks,device=gpu", "64,parts=bricks,method=points", "64,fill=solid,device=gpu"})
+        EXPECT_EQ(errorOf(text), onlyOnCpu) << text;
+    EXPECT_EQ(parsed("64,fill=solid,device=cpu").needsCpu(), true);
+    EXPECT_EQ(parsed("64,palette=ldraw,device=gpu").needsCpu(), false);
 }
 
 TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
@@ -59,6 +92,8 @@ TEST(LegoSettings, TheTextFormRoundTrips)
 {
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
+          "64,palette=ldraw,colors=12,dither=on",
+          "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant",
           "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain", "cell=2,up=y", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
@@ -147,7 +182,8 @@ TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
 TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
 {
     EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, cell, origin, size, "
-                                        "proportions, up, method, target, fbo, edge, device, look, drawing");
+                                        "proportions, up, method, target, fbo, edge, device, palette, colors, dither, "
+                                        "fill, shell, parts, seed, effort, look, drawing");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; expected a whole number, 1 to 1024");
@@ -158,6 +194,18 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_EQ(errorOf("fbo=8"), "bad value '8' for fbo; expected a whole number of pixels, 16 to 8192");
     EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; expected a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; expected a number of cells, 0.0625 to 4");
+    EXPECT_EQ(errorOf("palette="),
+              "bad value '' for palette; expected none, ldraw or the path of a file, without commas");
+    EXPECT_EQ(errorOf("palette=ldraw,colors=0"), "bad value '0' for colors; expected a whole number, 1 to 255");
+    EXPECT_EQ(errorOf("colors=256"), "bad value '256' for colors; expected a whole number, 1 to 255");
+    EXPECT_EQ(errorOf("colors=6"), "colors is given without a palette; expected palette=ldraw or a file");
+    EXPECT_EQ(errorOf("dither=on"), "dither is on without a palette; expected palette=ldraw or a file");
+    EXPECT_EQ(errorOf("dither=yes"), "bad value 'yes' for dither; expected off or on");
+    EXPECT_EQ(errorOf("fill=full"), "bad value 'full' for fill; expected surface, shell or solid");
+    EXPECT_EQ(errorOf("shell=0"), "bad value '0' for shell; expected a whole number of cells, 1 to 1024");
+    EXPECT_EQ(errorOf("parts=plates"), "bad value 'plates' for parts; expected none or bricks");
+    EXPECT_EQ(errorOf("seed=-1"), "bad value '-1' for seed; expected a whole number, 0 to 4294967295");
+    EXPECT_EQ(errorOf("effort=low"), "bad value 'low' for effort; expected instant, normal or best");
     EXPECT_EQ(errorOf("64,32"), "'resolution' is given twice");
     EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; expected addressed with method=exact");
     EXPECT_EQ(errorOf("method=points,device=cpu"),

@@ -44,7 +44,7 @@ protected:
 
     void addView()
     {
-        _contexts.push_back(createContext());
+        _contexts.push_back(createContext(static_cast<int>(_contexts.size() % 2)));
         osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
         osg::Camera* camera = view->getCamera();
         camera->setGraphicsContext(_contexts.back());
