@@ -1,6 +1,9 @@
 #pragma once
 
+#include <osgLego/LayoutStatistics.h>
+
 #include <cstddef>
+#include <optional>
 
 namespace osgLego
 {
@@ -21,6 +24,8 @@ struct LegoStatistics
     double flattening = 0.0;        //!< converting the source to triangles in the grid, on the CPU
     double subdivision = 0.0;       //!< including the upload
     double voxelization = 0.0;
+    /** Of the parts that were made of the cells; unset without parts, and for stored bricks. */
+    std::optional<LayoutStatistics> layout;
     double extraction = 0.0; //!< for bricks that were not made on the GPU: the upload
 };
 

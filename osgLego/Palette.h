@@ -26,6 +26,8 @@ struct PaletteColor
     std::int32_t brickLink = -1;         //!< BrickLink's number; -1 if it is not known
     std::uint16_t bricks = ALL_SIZES;    //!< bit i is set if a brick of size PART_SIZES[i] was ever made
     std::uint16_t plates = ALL_SIZES;    //!< likewise for plates
+
+    bool operator==(const PaletteColor&) const = default;
 };
 
 /** A list of colours in which models may be built, and the nearest of them for any colour.

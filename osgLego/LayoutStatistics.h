@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace osgLego
+{
+
+/** Figures of the parts that cells were joined to (LegoSettings::parts). Times are in milliseconds. */
+struct LayoutStatistics
+{
+    std::size_t numCells = 0;
+    std::size_t numInterior = 0; //!< cells that LegoSettings::fill added
+    std::size_t numParts = 0;
+    /** The sum over all layers of the fewest parts that can cover one; unset unless it was asked for. */
+    std::optional<std::size_t> lowerBound;
+    std::size_t numComponents = 0;         //!< pieces of the model that no stud holds together
+    std::size_t numComponentsPossible = 0; //!< the fewest that any layout of these cells can have
+    std::size_t numArticulationParts = 0;  //!< parts without which their piece would fall apart
+    std::size_t numFloating = 0;           //!< parts in pieces that do not reach the lowest layer
+    double stackedSeams = 0.0;      //!< the share of joints in layers that lie on a joint of the layer below, 0 to 1
+    std::size_t stackedLength = 0;  //!< the number of those joints, in cell widths
+    std::size_t numColors = 0;      //!< different colours of parts
+    std::size_t numUnavailable = 0; //!< parts of a size that was never made in their colour
+    double meanColorError = 0.0;    //!< the mean distance of visible cells from their surface's colour, in Oklab
+    double maximumColorError = 0.0;
+    double palette = 0.0; //!< the time taken to look up colours
+    double fill = 0.0;    //!< likewise to find interior cells
+    double layout = 0.0;  //!< likewise to lay parts
+    double figures = 0.0; //!< likewise to compute these figures
+};
+
+} // namespace osgLego

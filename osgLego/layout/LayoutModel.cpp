@@ -1,0 +1,91 @@
+#include <osgLego/layout/LayoutModel.h>
+
+#include <osgLego/PartType.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using Color = std::array<std::uint8_t, 3>;
+
+std::uint32_t keyOf(const Color& color)
+{
+    return color[0] | static_cast<std::uint32_t>(color[1]) << 8 | static_cast<std::uint32_t>(color[2]) << 16;
+}
+
+/** Exchange y and z if y points upwards in the grid; it is its own inverse. */
+template <typename Number>
+std::array<Number, 3> exchangeAxes(std::array<Number, 3> vector, const BrickGrid& grid)
+{
+    if (grid.getUpIndex() == 1) std::swap(vector[1], vector[2]);
+    return vector;
+}
+
+bool isBefore(const LayoutCell& a, const LayoutCell& b)
+{
+    return std::tie(a.place[2], a.place[1], a.place[0]) < std::tie(b.place[2], b.place[1], b.place[0]);
+}
+
+} // namespace
+
+LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, const std::vector<PaletteColor>& colors)
+{
+    LayoutProblem problem;
+    const auto size = exchangeAxes(std::array{grid.dimensions.x, grid.dimensions.y, grid.dimensions.z}, grid);
+    problem.size = {size[0], size[1], size[2]};
+    problem.isOfPlates = getCellPlates(grid) == 1;
+    std::unordered_map<std::uint32_t, std::uint16_t> indices;
+    for (const PaletteColor& color : colors)
+    {
+        indices.emplace(keyOf(color.color), static_cast<std::uint16_t>(problem.colors.size()));
+        problem.colors.push_back({color.bricks, color.plates});
+    }
+    problem.cells.reserve(cells.bricks.size());
+    for (std::size_t index = 0; index < cells.bricks.size(); ++index)
+    {
+        LayoutCell cell{exchangeAxes(cells.bricks[index].cell, grid)};
+        const auto color = indices.find(keyOf(cells.bricks[index].color));
+        if (!cells.isInterior[index] && color != indices.end()) cell.color = color->second;
+        problem.cells.push_back(cell);
+    }
+    if (!std::is_sorted(problem.cells.begin(), problem.cells.end(), isBefore))
+        std::sort(problem.cells.begin(), problem.cells.end(), isBefore);
+    return problem;
+}
+
+std::vector<PaletteColor> collectColors(const FilledCells& cells)
+{
+    std::set<Color> found;
+    for (std::size_t index = 0; index < cells.bricks.size(); ++index)
+        if (!cells.isInterior[index]) found.insert(cells.bricks[index].color);
+    std::vector<PaletteColor> colors;
+    for (const Color& color : found)
+    {
+        if (colors.size() == LayoutCell::ANY_COLOR) break;
+        colors.push_back({Part::NO_CODE, {}, color});
+    }
+    return colors;
+}
+
+osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
+                                           const std::vector<PaletteColor>& colors)
+{
+    std::vector<Part> real;
+    real.reserve(parts.size());
+    for (const LaidPart& part : parts)
+    {
+        const PaletteColor& color = colors[part.color];
+        real.push_back({exchangeAxes(part.place, grid), exchangeAxes(part.size, grid), color.color, color.code});
+    }
+    return BrickModel::createOfParts(grid, std::move(real));
+}
+
+} // namespace osgLego

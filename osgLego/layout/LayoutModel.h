@@ -1,0 +1,25 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Palette.h>
+#include <osgLego/layout/CellFill.h>
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <vector>
+
+namespace osgLego
+{
+
+/** Prepare cells for a layout.
+ * @param grid of bricks or plates (getCellPlates()).
+ * @param colors the colours of the problem, at most 65535: a cell whose colour is not among them may have any. */
+LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, const std::vector<PaletteColor>& colors);
+
+/** The colours of all covered cells, for models without a palette, as colours in which every size was made. */
+std::vector<PaletteColor> collectColors(const FilledCells& cells);
+
+/** The model of a layout in the grid of its cells. */
+osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
+                                           const std::vector<PaletteColor>& colors);
+
+} // namespace osgLego

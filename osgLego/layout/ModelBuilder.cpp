@@ -1,0 +1,114 @@
+#include <osgLego/layout/ModelBuilder.h>
+
+#include <osgLego/layout/CellFill.h>
+#include <osgLego/layout/Layout.h>
+#include <osgLego/layout/LayoutModel.h>
+#include <osgLego/palette/Oklab.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <osg/Notify>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The time since it was asked last, in milliseconds. */
+class Stopwatch
+{
+public:
+    double lap()
+    {
+        const osg::Timer_t now = osg::Timer::instance()->tick();
+        return osg::Timer::instance()->delta_m(std::exchange(_start, now), now);
+    }
+
+private:
+    osg::Timer_t _start = osg::Timer::instance()->tick();
+};
+
+/** Give the cells the colours of a palette, and measure how far they are from their own. */
+osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const Palette& palette, LayoutStatistics& statistics)
+{
+    std::vector<glm::dvec3> places;
+    for (const PaletteColor& color : palette.getColors())
+        places.push_back(toOklab(color.color));
+    std::vector<Brick> bricks = cells.getBricks();
+    std::size_t numVisible = 0;
+    double sum = 0.0;
+    for (Brick& brick : bricks)
+    {
+        const std::size_t index = palette.findNearest(brick.color);
+        if (brick.openSides != 0)
+        {
+            const double distance = glm::distance(places[index], toOklab(brick.color));
+            sum += distance;
+            statistics.maximumColorError = std::max(statistics.maximumColorError, distance);
+            ++numVisible;
+        }
+        brick.color = palette.getColors()[index].color;
+    }
+    if (numVisible > 0) statistics.meanColorError = sum / static_cast<double>(numVisible);
+    return BrickModel::createComplete(cells.getGrid(), std::move(bricks));
+}
+
+void warnOfLeak(Fill fill)
+{
+    OSG_WARN << "osgLego: the model has no interior, so fill=" << (fill == Fill::SOLID ? "solid" : "shell")
+             << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
+}
+
+} // namespace
+
+ModelBuilder::ModelBuilder(const LegoSettings& settings, const Palette* palette) :
+    _settings(settings), _palette(palette)
+{
+}
+
+osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
+{
+    _error.clear();
+    _statistics.reset();
+    LayoutStatistics statistics;
+    Stopwatch stopwatch;
+    osg::ref_ptr<const BrickModel> colored = _palette ? recolor(cells, *_palette, statistics) : &cells;
+    statistics.palette = stopwatch.lap();
+    if (!_settings.needsCpu()) return colored;
+
+    FilledCells filled;
+    if (!fillCells(*colored, _settings.fill, _settings.shell, filled, _error)) return nullptr;
+    if (_settings.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
+        warnOfLeak(_settings.fill);
+    statistics.fill = stopwatch.lap();
+    if (_settings.parts == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
+    return lay(filled, cells.getGrid(), statistics);
+}
+
+osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const BrickGrid& grid,
+                                                 LayoutStatistics& statistics)
+{
+    Stopwatch stopwatch;
+    std::vector<PaletteColor> colors = collectColors(cells);
+    if (_palette) colors.assign(_palette->getColors().begin(), _palette->getColors().end());
+    const LayoutProblem problem = createProblem(cells, grid, colors);
+    const bool isAlike = _previous && _previous->colors == colors;
+    LaidParts parts = layOut(problem, {_settings.effort, _settings.seed, _isCancelled, _progress},
+                             isAlike ? _previous->parts : LaidParts());
+    if (parts.empty() && !problem.cells.empty()) return nullptr;
+    statistics.layout = stopwatch.lap();
+    osg::ref_ptr<const BrickModel> model = createModel(parts, grid, colors);
+    statistics.numCells = problem.cells.size();
+    statistics.numInterior = cells.numInterior;
+    statistics.numParts = parts.size();
+    statistics.figures = stopwatch.lap();
+    _statistics = statistics;
+    if (_previous) *_previous = {std::move(parts), std::move(colors)};
+    return model;
+}
+
+} // namespace osgLego

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/LayoutStatistics.h>
+#include <osgLego/LegoSettings.h>
+#include <osgLego/Palette.h>
+#include <osgLego/layout/CellFill.h>
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** A layout that the next one of the same source may resemble. */
+struct PreviousLayout
+{
+    LaidParts parts;
+    std::vector<PaletteColor> colors; //!< those of the parts
+};
+
+/** Turns the covered cells of a mesh into the bricks that the settings ask for: looks up their colours in a palette,
+ * fills the interior, and lays parts.
+ *
+ * Usage:
+ *
+ *     ModelBuilder builder(settings, palette);
+ *     const osg::ref_ptr<const BrickModel> model = builder.build(*cells);
+ *     if (!model) ... // builder.getError(), or cancelled
+ *
+ * Uses no GL, and all threads that oneTBB gives the caller. One thread at a time.
+ */
+class ModelBuilder
+{
+public:
+    /** @param palette null leaves colours as they are. */
+    ModelBuilder(const LegoSettings& settings, const Palette* palette);
+
+    /** Let a function end build() early by returning true; it is called from any thread. */
+    void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
+    /** Let a function be called with the fraction of the layout that is done, 0 to 1, in the thread of build(). */
+    void setProgress(std::function<void(double)> progress) { _progress = std::move(progress); }
+    /** Keep parts of an earlier layout where the cells have not changed; the result is left here for the next one. */
+    void setPrevious(PreviousLayout& previous) { _previous = &previous; }
+
+    /** Build the bricks of covered cells.
+     * @return `cells` if there is nothing to do; null if it was cancelled, or with a sentence in getError() if there
+     * would be too many cells. @throws std::bad_alloc if there is not enough memory. */
+    osg::ref_ptr<const BrickModel> build(const BrickModel& cells);
+
+    const std::string& getError() const { return _error; }
+    /** The figures of the last build(); unset without parts. */
+    const std::optional<LayoutStatistics>& getStatistics() const { return _statistics; }
+
+private:
+    osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickGrid& grid, LayoutStatistics& statistics);
+
+    LegoSettings _settings;
+    osg::ref_ptr<const Palette> _palette;
+    std::function<bool()> _isCancelled;
+    std::function<void(double)> _progress;
+    PreviousLayout* _previous = nullptr;
+    std::string _error;
+    std::optional<LayoutStatistics> _statistics;
+};
+
+} // namespace osgLego
