@@ -1,6 +1,8 @@
 #include <osgLego/Palette.h>
 
+#include <osgLego/palette/KnownColors.h>
 #include <osgLego/palette/Oklab.h>
+#include <osgLego/palette/PaletteFile.h>
 
 #include <utility>
 
@@ -46,6 +48,11 @@ Palette::Palette(std::vector<PaletteColor> colors) : _colors(std::move(colors))
     // A colour of the palette is its own nearest, even if another one is nearer to the middle of its entry.
     for (std::size_t index = _colors.size(); index-- > 0;)
         _table[entryOf(_colors[index].color)] = static_cast<std::uint8_t>(index);
+}
+
+osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::string& error)
+{
+    return nameOrFile == "ldraw" ? getDefaultPalette() : readPaletteFile(nameOrFile, error);
 }
 
 std::size_t Palette::findNearest(const std::array<std::uint8_t, 3>& color) const

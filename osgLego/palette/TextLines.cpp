@@ -1,0 +1,52 @@
+#include <osgLego/palette/TextLines.h>
+
+#include <algorithm>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The text in quotation marks, shortened, without characters that would spoil a terminal. */
+std::string quoted(std::string_view text)
+{
+    constexpr std::size_t LONGEST = 40;
+    std::string result(text.substr(0, LONGEST));
+    std::replace_if(
+        result.begin(), result.end(), [](unsigned char character) { return character < ' ' || character > '~'; }, '?');
+    return "'" + result + (text.size() > LONGEST ? "...'" : "'");
+}
+
+} // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view SPACE = " \t\r\n";
+    const auto begin = text.find_first_not_of(SPACE);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
+}
+
+TextLines::TextLines(std::string_view text) : _rest(text)
+{
+    constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
+    if (_rest.starts_with(BYTE_ORDER_MARK)) _rest.remove_prefix(BYTE_ORDER_MARK.size());
+}
+
+bool TextLines::next()
+{
+    if (_rest.empty()) return false;
+    const auto end = std::min(_rest.find('\n'), _rest.size());
+    _line = trimmed(_rest.substr(0, end));
+    _rest.remove_prefix(std::min(end + 1, _rest.size()));
+    ++_number;
+    return true;
+}
+
+std::string TextLines::expected(const std::string& wanted, std::string_view found) const
+{
+    return "line " + std::to_string(_number) + ": expected " + wanted + ", found " + quoted(found);
+}
+
+} // namespace osgLego
