@@ -1,32 +1,50 @@
 #include <osgLego/CpuLegolizer.h>
 
-#include <osgLego/cpu/CpuVoxelizer.h>
-#include <osgLego/flattening/GridTriangles.h>
+#include <osgLego/cpu/CpuBricks.h>
+#include <osgLego/flattening/SceneTriangles.h>
+
+#include <atomic>
+#include <string>
 
 #include <osg/Notify>
 
 namespace osgLego
 {
 
-osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings)
+namespace
 {
-    if (const std::string error = settings.check(); !error.empty())
-    {
-        OSG_WARN << "osgLego: " << error << std::endl;
-        return nullptr;
-    }
+
+osg::ref_ptr<const BrickModel> fail(const std::string& error)
+{
+    OSG_WARN << "osgLego: " << error << std::endl;
+    return nullptr;
+}
+
+} // namespace
+
+osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings,
+                                             LegoStatistics* statistics, const std::function<bool(double)>& proceed)
+{
+    if (const std::string error = settings.check(); !error.empty()) return fail(error);
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
-    if (scene->getNumTriangles() == 0)
-    {
-        OSG_WARN << "osgLego: '" << node.getName() << "' has no visible triangles to legolize" << std::endl;
-        return nullptr;
-    }
-    if (const std::string obstacle = BrickGrid::findObstacle(scene->getBounds(), settings); !obstacle.empty())
-    {
-        OSG_WARN << "osgLego: " << obstacle << std::endl;
-        return nullptr;
-    }
-    return voxelizeOnCpu(*GridTriangles::create(*scene, settings));
+    if (scene->getNumTriangles() == 0) return fail("'" + node.getName() + "' has no visible triangles to legolize");
+    std::string error = BrickGrid::findObstacle(scene->getBounds(), settings);
+    if (!error.empty()) return fail(error);
+    const osg::ref_ptr<const LegoSource> source = LegoSource::create(*scene, settings, error);
+    if (!source) return fail(error);
+
+    std::atomic<bool> isCancelled = false;
+    CpuBricksWork work;
+    work.isCancelled = [&] { return isCancelled.load(); };
+    if (proceed)
+        work.progress = [&](double fraction)
+        {
+            if (!proceed(fraction)) isCancelled = true;
+        };
+    osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
+    if (!work.error.empty()) return fail(work.error);
+    if (statistics) *statistics = work.statistics;
+    return model;
 }
 
 } // namespace osgLego

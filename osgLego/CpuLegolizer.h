@@ -3,6 +3,9 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/Export.h>
 #include <osgLego/LegoSettings.h>
+#include <osgLego/LegoStatistics.h>
+
+#include <functional>
 
 #include <osg/Node>
 #include <osg/ref_ptr>
@@ -16,7 +19,8 @@ namespace osgLego
  * the same cells on the GPU, except cells that a triangle merely grazes: the GPU works in single precision. The colour
  * of a cell is the average over its triangles, weighted by their area inside the cell. Each triangle contributes the
  * colour of its point nearest the cell's centre: vertex colours and texture coordinates are interpolated there, and the
- * texture is filtered to the size of a cell. The method, target, FBO size and edge limit of the settings are ignored.
+ * texture is filtered to the size of a cell. With a palette, a cell gets the palette's colour nearest to that of its
+ * surface. The method, target, FBO size, edge limit and device of the settings are ignored.
  *
  * Usage:
  *
@@ -28,8 +32,14 @@ namespace osgLego
  * grows with the number of covered cells, plus one bit for each cell in the rows of the grid near them: at most 128 MiB
  * at 1024 x 1024 x 1024.
  *
- * @return null, with a warning that gives the reason, if the node has no visible triangles, settings.check() reports an
- * error, or the cells of the given size would be too many; a model without bricks if the grid misses the triangles. */
-OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings);
+ * @param statistics receives the statistics of the bricks; may be null.
+ * @param proceed called in this thread with the fraction of a layout of parts that is done, 0 to 1; the function ends
+ * early if it returns false. May be empty.
+ * @return null if `proceed` ended it, and with a warning that gives the reason if the node has no visible triangles,
+ * settings.check() reports an error, the palette can't be read, or the cells would be too many; a model without bricks
+ * if the grid misses the triangles. */
+OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings,
+                                                            LegoStatistics* statistics = nullptr,
+                                                            const std::function<bool(double)>& proceed = {});
 
 } // namespace osgLego

@@ -30,6 +30,29 @@ std::string glText(GLenum name)
     return text ? text : "";
 }
 
+nlohmann::ordered_json toJson(const LayoutStatistics& layout)
+{
+    nlohmann::ordered_json json{
+        {"cells", layout.numCells}, {"interior", layout.numInterior}, {"parts", layout.numParts}};
+    if (layout.lowerBound) json["lowerBound"] = *layout.lowerBound;
+    json.update({{"components", layout.numComponents},
+                 {"componentsPossible", layout.numComponentsPossible},
+                 {"articulationParts", layout.numArticulationParts},
+                 {"floating", layout.numFloating},
+                 {"stackedSeams", layout.stackedSeams},
+                 {"stackedLength", layout.stackedLength},
+                 {"colors", layout.numColors},
+                 {"unavailable", layout.numUnavailable},
+                 {"meanColorError", layout.meanColorError},
+                 {"maximumColorError", layout.maximumColorError},
+                 {"milliseconds",
+                  {{"palette", rounded(layout.palette)},
+                   {"fill", rounded(layout.fill)},
+                   {"layout", rounded(layout.layout)},
+                   {"figures", rounded(layout.figures)}}}});
+    return json;
+}
+
 } // namespace
 
 void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::GraphicsContext& context)
@@ -54,6 +77,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::Graph
         json["grid"] = {{"origin", toJson(grid.origin)},
                         {"cellSize", toJson(grid.cellSize)},
                         {"dimensions", toJson(grid.dimensions)}};
+        if (statistics.layout) json["layout"] = toJson(*statistics.layout);
         milliseconds["flattening"] = rounded(statistics.flattening);
         milliseconds["subdivision"] = rounded(statistics.subdivision);
         milliseconds["voxelization"] = rounded(statistics.voxelization);

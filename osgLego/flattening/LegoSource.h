@@ -3,10 +3,13 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/flattening/GridTriangles.h>
 #include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/palette/PaletteLookup.h>
 
 #include <cstdint>
+#include <string>
 
 #include <osg/Referenced>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
@@ -17,9 +20,15 @@ struct LegoSource : public osg::Referenced
     std::uint64_t revision = 0; //!< above 0; higher for each new source of a node
     LegoSettings settings;
     osg::ref_ptr<const GridTriangles> triangles;
+    PaletteLookup lookup;    //!< the colours that bricks may have
     double flattening = 0.0; //!< the time taken to make `triangles`, in milliseconds
     bool timing = false;     //!< wait for each stage to finish, to time it
     bool readBack = false;   //!< read the covered cells back to the CPU
+
+    /** Create a source of triangles, without a revision.
+     * @return null, with one sentence in `error`, if the palette of the settings can't be read. */
+    static osg::ref_ptr<LegoSource> create(const SceneTriangles& scene, const LegoSettings& settings,
+                                           std::string& error);
 };
 
 } // namespace osgLego

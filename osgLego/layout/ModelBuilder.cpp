@@ -6,6 +6,7 @@
 #include <osgLego/palette/Oklab.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -33,17 +34,19 @@ private:
 };
 
 /** Give the cells the colours of a palette, and measure how far they are from their own. */
-osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const Palette& palette, LayoutStatistics& statistics)
+osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLookup& lookup,
+                                       LayoutStatistics& statistics)
 {
+    const std::span<const PaletteColor> colors = lookup.getPalette()->getColors();
     std::vector<glm::dvec3> places;
-    for (const PaletteColor& color : palette.getColors())
+    for (const PaletteColor& color : colors)
         places.push_back(toOklab(color.color));
     std::vector<Brick> bricks = cells.getBricks();
     std::size_t numVisible = 0;
     double sum = 0.0;
     for (Brick& brick : bricks)
     {
-        const std::size_t index = palette.findNearest(brick.color);
+        const std::size_t index = lookup.find(brick.color);
         if (brick.openSides != 0)
         {
             const double distance = glm::distance(places[index], toOklab(brick.color));
@@ -51,7 +54,7 @@ osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const Palette& p
             statistics.maximumColorError = std::max(statistics.maximumColorError, distance);
             ++numVisible;
         }
-        brick.color = palette.getColors()[index].color;
+        brick.color = colors[index].color;
     }
     if (numVisible > 0) statistics.meanColorError = sum / static_cast<double>(numVisible);
     return BrickModel::createComplete(cells.getGrid(), std::move(bricks));
@@ -65,8 +68,8 @@ void warnOfLeak(Fill fill)
 
 } // namespace
 
-ModelBuilder::ModelBuilder(const LegoSettings& settings, const Palette* palette) :
-    _settings(settings), _palette(palette)
+ModelBuilder::ModelBuilder(const LegoSettings& settings, const PaletteLookup& lookup) :
+    _settings(settings), _lookup(lookup)
 {
 }
 
@@ -76,7 +79,8 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
     _statistics.reset();
     LayoutStatistics statistics;
     Stopwatch stopwatch;
-    osg::ref_ptr<const BrickModel> colored = _palette ? recolor(cells, *_palette, statistics) : &cells;
+    osg::ref_ptr<const BrickModel> colored = &cells;
+    if (_lookup.hasPalette()) colored = recolor(cells, _lookup, statistics);
     statistics.palette = stopwatch.lap();
     if (!_settings.needsCpu()) return colored;
 
@@ -94,9 +98,10 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
 {
     Stopwatch stopwatch;
     std::vector<PaletteColor> colors = collectColors(cells);
-    if (_palette) colors.assign(_palette->getColors().begin(), _palette->getColors().end());
+    if (const Palette* palette = _lookup.getPalette())
+        colors.assign(palette->getColors().begin(), palette->getColors().end());
     const LayoutProblem problem = createProblem(cells, grid, colors);
-    const bool isAlike = _previous && _previous->colors == colors;
+    const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
     LaidParts parts = layOut(problem, {_settings.effort, _settings.seed, _isCancelled, _progress},
                              isAlike ? _previous->parts : LaidParts());
     if (parts.empty() && !problem.cells.empty()) return nullptr;
@@ -107,7 +112,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     statistics.numParts = parts.size();
     statistics.figures = stopwatch.lap();
     _statistics = statistics;
-    if (_previous) *_previous = {std::move(parts), std::move(colors)};
+    if (_previous) *_previous = {_settings, std::move(parts), std::move(colors)};
     return model;
 }
 

@@ -3,9 +3,9 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LayoutStatistics.h>
 #include <osgLego/LegoSettings.h>
-#include <osgLego/Palette.h>
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/LayoutProblem.h>
+#include <osgLego/palette/PaletteLookup.h>
 
 #include <functional>
 #include <optional>
@@ -18,9 +18,10 @@
 namespace osgLego
 {
 
-/** A layout that the next one of the same source may resemble. */
+/** A layout that the next one of the same source may resemble, if the settings are the same. */
 struct PreviousLayout
 {
+    LegoSettings settings;
     LaidParts parts;
     std::vector<PaletteColor> colors; //!< those of the parts
 };
@@ -30,7 +31,7 @@ struct PreviousLayout
  *
  * Usage:
  *
- *     ModelBuilder builder(settings, palette);
+ *     ModelBuilder builder(settings, PaletteLookup(palette));
  *     const osg::ref_ptr<const BrickModel> model = builder.build(*cells);
  *     if (!model) ... // builder.getError(), or cancelled
  *
@@ -39,8 +40,8 @@ struct PreviousLayout
 class ModelBuilder
 {
 public:
-    /** @param palette null leaves colours as they are. */
-    ModelBuilder(const LegoSettings& settings, const Palette* palette);
+    /** @param lookup the colours that bricks may have. */
+    ModelBuilder(const LegoSettings& settings, const PaletteLookup& lookup);
 
     /** Let a function end build() early by returning true; it is called from any thread. */
     void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
@@ -62,7 +63,7 @@ private:
     osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickGrid& grid, LayoutStatistics& statistics);
 
     LegoSettings _settings;
-    osg::ref_ptr<const Palette> _palette;
+    PaletteLookup _lookup;
     std::function<bool()> _isCancelled;
     std::function<void(double)> _progress;
     PreviousLayout* _previous = nullptr;

@@ -153,7 +153,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
  * unknown, since any context can show bricks from the CPU. */
 BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsigned int contextID) const
 {
-    if (settings.device == Device::CPU) return *_cpuProducer;
+    if (settings.device == Device::CPU || settings.needsCpu()) return *_cpuProducer;
     if (settings.device == Device::GPU || settings.method != VoxelizationMethod::EXACT) return *_gpuProducer;
     if (GlRequirements::getRenderer(contextID) == Renderer::HARDWARE) return *_gpuProducer;
     return *_cpuProducer;

@@ -29,11 +29,10 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
     osg::ref_ptr<LegoSource> source;
     _obstacle = BrickGrid::findObstacle(scene->getBounds(), request.settings);
     if (scene->getNumTriangles() > 0 && _obstacle.empty())
+        source = LegoSource::create(*scene, request.settings, _obstacle);
+    if (source)
     {
-        source = new LegoSource;
         source->revision = _revision;
-        source->settings = request.settings;
-        source->triangles = GridTriangles::create(*scene, request.settings);
         source->flattening = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
         source->timing = request.timing;
         source->readBack = request.readBack;

@@ -1,14 +1,14 @@
 #include <osgLego/producer/CpuProducer.h>
 
-#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/CpuBricks.h>
 
 #include <atomic>
 #include <exception>
+#include <string>
 #include <utility>
 
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
-#include <osg/Timer>
 
 namespace osgLego
 {
@@ -16,19 +16,7 @@ namespace osgLego
 namespace
 {
 
-/** @return null if the task that calls this has been cancelled. */
-osg::ref_ptr<const BrickSet> makeSet(const LegoSource& source)
-{
-    const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*source.triangles);
-    if (oneapi::tbb::is_current_task_group_canceling()) return nullptr;
-    LegoStatistics statistics;
-    statistics.isFromCpu = true;
-    statistics.numTriangles = source.triangles->getNumTriangles();
-    statistics.flattening = source.flattening;
-    statistics.voxelization = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
-    return new BrickSet(source.revision, *model, statistics);
-}
+constexpr const char* OUT_OF_MEMORY = "there is not enough memory for all bricks; expected a lower resolution";
 
 } // namespace
 
@@ -36,7 +24,9 @@ osg::ref_ptr<const BrickSet> makeSet(const LegoSource& source)
 class CpuProducer::Job
 {
 public:
-    Job(const LegoSource& source, const std::function<void()>& announce) : _source(&source), _announce(announce)
+    /** @param layout of the set before, if there is one. */
+    Job(const LegoSource& source, PreviousLayout layout, const std::function<void()>& announce) :
+        _source(&source), _layout(std::move(layout)), _announce(announce)
     {
         // A task that is cancelled before it begins never runs, but it is always destroyed, and this with it.
         const std::shared_ptr<void> end(nullptr, [this](void*) { _hasEnded = true; });
@@ -54,8 +44,12 @@ public:
     bool isOf(const LegoSource& source) const { return _source->revision == source.revision; }
     /** Whether the task has ended, with or without a set. */
     bool hasEnded() const { return _hasEnded; }
-    /** The set; null until the task has ended, and also if it was cancelled or ran out of memory. */
+    /** The set; null until the task has ended, and also if it was cancelled or has failed. */
     osg::ref_ptr<const BrickSet> getBricks() const { return _hasEnded ? _bricks : nullptr; }
+    /** The reason why there is no set after the task has ended, unless it was cancelled. */
+    const std::string& getError() const { return _error; }
+    /** The parts of the set, for the next one. Only after the task has ended. */
+    const PreviousLayout& getLayout() const { return _layout; }
 
     void cancel()
     {
@@ -76,11 +70,16 @@ private:
     {
         try
         {
-            _bricks = makeSet(*_source);
+            CpuBricksWork work;
+            work.isCancelled = [this] { return _isCancelled.load(); };
+            work.previous = &_layout;
+            const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
+            if (model) _bricks = new BrickSet(_source->revision, *model, work.statistics);
+            _error = work.error;
         }
         catch (const std::exception&)
         {
-            // Too many bricks for memory or for a container: the job ends without a set, which produce() reports.
+            _error = OUT_OF_MEMORY;
         }
         const bool isMade = _bricks.valid();
         _hasEnded = true;
@@ -88,8 +87,10 @@ private:
     }
 
     osg::ref_ptr<const LegoSource> _source;
+    PreviousLayout _layout;
     std::function<void()> _announce;
     osg::ref_ptr<const BrickSet> _bricks;
+    std::string _error;
     std::atomic<bool> _hasEnded{false};
     std::atomic<bool> _isCancelled{false};
     oneapi::tbb::task_arena _arena;
@@ -114,8 +115,7 @@ void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
     if (const osg::ref_ptr<const BrickSet> bricks = job->getBricks())
         _store->deliver(*bricks);
     else
-        _store->getContext(visitor.getState()->getContextID())
-            ->fail(source.revision, "there is not enough memory for all bricks; expected a lower resolution");
+        _store->getContext(visitor.getState()->getContextID())->fail(source.revision, job->getError());
 }
 
 /** The job of a source: the one there is, or a new one in place of the job of another source.
@@ -130,8 +130,9 @@ std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source, b
     _hasGivenUp = isRunning;
     if (_job && !isRunning)
         if (const osg::ref_ptr<const BrickSet> bricks = _job->getBricks()) _store->deliver(*bricks);
+    if (_job && !isRunning) _layout = _job->getLayout();
     retire();
-    _job = std::make_shared<Job>(source, _announce);
+    _job = std::make_shared<Job>(source, _layout, _announce);
     isNew = true;
     return _job;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/layout/ModelBuilder.h>
 #include <osgLego/producer/BrickProducer.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -14,7 +15,7 @@
 namespace osgLego
 {
 
-/** Makes brick sets on the CPU (voxelizeOnCpu), in threads of oneTBB. It locks no context, and no frame waits unless
+/** Makes brick sets on the CPU (makeBricksOnCpu), in threads of oneTBB. It locks no context, and no frame waits unless
  * the caller asks for it. One set serves all contexts.
  */
 class CpuProducer : public BrickProducer
@@ -44,6 +45,7 @@ private:
     std::function<void()> _announce;
     std::mutex _mutex;
     bool _hasGivenUp = false;                   // whether the job before the present one was given up
+    PreviousLayout _layout;                     // of the last job that has ended
     std::shared_ptr<Job> _job;                  // of the last source requested
     std::vector<std::shared_ptr<Job>> _retired; // cancelled, but possibly still running
 };

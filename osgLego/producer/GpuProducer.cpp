@@ -1,6 +1,6 @@
 #include <osgLego/producer/GpuProducer.h>
 
-#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/CpuBricks.h>
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +20,12 @@ constexpr unsigned int IDLE_FRAMES = 8;
 osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source)
 {
     return new BrickSet(source.revision, source.triangles->getGrid(),
-                        [triangles = source.triangles] { return voxelizeOnCpu(*triangles); });
+                        [kept = osg::ref_ptr<const LegoSource>(&source)]
+                        {
+                            CpuBricksWork work;
+                            osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*kept, work);
+                            return model ? model : BrickModel::create(kept->triangles->getGrid(), {});
+                        });
 }
 
 void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool)

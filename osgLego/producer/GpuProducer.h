@@ -15,7 +15,7 @@ namespace osgLego
 {
 
 /** Create the brick set of a source whose points are not on the CPU. Its model is computed on demand, by
- * voxelizeOnCpu(). */
+ * makeBricksOnCpu(). */
 osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source);
 
 /** Makes brick sets with the passes on the GPU, separately in each context that draws them. The passes are drawn in the
