@@ -18,9 +18,10 @@ class AmbientOcclusionViews;
  *
  * The children are drawn into separate buffers of the size of the viewport of the camera that culls the group.
  * Occlusion and bent normals are computed from depths and normals with a horizon-based method (Jimenez et al. 2016,
- * "Practical Realtime Strategies for Accurate Indirect Occlusion"). The result is drawn into the frame with depth,
- * after other opaque nodes and before transparent ones, so that nodes outside the group intersect its children
- * correctly.
+ * "Practical Realtime Strategies for Accurate Indirect Occlusion"). Occlusion of bricks by distant bricks of the same
+ * LegoNode, which is computed once for each brick set, is added (AmbientOcclusionSettings::distant). The result is
+ * drawn into the frame with depth, after other opaque nodes and before transparent ones, so that nodes outside the
+ * group intersect its children correctly.
  *
  * - LegoNodes with the full look get the light of the probe from the group: irradiance(bent normal) * (1 - occlusion) *
  *   colour, plus reflections on plastic.

@@ -39,6 +39,8 @@ OSGLEGO_EXPORT osg::ref_ptr<const osg::Node> createBrickScene(const osg::Node& s
  *     osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
  *     osgDB::writeNodeFile(*scene, "bricks.osgb", options);
  *
+ * A scene that contains no LegoNode with bricks is written unchanged, with a warning.
+ *
  * LegoNodes without triangles keep their sources, since these are what they draw. Nodes above the bricks are copied;
  * other nodes are shared with the original.
  *

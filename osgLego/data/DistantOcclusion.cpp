@@ -60,10 +60,7 @@ public:
     void add(std::span<const BrickPoint> points)
     {
         for (const BrickPoint& point : points)
-        {
-            const glm::ivec3 cell(point[0] & 0xffff, point[0] >> 16, point[1] & 0xffff);
-            ++counts[placeOf(cell / cellsPerVoxel + BORDER)];
-        }
+            ++counts[placeOf(unpackBrick(point).getCell() / cellsPerVoxel + BORDER)];
         // A surface through the middle of a voxel has as many bricks as its largest side has cells.
         const int side = std::max(
             {cellsPerVoxel.x * cellsPerVoxel.y, cellsPerVoxel.y * cellsPerVoxel.z, cellsPerVoxel.z * cellsPerVoxel.x});
@@ -154,14 +151,22 @@ struct Cube
     }
 };
 
-Cube castRays(const VoxelGrid& grid, const std::vector<Path>& paths, std::size_t place)
+/** The cube of a voxel all of whose rays hit at full weight; other cubes are divided by it. */
+Cube sumDirections(const std::vector<Path>& paths)
+{
+    Cube sum;
+    for (const Path& path : paths)
+        sum.add(path.direction, 1.0f);
+    return sum;
+}
+
+/** @param all the result of sumDirections(). */
+Cube castRays(const VoxelGrid& grid, const std::vector<Path>& paths, const Cube& all, std::size_t place)
 {
     const std::uint32_t* voxel = grid.counts.data() + place;
     Cube hidden;
-    Cube all;
     for (const Path& path : paths)
     {
-        all.add(path.direction, 1.0f);
         const auto hit = std::find_if(path.steps.begin(), path.steps.end(),
                                       [&](const Path::Step& step) { return voxel[step.offset] != 0; });
         if (hit != path.steps.end()) hidden.add(path.direction, std::max(hit->weight, 0.0f));
@@ -257,13 +262,14 @@ osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& g
     VoxelGrid voxels(grid);
     voxels.add(points);
     const std::vector<Path> paths = createPaths(voxels);
+    const Cube all = sumDirections(paths);
     Cubes cubes(voxels.size);
     forEachVoxel(voxels.size,
                  [&](const glm::ivec3& voxel)
                  {
                      const std::size_t place = voxels.placeOf(voxel);
                      if (voxels.counts[place] == 0 && isNearBricks(voxels, place))
-                         cubes.at(voxel) = castRays(voxels, paths, place);
+                         cubes.at(voxel) = castRays(voxels, paths, all, place);
                  });
     osg::ref_ptr<DistantOcclusion> result = new DistantOcclusion(voxels.cellsPerVoxel);
     for (osg::ref_ptr<osg::Image>& image : result->_images)

@@ -6,6 +6,7 @@
 #include <osg/ColorMask>
 #include <osg/GLExtensions>
 #include <osg/Point>
+#include <osg/PolygonMode>
 
 namespace osgLego
 {
@@ -36,6 +37,14 @@ void applyInitialState(osg::StateSet& stateSet)
           GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_DITHER, GL_FOG,
           GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
         stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | OVERRIDE_PROTECTED);
+}
+
+void setPointModes(osg::StateSet& stateSet)
+{
+    stateSet.setAttribute(new osg::PolygonMode, OVERRIDE_PROTECTED);
+    // Point sprites have the exact size; the size of other points is rounded.
+    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
 
 } // namespace osgLego

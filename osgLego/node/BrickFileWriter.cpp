@@ -89,11 +89,23 @@ void BrickFileWriter::install()
 }
 
 template <typename Write>
+BrickFileWriter::WriteResult BrickFileWriter::writeBaked(const osg::Node& node, const std::string& fileName,
+                                                         const Options& options, const Write& write)
+{
+    const osg::ref_ptr<const osg::Node> scene = createBakedScene(node);
+    WriteResult result = write(*scene, protect(options));
+    if (scene == &node && result.success())
+        OSG_WARN << "osgLego: '" << fileName << "' holds no bricks, because the scene has none to bake; expected a "
+                 << "LegoNode with triangles, as from 'bunny.ply.64.legolize'" << std::endl;
+    return result;
+}
+
+template <typename Write>
 BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node, const std::string& fileName,
                                                           const Options* options, const Write& write)
 {
     const std::string format = formatOf(fileName);
-    if (storesNodes(format) && mustBake(options)) return write(*createBakedScene(node), protect(*options));
+    if (storesNodes(format) && mustBake(options)) return writeBaked(node, fileName, *options, write);
     if (storesNodes(format)) return write(node, options);
     const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));
     if (scene != &node && isOneOf(NO_GEOMETRY, format))

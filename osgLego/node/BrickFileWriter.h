@@ -46,6 +46,11 @@ private:
     static WriteResult writeBricks(const osg::Node& node, const std::string& fileName, const Options* options,
                                    const Write& write);
 
+    /** Write a node by `write(node, options)`, after replacing its sources by their bricks; warn if it has none. */
+    template <typename Write>
+    static WriteResult writeBaked(const osg::Node& node, const std::string& fileName, const Options& options,
+                                  const Write& write);
+
     osg::ref_ptr<osgDB::WriteFileCallback> _next;
 };
 

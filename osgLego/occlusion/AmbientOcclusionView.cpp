@@ -6,6 +6,7 @@
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/occlusion/OcclusionNoise.h>
+#include <osgLego/polygonization/PictureTiles.h>
 
 #include <string>
 
@@ -199,7 +200,7 @@ AmbientOcclusionPrograms::AmbientOcclusionPrograms(const OcclusionFormat& format
 {
     const Effort effort = effortOf(format.quality);
     std::string definitions = define("SAMPLES", format.samples) + define("SLICES", effort.slices) +
-                              define("STEPS", effort.steps) + define("TILE", ScreenPass::TILE);
+                              define("STEPS", effort.steps) + define("TILE", PictureTiles::SIDE);
     if (format.hasDistant) definitions += "#define DISTANT_OCCLUSION\n";
     constexpr const char* SCREEN = "occlusion/screen.vert";
     constexpr const char* TILES = "occlusion/screen_tiles.vert";
@@ -215,6 +216,7 @@ AmbientOcclusionView::AmbientOcclusionView(const OcclusionFormat& format, const 
     _format(format), _programs(&programs), _stage(new GeometryBufferStage), _geometryBuffer(new osg::FrameBufferObject),
     _childState(new osg::StateSet), _transparentState(new osg::StateSet)
 {
+    _stage->setDistantOcclusion(format.hasDistant);
     // The state above includes the camera's viewport, which has a different origin.
     _childState->setAttribute(new osg::Viewport(0, 0, format.size.x, format.size.y));
     // Colour masks and blending are applied to the composite; the buffer does not contain colours.
@@ -276,9 +278,9 @@ void AmbientOcclusionView::createPasses()
     }
 
     const osg::ref_ptr<osg::Texture2D> tiles =
-        createColorTexture((_format.size + ScreenPass::TILE - 1) / ScreenPass::TILE, GL_R8);
+        createColorTexture((_format.size + PictureTiles::SIDE - 1) / PictureTiles::SIDE, GL_R8);
     _tiles = new ScreenPass(*_programs->tiles, {{"depthImage", depthImage}});
-    _tiles->setTargets({tiles}, osg::Vec4(), ScreenPass::TILE);
+    _tiles->setTargets({tiles}, osg::Vec4(), PictureTiles::SIDE);
 
     const osg::ref_ptr<osg::Texture2D> rough = create(GL_RGBA16F_ARB);
     _occlusion = new ScreenPass(*_programs->occlusion,
@@ -334,7 +336,6 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
     osgUtil::RenderStage& outer = *outerBin->getStage();
     setUpStage(outer);
-    _stage->setDistantOcclusion(_format.hasDistant);
     visitor.setCurrentRenderBin(_stage);
     visitor.pushStateSet(_childState);
     cullChildren();

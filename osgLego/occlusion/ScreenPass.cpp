@@ -3,6 +3,7 @@
 #include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/StateOverride.h>
+#include <osgLego/polygonization/PictureTiles.h>
 
 #include <glm/vec4.hpp>
 #include <osg/CullFace>
@@ -69,9 +70,7 @@ void ScreenPass::setTiles(osg::Texture2D& tiles)
     osg::StateSet& stateSet = *getStateSet();
     stateSet.setTextureAttribute(TILES_UNIT, &tiles, OVERRIDE_PROTECTED);
     stateSet.addUniform(new osg::Uniform("tiles", static_cast<int>(TILES_UNIT)));
-    // Point sprites have the exact size; the size of other points is rounded.
-    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
-        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    setPointModes(stateSet);
 }
 
 osg::Node& ScreenPass::getNode()
@@ -118,7 +117,7 @@ void ScreenPass::draw(const ProgramUniforms& uniforms) const
     const glm::ivec2 size = _view.area.getSize();
     uniforms.set("viewport",
                  _camera ? glm::ivec4(_view.area.begin, size) : glm::ivec4(0, 0, _view.size.x, _view.size.y));
-    const glm::ivec2 count = _view.area.dividedBy(TILE).getSize();
+    const glm::ivec2 count = _view.area.dividedBy(PictureTiles::SIDE).getSize();
     glDrawArrays(GL_POINTS, 0, count.x * count.y);
 }
 

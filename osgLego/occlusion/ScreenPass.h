@@ -48,9 +48,6 @@ public:
 
     ScreenPass(osg::Program& program, const std::vector<Input>& inputs);
 
-    /** The side of a tile, in pixels. */
-    static constexpr int TILE = 16;
-
     /** Draw before the frame into textures, which are first cleared to `clearColor`. Without targets, the pass draws
      * into the frame itself.
      * @param pixelsPerTexel of the picture, along both axes. */
@@ -60,8 +57,8 @@ public:
     /** The node for a cull visitor: the camera or, for a pass without targets, the drawable itself. */
     osg::Node& getNode();
 
-    /** Draw only the tiles for which a texture is above 0, instead of the whole area. The program must have the vertex
-     * shader screen_tiles.vert instead of screen.vert. */
+    /** Draw only the tiles for which a texture is above 0, instead of the whole area. Tiles are squares of
+     * PictureTiles::SIDE pixels. The program must have the vertex shader screen_tiles.vert instead of screen.vert. */
     void setTiles(osg::Texture2D& tiles);
 
     void setView(const PassView& view);

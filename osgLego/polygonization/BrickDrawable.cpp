@@ -59,8 +59,8 @@ bool isClockwise(const osg::State& state)
 BrickDrawable::BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState,
                              osg::StateSet& splatState, osg::StateSet& splatStateByOneLight, bool hasDistantOcclusion) :
     _store(&store),
-    _drawing(drawing), _hasDistantOcclusion(hasDistantOcclusion), _geometryState(&geometryState),
-    _splats(splatState, splatStateByOneLight)
+    _drawing(drawing), _noOcclusion(hasDistantOcclusion ? new DistantOcclusionTexture : nullptr),
+    _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -103,7 +103,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
     std::optional<DistantOcclusionView> distant;
-    if (_hasDistantOcclusion)
+    if (_noOcclusion)
     {
         DistantOcclusionTexture* texture = bricks->findDistantOcclusion(state);
         const osg::Viewport* viewport = state.getCurrentViewport();
@@ -154,14 +154,14 @@ void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
     osg::Drawable::resizeGLObjectBuffers(maxSize);
     _workspaces.resize(maxSize);
     _splats.resizeGLObjectBuffers(maxSize);
-    _noOcclusion->resizeGLObjectBuffers(maxSize);
+    if (_noOcclusion) _noOcclusion->resizeGLObjectBuffers(maxSize);
 }
 
 void BrickDrawable::releaseGLObjects(osg::State* state) const
 {
     osg::Drawable::releaseGLObjects(state);
     _splats.releaseGLObjects(state);
-    _noOcclusion->releaseGLObjects(state);
+    if (_noOcclusion) _noOcclusion->releaseGLObjects(state);
     _store->releaseGLObjects(state);
 }
 

@@ -69,8 +69,8 @@ private:
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;
-    bool _hasDistantOcclusion;
-    osg::ref_ptr<DistantOcclusionTexture> _noOcclusion = new DistantOcclusionTexture;
+    /** Shown until there is distant occlusion; null if the programs don't use it. */
+    osg::ref_ptr<DistantOcclusionTexture> _noOcclusion;
     osg::ref_ptr<osg::StateSet> _geometryState;
     mutable osg::buffered_object<Workspace> _workspaces;
     BrickSplats _splats;

@@ -14,7 +14,6 @@
 #include <osg/Depth>
 #include <osg/FrameBufferObject>
 #include <osg/GraphicsContext>
-#include <osg/PolygonMode>
 #include <osg/Texture2D>
 #include <osg/Uniform>
 #include <osg/observer_ptr>
@@ -81,15 +80,6 @@ bool applyState(osg::State& state, const osg::StateSet& stateSet)
     if (!state.getLastAppliedProgramObject()) return false;
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
     return true;
-}
-
-/** Make points squares of the size set by the vertex shader. */
-void setPointModes(osg::StateSet& stateSet)
-{
-    stateSet.setAttribute(new osg::PolygonMode, OVERRIDE_PROTECTED);
-    // Point sprites have the exact size; the size of other points is rounded.
-    for (const auto mode : {GL_POINT_SPRITE_ARB, GL_VERTEX_PROGRAM_POINT_SIZE})
-        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
 }
 
 osg::ref_ptr<osg::StateSet> createPointState(const char* definitions)

@@ -6,11 +6,12 @@
 #include <optional>
 #include <string>
 
-/** The settings of `.legolize`: the keys of osgLego::LegoSettings, and two more.
+/** The settings of `.legolize`: the keys of osgLego::LegoSettings, and three more.
  *
  * | key       | values                 | default                                                    |
  * |-----------|------------------------|------------------------------------------------------------|
  * | occlusion | off, low, medium, high | medium; off with look=plain                                |
+ * | distant   | on, off                | on                                                         |
  * | probe     | a picture's file name  | the built-in sky                                           |
  *
  * The file name is not quoted and ends at the next comma.

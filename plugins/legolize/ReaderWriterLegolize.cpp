@@ -44,6 +44,7 @@ public:
         supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
         supportsOption("occlusion=off|low|medium|high",
                        "the quality of ambient occlusion; by default medium, or off with look=plain");
+        supportsOption("distant=on|off", "whether ambient occlusion includes distant bricks");
         supportsOption("probe=<file>", "the environment light: a high dynamic range picture");
     }
 

@@ -15,7 +15,8 @@ const float PI = 3.14159265;
 // The minimum radius in pixels: if bricks are smaller than pixels, occlusion comes from the shape of many bricks together.
 const float LEAST_RADIUS = 8.0;
 
-// Positions in eye coordinates, xy = slope(pixel) * z + offset(pixel), where both are linear functions of the pixel.
+// Positions in eye coordinates, xy = slope(pixel) * z + offset(pixel), where both are linear functions of the pixel. The
+// positions are those of eyePositionOf, which would read uniforms and divide again for each of the many samples of a pixel.
 struct Unprojection
 {
     vec4 slope;  // xy + pixel * zw

@@ -28,7 +28,7 @@ uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irrad
 const float BEND = 0.5625;
 
 // Include the light that distant bricks hide (see distantOcclusionAt) in a bent normal and visibility. The two parts of
-// occlusion are taken as independent.
+// occlusion add up: the weight of a distant hit leaves out the part that near occlusion includes.
 void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
 {
     // In eight bits, 0 is 128.

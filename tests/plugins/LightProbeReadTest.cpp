@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,13 +39,6 @@ protected:
     {
         std::ofstream(pathOf(name), std::ios::binary) << text;
         return pathOf(name);
-    }
-
-    static std::string contentsOf(const std::string& fileName)
-    {
-        std::stringstream text;
-        text << std::ifstream(fileName, std::ios::binary).rdbuf();
-        return text.str();
     }
 
     /** The error of reading a file: one line that contains the file's name. */

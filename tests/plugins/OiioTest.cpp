@@ -6,7 +6,6 @@
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
-#include <sstream>
 #include <vector>
 
 #include <osg/Image>
@@ -171,9 +170,7 @@ TEST_F(Oiio, ACorruptHeaderDoesNoHarm)
 TEST_F(Oiio, ATruncatedFileIsAnError)
 {
     ASSERT_TRUE(osgDB::writeImageFile(*createImage(GL_RGB, GL_FLOAT), pathOf("whole.exr")));
-    std::stringstream text;
-    text << std::ifstream(pathOf("whole.exr"), std::ios::binary).rdbuf();
-    const std::string whole = text.str();
+    const std::string whole = contentsOf(pathOf("whole.exr"));
     for (const std::size_t size : {std::size_t(0), std::size_t(10), whole.size() / 2, whole.size() - 10})
     {
         std::ofstream(pathOf("part.exr"), std::ios::binary) << whole.substr(0, size);

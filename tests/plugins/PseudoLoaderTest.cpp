@@ -6,12 +6,14 @@
 #include <Probes.h>
 #include <TemporaryFolder.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include <osg/Material>
 #include <osg/MatrixTransform>
@@ -104,6 +106,22 @@ TEST_F(PseudoLoader, OcclusionChoosesTheQualityOrTheNodeAloneInTheFullLook)
     const auto* lego = dynamic_cast<LegoNode*>(off.getNode());
     ASSERT_TRUE(lego);
     EXPECT_EQ(lego->getSettings().look, Look::FULL);
+}
+
+TEST_F(PseudoLoader, SupportedOptionsDescribeEveryKey)
+{
+    const std::string error = read(pathOf("ball.osgt.(8,colour=red).legolize")).message();
+    const std::string start = "the keys are ";
+    const auto place = error.find(start);
+    ASSERT_NE(place, std::string::npos) << error;
+    std::istringstream keys(error.substr(place + start.size()));
+    const auto& options = osgDB::Registry::instance()->getReaderWriterForExtension("legolize")->supportedOptions();
+    std::size_t count = 0;
+    for (std::string key; std::getline(keys >> std::ws, key, ','); ++count)
+        EXPECT_TRUE(std::any_of(options.begin(), options.end(),
+                                [&](const auto& option) { return option.first.rfind(key + "=", 0) == 0; }))
+            << key;
+    EXPECT_GT(count, 10u) << error;
 }
 
 TEST_F(PseudoLoader, AProbeIsTheLightOfTheBricksAndOfTheOcclusionAroundThem)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <fstream>
 #include <random>
-#include <sstream>
 
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
@@ -67,9 +66,7 @@ TEST_F(Serializer, SettingsOfFilesWithoutCellsAreRead)
     osg::ref_ptr<LegoNode> lego = new LegoNode;
     lego->addChild(createSphere(4));
     ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf("lego.osgt")));
-    std::stringstream text;
-    text << std::ifstream(pathOf("lego.osgt")).rdbuf();
-    std::string content = text.str();
+    std::string content = contentsOf(pathOf("lego.osgt"));
     const auto place = content.find("\"64\"");
     ASSERT_NE(place, std::string::npos);
     // As version 0.1.0 wrote it.
@@ -134,9 +131,7 @@ TEST_F(Serializer, BadSettingsInAFileGiveAWarningAndTheDefaults)
     osg::ref_ptr<LegoNode> lego = new LegoNode;
     lego->addChild(createSphere(4));
     ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf("lego.osgt")));
-    std::stringstream text;
-    text << std::ifstream(pathOf("lego.osgt")).rdbuf();
-    std::string content = text.str();
+    std::string content = contentsOf(pathOf("lego.osgt"));
     const auto place = content.find("Settings");
     ASSERT_NE(place, std::string::npos);
     content.replace(content.find("64", place), 2, "0");
@@ -170,9 +165,7 @@ protected:
     {
         const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
         EXPECT_TRUE(osgDB::writeNodeFile(*_lego, pathOf(name), options)) << name;
-        std::stringstream content;
-        content << std::ifstream(pathOf(name), std::ios::binary).rdbuf();
-        return content.str();
+        return contentsOf(pathOf(name));
     }
 
     osg::ref_ptr<osg::Node> readFile(const std::string& name) { return osgDB::readRefNodeFile(pathOf(name)); }

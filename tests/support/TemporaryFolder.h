@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,6 +25,14 @@ protected:
     void TearDown() override { std::filesystem::remove_all(_folder); }
 
     std::string pathOf(const std::string& name) const { return (_folder / name).string(); }
+
+    /** The bytes of a file, given its path. */
+    static std::string contentsOf(const std::string& fileName)
+    {
+        std::ostringstream contents;
+        contents << std::ifstream(fileName, std::ios::binary).rdbuf();
+        return contents.str();
+    }
 
     std::size_t countFiles() const
     {

@@ -2,6 +2,7 @@
 #include <osgLego/node/BrickFileWriter.h>
 
 #include <Meshes.h>
+#include <Notices.h>
 
 #include <gtest/gtest.h>
 #include <osg/Geode>
@@ -97,6 +98,21 @@ TEST_F(BrickFileWriterTest, TheOptionBakeStoresBricksInOsgsOwnFormats)
     for (const char* options : {"", "rebake", "bake=no", "Bake"})
         EXPECT_EQ(writtenWith("lego.osgb", options), _lego) << options;
     EXPECT_FALSE(writtenWith("lego.obj", "bake")) << "this format has geometry in any case";
+}
+
+TEST_F(BrickFileWriterTest, TheOptionBakeGivesOneWarningIfASceneWithoutBricksIsWritten)
+{
+    const osg::ref_ptr<osgDB::Options> bake = new osgDB::Options("bake");
+    const auto noticesFor = [&](const osg::Node& node, const osgDB::Options* options)
+    { return noticesOf([&] { _writer->writeNode(node, "scene.osgb", options); }); };
+    const osg::ref_ptr<osg::Node> sphere = createSphere(4);
+    EXPECT_EQ(noticesFor(*sphere, bake), "") << "nothing was written";
+    _next->answer = WriteResult(WriteResult::FILE_SAVED);
+    EXPECT_EQ(noticesFor(*sphere, bake), "osgLego: 'scene.osgb' holds no bricks, because the scene has none to bake; "
+                                         "expected a LegoNode with triangles, as from 'bunny.ply.64.legolize'\n");
+    EXPECT_EQ(_next->written, sphere);
+    EXPECT_EQ(noticesFor(*sphere, nullptr), "");
+    EXPECT_EQ(noticesFor(*_lego, bake), "");
 }
 
 TEST_F(BrickFileWriterTest, ObjectsOtherThanScenesArePassedOn)
