@@ -1,5 +1,6 @@
 #include <osgLego/LegoNode.h>
 
+#include <osgLego/Palette.h>
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/node/BrickFileWriter.h>
@@ -39,7 +40,10 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
-    if (const std::string error = settings.check(); !error.empty())
+    std::string error = settings.check();
+    const std::string palette = settings.getPalette();
+    if (error.empty() && palette != "none") Palette::read(palette, error);
+    if (!error.empty())
     {
         OSG_WARN << "osgLego: " << error << std::endl;
         return false;

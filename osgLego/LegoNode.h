@@ -70,7 +70,7 @@ public:
     META_Node(osgLego, LegoNode)
 
     /** Change the settings. The next frame remakes the bricks, unless only the look or the drawing differs.
-     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
+     * @return false, with a warning and no change, if LegoSettings::check() or Palette::read() reports an error. */
     bool setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
 

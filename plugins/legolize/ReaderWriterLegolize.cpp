@@ -5,6 +5,7 @@
 #include <common/ReadableFile.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
+#include <osgLego/Palette.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
@@ -40,6 +41,15 @@ public:
         supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
         supportsOption("edge=<number>", "the longest edge after subdivision, in cells, 0.0625 to 4");
         supportsOption("device=auto|gpu|cpu", "whether the CPU or the GPU makes the bricks");
+        supportsOption("palette=none|ldraw|<file>",
+                       "the colours of bricks: any, LDraw's, or those of a .csv or .ldr file");
+        supportsOption("colors=<number>", "the number of colours, the best of the palette, 1 to 255");
+        supportsOption("dither=off|on", "whether a pattern of cells imitates colours between those of the palette");
+        supportsOption("fill=surface|shell|solid", "whether interior cells become bricks, too");
+        supportsOption("shell=<number>", "the thickness of a shell in cells, 1 to 1024");
+        supportsOption("parts=none|bricks", "whether cells are joined to real bricks and plates");
+        supportsOption("seed=<number>", "the start of random numbers for the layout of parts, 0 to 4294967295");
+        supportsOption("effort=instant|normal|best", "the time spent on the layout of parts");
         supportsOption("drawing=auto|triangles|splats", "how bricks are rasterized");
         supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
         supportsOption("occlusion=off|low|medium|high",
@@ -65,6 +75,8 @@ public:
         std::string error;
         for (const std::string& text : {own.settings, parsed.settings})
             if (!text.empty() && !LegolizeSettings::parse(text, settings, error)) return ReadResult(error);
+        const std::string palette = settings.lego.getPalette();
+        if (palette != "none" && !osgLego::Palette::read(palette, error)) return ReadResult(error);
         const osg::ref_ptr<osgLego::LightProbe> probe = readProbe(settings, options, error);
         if (!probe) return ReadResult(error);
 
