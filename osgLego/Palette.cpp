@@ -1,9 +1,11 @@
 #include <osgLego/Palette.h>
 
+#include <osgLego/palette/Dither.h>
 #include <osgLego/palette/KnownColors.h>
 #include <osgLego/palette/Oklab.h>
 #include <osgLego/palette/PaletteFile.h>
 
+#include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -23,6 +25,13 @@ std::size_t entryOf(const std::array<std::uint8_t, 3>& color)
                                         (color[1] / ENTRY_WIDTH + Palette::TABLE_SIDE * (color[2] / ENTRY_WIDTH)));
 }
 
+/** Four fifths of the distance between as many colours spread evenly over the cube of colours: of all widths, about the
+ * one at which the mean of some cells is closest to the colour of the surface. */
+int ditherAmplitudeFor(std::size_t numColors)
+{
+    return static_cast<int>(std::lround(0.8 * 256.0 / std::cbrt(static_cast<double>(numColors))));
+}
+
 std::uint8_t findNearestOf(const std::vector<glm::dvec3>& colors, const glm::dvec3& color)
 {
     std::size_t nearest = 0;
@@ -33,7 +42,8 @@ std::uint8_t findNearestOf(const std::vector<glm::dvec3>& colors, const glm::dve
 
 } // namespace
 
-Palette::Palette(std::vector<PaletteColor> colors) : _colors(std::move(colors))
+Palette::Palette(std::vector<PaletteColor> colors) :
+    _colors(std::move(colors)), _ditherAmplitude(ditherAmplitudeFor(_colors.size()))
 {
     std::vector<glm::dvec3> places;
     for (const PaletteColor& color : _colors)
@@ -58,6 +68,13 @@ osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::st
 std::size_t Palette::findNearest(const std::array<std::uint8_t, 3>& color) const
 {
     return _table[entryOf(color)];
+}
+
+std::size_t Palette::findDithered(const std::array<std::uint8_t, 3>& color,
+                                  const std::array<std::uint16_t, 3>& cell) const
+{
+    const std::array<std::uint8_t, 3>& nearest = _colors[findNearest(color)].color;
+    return findNearest(Dither::dithered(color, nearest, cell, _ditherAmplitude));
 }
 
 } // namespace osgLego
