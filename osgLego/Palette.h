@@ -61,6 +61,12 @@ public:
     std::span<const PaletteColor> getColors() const { return _colors; }
     /** The index of the colour nearest to an sRGB colour. */
     std::size_t findNearest(const std::array<std::uint8_t, 3>& color) const;
+    /** The index of the colour of a brick in a cell of the grid if colours between those of the palette are imitated:
+     * the bricks of an even surface get different colours, whose mean is close to its own. Colours of the palette
+     * remain themselves. */
+    std::size_t findDithered(const std::array<std::uint8_t, 3>& color, const std::array<std::uint16_t, 3>& cell) const;
+    /** The width of the offsets that findDithered() adds to a channel, 0 to 255. */
+    int getDitherAmplitude() const { return _ditherAmplitude; }
     /** The table of findNearest(): one index for each of TABLE_SIDE^3 colours, red changing fastest. */
     std::span<const std::uint8_t> getTable() const { return _table; }
 
@@ -69,6 +75,7 @@ private:
 
     std::vector<PaletteColor> _colors;
     std::vector<std::uint8_t> _table;
+    int _ditherAmplitude = 0;
 };
 
 } // namespace osgLego

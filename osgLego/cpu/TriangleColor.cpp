@@ -1,31 +1,14 @@
 #include <osgLego/cpu/TriangleColor.h>
 
-#include <algorithm>
+#include <osgLego/flattening/SurfaceColor.h>
 
-#include <glm/common.hpp>
+#include <algorithm>
 
 namespace osgLego
 {
 
 namespace
 {
-
-glm::dvec3 joined(const glm::dvec3& color, const glm::dvec4& texel, TextureEnvironment environment)
-{
-    const glm::dvec3 texture(texel);
-    switch (environment)
-    {
-    case TextureEnvironment::REPLACE:
-        return texture;
-    case TextureEnvironment::DECAL:
-        return glm::mix(color, texture, texel.a);
-    case TextureEnvironment::ADD:
-        return glm::min(color + texture, 1.0);
-    case TextureEnvironment::MODULATE:
-        break;
-    }
-    return color * texture;
-}
 
 bool haveSameColor(const GridVertex& a, const GridVertex& b)
 {
@@ -74,11 +57,7 @@ glm::vec3 TriangleColor::getColor(double shareB, double shareC) const
     const double shareA = 1.0 - shareB - shareC;
     const glm::vec3 color = static_cast<float>(shareA) * _colors[0] + static_cast<float>(shareB) * _colors[1] +
                             static_cast<float>(shareC) * _colors[2];
-    if (!_batch.texture) return color;
-    const glm::dvec2 coordinate = shareA * glm::dvec2(_vertices[0].coordinate) +
-                                  shareB * glm::dvec2(_vertices[1].coordinate) +
-                                  shareC * glm::dvec2(_vertices[2].coordinate);
-    return joined(color, _batch.texture->sample(coordinate, _vertices[0].getLevel()), _batch.environment);
+    return applyTexture(_batch, _vertices, {shareA, shareB, shareC}, color);
 }
 
 } // namespace osgLego

@@ -1,0 +1,40 @@
+#include <osgLego/flattening/SurfaceColor.h>
+
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+glm::dvec3 joined(const glm::dvec3& color, const glm::dvec4& texel, TextureEnvironment environment)
+{
+    const glm::dvec3 texture(texel);
+    switch (environment)
+    {
+    case TextureEnvironment::REPLACE:
+        return texture;
+    case TextureEnvironment::DECAL:
+        return glm::mix(color, texture, texel.a);
+    case TextureEnvironment::ADD:
+        return glm::min(color + texture, 1.0);
+    case TextureEnvironment::MODULATE:
+        break;
+    }
+    return color * texture;
+}
+
+} // namespace
+
+glm::vec3 applyTexture(const GridBatch& batch, const GridVertex* corners, const glm::dvec3& shares,
+                       const glm::vec3& color)
+{
+    if (!batch.texture) return color;
+    const glm::dvec2 coordinate = shares.x * glm::dvec2(corners[0].coordinate) +
+                                  shares.y * glm::dvec2(corners[1].coordinate) +
+                                  shares.z * glm::dvec2(corners[2].coordinate);
+    return joined(color, batch.texture->sample(coordinate, corners[0].getLevel()), batch.environment);
+}
+
+} // namespace osgLego

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <osgLego/Palette.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace osgLego
+{
+
+/** The entry of an sRGB colour in Palette::getTable(). */
+inline std::size_t tableEntryOf(const std::array<std::uint8_t, 3>& color)
+{
+    constexpr int WIDTH = 256 / Palette::TABLE_SIDE;
+    return static_cast<std::size_t>(
+        color[0] / WIDTH + Palette::TABLE_SIDE * (color[1] / WIDTH + Palette::TABLE_SIDE * (color[2] / WIDTH)));
+}
+
+/** For each entry of Palette::getTable(), the index of the colour nearest to its middle, the first of equally near
+ * ones. A colour is its own nearest, even if another one is nearer to the middle of its entry.
+ * @param colors 1 to Palette::MAXIMUM_COLORS. */
+std::vector<std::uint8_t> makeNearestTable(std::span<const PaletteColor> colors);
+
+} // namespace osgLego
