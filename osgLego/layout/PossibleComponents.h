@@ -1,0 +1,18 @@
+#pragma once
+
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <cstddef>
+
+namespace osgLego
+{
+
+/** Count the components that every layout of some cells has at least.
+ *
+ * Cells with a cell above or below are connected to it in every layout. Two such columns can be connected if a part
+ * that contains cells of both exists in a colour that suits all its cells. A cell without a cell above and below needs
+ * a part that it shares with a column; if no part reaches a column from it, its part is a component of its own, and the
+ * largest parts give a bound on how many of those there are. */
+std::size_t countPossibleComponents(const LayoutProblem& problem);
+
+} // namespace osgLego
