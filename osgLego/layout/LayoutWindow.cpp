@@ -1,0 +1,70 @@
+#include <osgLego/layout/LayoutWindow.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace osgLego
+{
+
+LayoutWindow::LayoutWindow(PartMap& map, const PartSizes& sizes) :
+    _map(map), _hasBricks(sizes.getHeights().size() > 1), _window(map, sizes), _connections(map)
+{
+}
+
+bool LayoutWindow::improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes,
+                           LayoutRandom& random)
+{
+    gather(anchor, numParts, region, random);
+    _window.build(random);
+    if (!_cover.findCheaper(_window.getParts(), _window.getCost(), maximumNodes, _chosen)) return false;
+    _connections.start(_window, region);
+    if (!_connections.keepsConnections(_chosen)) return false;
+    apply();
+    return true;
+}
+
+/** Fill the window with a part and random neighbours, neighbours of these and so on. */
+void LayoutWindow::gather(Index anchor, int numParts, const LayoutRegion& region, LayoutRandom& random)
+{
+    _window.clear();
+    _frontier.assign(1, anchor);
+    _seen.assign(1, anchor);
+    while (!_frontier.empty() && static_cast<int>(_window.getAnchors().size()) < numParts)
+    {
+        const std::size_t i = random.below(_frontier.size());
+        const Index next = _frontier[i];
+        _frontier[i] = _frontier.back();
+        _frontier.pop_back();
+        if (_window.addPart(next)) addFrontier(next, region);
+    }
+}
+
+/** Note the neighbours of a part that it could share a part with. */
+void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region)
+{
+    const CellLattice& lattice = _map.getLattice();
+    const std::uint8_t numSides = _hasBricks ? 6 : 4;
+    _map.visitPart(anchor,
+                   [&](Index cell)
+                   {
+                       for (std::uint8_t side = 0; side < numSides; ++side)
+                       {
+                           const Index other = lattice.getNeighbor(cell, static_cast<CellLattice::Side>(side));
+                           if (other == CellLattice::NONE || _map.getAnchor(other) == anchor) continue;
+                           if (!PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) continue;
+                           const Index neighbor = _map.getAnchor(other);
+                           if (std::find(_seen.begin(), _seen.end(), neighbor) != _seen.end()) continue;
+                           _seen.push_back(neighbor);
+                           if (region.contains(_map, neighbor)) _frontier.push_back(neighbor);
+                       }
+                   });
+}
+
+void LayoutWindow::apply()
+{
+    for (const int part : _chosen)
+        _map.lay(_window.getCells()[static_cast<std::size_t>(_window.getFirstCell(part))],
+                 _window.getParts().parts[static_cast<std::size_t>(part)].shape);
+}
+
+} // namespace osgLego

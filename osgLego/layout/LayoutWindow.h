@@ -1,0 +1,46 @@
+#pragma once
+
+#include <osgLego/layout/ConnectionCheck.h>
+#include <osgLego/layout/ExactCover.h>
+#include <osgLego/layout/LayoutRandom.h>
+#include <osgLego/layout/WindowBuilder.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Improves a layout by laying a few neighbouring parts again, as cheaply as possible.
+ *
+ * Keeps its memory from one window to the next. One thread at a time; several objects may work on regions of one layout
+ * that don't touch. */
+class LayoutWindow
+{
+public:
+    using Index = CellLattice::Index;
+
+    LayoutWindow(PartMap& map, const PartSizes& sizes);
+
+    /** Lay a part and up to `numParts` - 1 parts near it again, if that is cheaper and separates no parts.
+     * @param region contains all of these parts.
+     * @param maximumNodes steps of the search.
+     * @return whether it changed the layout. */
+    bool improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes, LayoutRandom& random);
+
+private:
+    void gather(Index anchor, int numParts, const LayoutRegion& region, LayoutRandom& random);
+    void addFrontier(Index anchor, const LayoutRegion& region);
+    void apply();
+
+    PartMap& _map;
+    bool _hasBricks; //!< parts may be higher than a cell
+    WindowBuilder _window;
+    ExactCover _cover;
+    ConnectionCheck _connections;
+    std::vector<int> _chosen;
+    std::vector<Index> _seen;
+    std::vector<Index> _frontier;
+};
+
+} // namespace osgLego

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <osgLego/layout/LayoutRandom.h>
+#include <osgLego/layout/PartMap.h>
+#include <osgLego/layout/WindowParts.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace osgLego
+{
+
+/** The cells of a few parts that are laid again, and the parts that could be laid in them.
+ *
+ * A part costs LayoutCosts::PART, and half a stacked seam for each of its sides where the joint would lie above or
+ * below another joint: the cost of a cover is exact while the layers above and below stay the same.
+ *
+ * Keeps its memory from one window to the next. One thread at a time. */
+class WindowBuilder
+{
+public:
+    using Index = CellLattice::Index;
+    static constexpr int NO_CELL = -1;
+
+    WindowBuilder(const PartMap& map, const PartSizes& sizes);
+
+    void clear();
+    /** Add the cells of a part, which must not be in the window.
+     * @return false if they are too many. */
+    bool addPart(Index anchor);
+    /** List the parts that could be laid, once all cells are known. The random numbers decide between equal covers. */
+    void build(LayoutRandom& random);
+
+    /** The anchors of the present parts, in the order in which they were added. */
+    const std::vector<Index>& getAnchors() const { return _anchors; }
+    const WindowParts& getParts() const { return _parts; }
+    /** The cost of the present parts. */
+    int getCost() const { return _cost; }
+
+    /** The cells of the window in their order. Valid after build(). */
+    const std::vector<Index>& getCells() const { return _cells; }
+    /** The number of a cell in the window, or NO_CELL. Valid after build(). */
+    int findCell(Index cell) const { return cell < 0 ? NO_CELL : _places[static_cast<std::size_t>(cell)]; }
+    /** The index in getCells() at which a part of getParts() begins. */
+    int getFirstCell(int part) const { return _parts.parts[static_cast<std::size_t>(part)].cells.getFirst(); }
+
+private:
+    /** Cells above each other that a part covers together. */
+    struct Column
+    {
+        WindowCells cells;
+        int sum = 0;      //!< the seams on all its sides
+        int eastSeam = 0; //!< the seams between it and the column to the east
+        int northSeam = 0;
+        std::uint16_t color = 0;
+        bool exists = false;
+    };
+
+    int computeSeam(Index cell, CellLattice::Side side, LayoutRandom& random) const;
+    void linkCells();
+    void weighSeams(LayoutRandom& random);
+    Column makeColumn(int cell, int height) const;
+    void addPartsAt(int cell, int height, const std::vector<Column>& columns);
+    void extend(int cell, int height, const std::vector<Column>& columns, bool isAlongX, int breadth, int shortest);
+    int computeCost() const;
+
+    const PartMap& _map;
+    const PartSizes& _sizes;
+    std::vector<std::int16_t> _places; //!< of each cell of the lattice
+    std::vector<Index> _anchors;
+    std::vector<Index> _cells;
+    std::vector<std::array<int, 6>> _neighbors;  //!< in the window
+    std::vector<std::array<int, 2>> _seams;      //!< to the east and the north: the cost of half a joint there
+    std::array<std::vector<Column>, 2> _columns; //!< of each height
+    WindowParts _parts;
+    int _cost = 0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,105 @@
+#include <osgLego/layout/WindowSearch.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int SMALLEST_WINDOW = 4;
+constexpr int LARGEST_WINDOW = 14;
+/** Rows of a region in a large layer: more than parts near a window reach, so that rows between regions separate them.
+ */
+constexpr int NUM_ROWS = 48;
+constexpr int LARGE_LAYER = 2500; // cells
+
+} // namespace
+
+WindowSearch::WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options) :
+    _map(map), _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 1),
+    _windows([&map, &sizes] { return LayoutWindow(map, sizes); })
+{
+}
+
+std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase) const
+{
+    const CellLattice& lattice = _map.getLattice();
+    const int numLayers = lattice.getNumLayers();
+    const int numRows = lattice.getProblem().size.y;
+    std::vector<LayoutRegion> regions;
+    const auto offset = static_cast<int>(_round * 5 % static_cast<std::uint32_t>(2 * _thickness));
+    for (int z = layerPhase * _thickness - offset; z < numLayers; z += 2 * _thickness)
+    {
+        LayoutRegion region{std::max(z, 0), std::min(z + _thickness, numLayers), 0, numRows, _thickness};
+        if (region.zEnd <= region.zBegin) continue;
+        const Index numCells = lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin);
+        if (numCells == 0) continue;
+        if (numCells < LARGE_LAYER * _thickness)
+        {
+            if (rowPhase == 0) regions.push_back(region);
+            continue;
+        }
+        const auto rowOffset = static_cast<int>(_round * 37 % (2 * NUM_ROWS));
+        for (int y = rowPhase * NUM_ROWS - rowOffset; y < numRows; y += 2 * NUM_ROWS)
+        {
+            region.yBegin = std::max(y, 0);
+            region.yEnd = std::min(y + NUM_ROWS, numRows);
+            if (region.yEnd > region.yBegin) regions.push_back(region);
+        }
+    }
+    return regions;
+}
+
+bool WindowSearch::runRound(double share, int maximumNodes)
+{
+    for (int phase = 0; phase < 4; ++phase)
+    {
+        const std::vector<LayoutRegion> regions = makeRegions(phase % 2, phase / 2);
+        std::atomic<bool> isStopped = false;
+        oneapi::tbb::parallel_for(std::size_t(0), regions.size(),
+                                  [&](std::size_t i)
+                                  {
+                                      if (isStopped || isCancelled())
+                                      {
+                                          isStopped = true;
+                                          return;
+                                      }
+                                      const std::uint64_t position =
+                                          static_cast<std::uint64_t>(regions[i].zBegin) << 32 |
+                                          static_cast<std::uint64_t>(regions[i].yBegin) << 16;
+                                      LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
+                                      LayoutRandom random(seeds.next() ^ _options.seed);
+                                      improve(regions[i], share, maximumNodes, random);
+                                  });
+        if (isStopped) return false;
+    }
+    ++_round;
+    return true;
+}
+
+void WindowSearch::improve(const LayoutRegion& region, double share, int maximumNodes, LayoutRandom& random)
+{
+    const CellLattice& lattice = _map.getLattice();
+    std::vector<Index> seeds;
+    for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
+        if (_map.isAnchor(cell) && (_isActive.empty() || _isActive[static_cast<std::size_t>(cell)]) &&
+            region.contains(_map, cell))
+            seeds.push_back(cell);
+    const auto numSeeds = static_cast<std::size_t>(static_cast<double>(seeds.size()) * share + 0.5);
+    LayoutWindow& window = _windows.local();
+    for (std::size_t i = 0; i < numSeeds; ++i)
+    {
+        // The part that began here may have changed since.
+        const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
+        const int numParts = SMALLEST_WINDOW + static_cast<int>(random.below(LARGEST_WINDOW - SMALLEST_WINDOW + 1));
+        if (region.contains(_map, anchor)) window.improve(anchor, numParts, region, maximumNodes, random);
+    }
+}
+
+} // namespace osgLego

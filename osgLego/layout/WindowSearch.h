@@ -1,0 +1,49 @@
+#pragma once
+
+#include <osgLego/layout/Layout.h>
+#include <osgLego/layout/LayoutRegion.h>
+#include <osgLego/layout/LayoutWindow.h>
+#include <osgLego/layout/PartMap.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+namespace osgLego
+{
+
+/** Improves a layout window by window, in several threads.
+ *
+ * A round visits every part of the layout about once. It has phases, in each of which threads work on regions with
+ * layers or rows between them that nobody changes, so that the result does not depend on the number of threads. */
+class WindowSearch
+{
+public:
+    using Index = CellLattice::Index;
+
+    WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options);
+
+    /** Whether windows may begin at the cells; empty: at all. */
+    void setActive(std::vector<bool> isActive) { _isActive = std::move(isActive); }
+
+    /** Visit parts, `share` of them.
+     * @param maximumNodes steps of the search for one window.
+     * @return false if it was cancelled. */
+    bool runRound(double share, int maximumNodes);
+
+private:
+    std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
+    void improve(const LayoutRegion& region, double share, int maximumNodes, LayoutRandom& random);
+    bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
+
+    PartMap& _map;
+    const LayoutOptions& _options;
+    int _thickness; //!< of regions, in layers
+    std::vector<bool> _isActive;
+    std::uint32_t _round = 0;
+    oneapi::tbb::enumerable_thread_specific<LayoutWindow> _windows;
+};
+
+} // namespace osgLego
