@@ -3,6 +3,7 @@
 #include <osgLego/data/ByteReader.h>
 #include <osgLego/data/ByteWriter.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,20 +18,27 @@
 //     version     32 bits
 //     check sum   32 bits: CRC-32 of all other bytes
 //
-// This much is common to all versions, so that an older program can tell a newer version from a damaged file. Version 1
-// continues with:
+// This much is common to all versions, so that an older program can tell a newer version from a damaged file. Version
+// 1, of models without parts, and version 2, of models of parts, continue with:
 //
 //     dimensions  3 * 32 bits
 //     up axis      8 bits: 1 for y, 2 for z
 //     origin      3 * 64 bits, floating point
 //     cell size   3 * 64 bits, floating point
-//     bricks      64 bits: their number
+//     number      64 bits: of bricks or parts
 //     size        64 bits: that of the following data when decompressed, in bytes
-//     data        by zlib: the runs of covered cells in the order of their numbers, then the reds, greens and blues of
-//                 the bricks, 8 bits each
+//     data        by zlib
 //
-// A run is the number of empty cells before it, and its own length. Both take 7 bits of each byte, lowest first; the
-// highest bit is set in all bytes but the last. A colour is stored as the difference from that of the brick before.
+// The data of version 1 are the runs of covered cells in the order of their numbers, then the reds, greens and blues of
+// the bricks, 8 bits each. A run is the number of empty cells before it, and its own length. A colour is stored as the
+// difference from that of the brick before.
+//
+// The data of version 2 are, for the parts in the order of their lowest cells, the differences of the numbers of these
+// cells from those before, then the sizes along x, y and z, 8 bits each, then the reds, greens and blues, as above,
+// then the colour codes, 32 bits each.
+//
+// Numbers without a size given here take 7 bits of each byte, lowest first; the highest bit is set in all bytes but the
+// last.
 
 namespace osgLego
 {
@@ -38,11 +46,14 @@ namespace osgLego
 namespace
 {
 
-constexpr std::uint32_t VERSION = 1;
+constexpr std::uint32_t VERSION_OF_CELLS = 1;
+constexpr std::uint32_t VERSION_OF_PARTS = 2;
 constexpr std::size_t CHECK_SUM_PLACE = 4;
 constexpr std::size_t HEADER_SIZE = 8;
 // The compressed data is at most this many times smaller (deflate's limit), so that a bad size allocates no more.
 constexpr std::uint64_t LARGEST_RATIO = 1032;
+// The number of cells in a part, so that bad sizes allocate little.
+constexpr int LARGEST_PART = 256;
 constexpr int LARGEST_DIMENSION = std::numeric_limits<std::uint16_t>::max() + 1;
 
 std::uint32_t checkSumOf(std::string_view bytes)
@@ -53,11 +64,22 @@ std::uint32_t checkSumOf(std::string_view bytes)
         add(add(crc32_z(0, nullptr, 0), bytes.substr(0, CHECK_SUM_PLACE)), bytes.substr(HEADER_SIZE)));
 }
 
-std::uint64_t numberOf(const BrickGrid& grid, const Brick& brick)
+using Cell = std::array<std::uint16_t, 3>;
+
+std::uint64_t numberOf(const BrickGrid& grid, const Cell& cell)
 {
     const auto width = static_cast<std::uint64_t>(grid.dimensions.x);
     const auto depth = static_cast<std::uint64_t>(grid.dimensions.y);
-    return brick.cell[0] + width * (brick.cell[1] + depth * brick.cell[2]);
+    return cell[0] + width * (cell[1] + depth * cell[2]);
+}
+
+/** The inverse of numberOf(). */
+Cell cellOf(const BrickGrid& grid, std::uint64_t number)
+{
+    const auto width = static_cast<std::uint64_t>(grid.dimensions.x);
+    const auto depth = static_cast<std::uint64_t>(grid.dimensions.y);
+    return {static_cast<std::uint16_t>(number % width), static_cast<std::uint16_t>(number / width % depth),
+            static_cast<std::uint16_t>(number / width / depth)};
 }
 
 void writeGrid(const BrickGrid& grid, ByteWriter& writer)
@@ -106,7 +128,7 @@ void writeRuns(const BrickModel& model, ByteWriter& writer)
     };
     for (const Brick& brick : model.getBricks())
     {
-        const std::uint64_t number = numberOf(model.getGrid(), brick);
+        const std::uint64_t number = numberOf(model.getGrid(), brick.cell);
         if (number != end)
         {
             writeRun();
@@ -120,8 +142,6 @@ void writeRuns(const BrickModel& model, ByteWriter& writer)
 /** Fill in the cells of the bricks. @return false if the runs leave the grid or have another number of cells. */
 bool readRuns(ByteReader& reader, const BrickGrid& grid, std::vector<Brick>& bricks)
 {
-    const auto width = static_cast<std::uint64_t>(grid.dimensions.x);
-    const auto depth = static_cast<std::uint64_t>(grid.dimensions.y);
     const std::uint64_t numCells = grid.getNumCells();
     std::uint64_t number = 0;
     for (auto brick = bricks.begin(); brick != bricks.end();)
@@ -132,37 +152,103 @@ bool readRuns(ByteReader& reader, const BrickGrid& grid, std::vector<Brick>& bri
         if (gap > numCells - number || length > numCells - number - gap) return false;
         number += gap;
         for (const std::uint64_t end = number + length; number < end; ++number, ++brick)
-            brick->cell = {static_cast<std::uint16_t>(number % width),
-                           static_cast<std::uint16_t>(number / width % depth),
-                           static_cast<std::uint16_t>(number / width / depth)};
+            brick->cell = cellOf(grid, number);
     }
     return true;
 }
 
-void writeColors(const BrickModel& model, ByteWriter& writer)
+/** Write the colours of bricks or parts. */
+template <typename Items>
+void writeColors(const Items& items, ByteWriter& writer)
 {
     for (std::size_t channel = 0; channel < 3; ++channel)
     {
         std::uint8_t before = 0;
-        for (const Brick& brick : model.getBricks())
+        for (const auto& item : items)
         {
-            writer.writeNumber(static_cast<std::uint8_t>(brick.color[channel] - before));
-            before = brick.color[channel];
+            writer.writeNumber(static_cast<std::uint8_t>(item.color[channel] - before));
+            before = item.color[channel];
         }
     }
 }
 
-void readColors(ByteReader& reader, std::vector<Brick>& bricks)
+template <typename Items>
+void readColors(ByteReader& reader, Items& items)
 {
     for (std::size_t channel = 0; channel < 3; ++channel)
     {
         std::uint8_t before = 0;
-        for (Brick& brick : bricks)
+        for (auto& item : items)
         {
             before = static_cast<std::uint8_t>(before + reader.readNumber<std::uint8_t>());
-            brick.color[channel] = before;
+            item.color[channel] = before;
         }
     }
+}
+
+void writeParts(const BrickModel& model, ByteWriter& writer)
+{
+    const std::vector<Part>& parts = model.getParts();
+    std::uint64_t before = 0;
+    for (const Part& part : parts)
+    {
+        const std::uint64_t number = numberOf(model.getGrid(), part.cell);
+        writer.writeShort(number - before);
+        before = number;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const Part& part : parts)
+            writer.writeNumber(part.size[axis]);
+    writeColors(parts, writer);
+    for (const Part& part : parts)
+        writer.writeNumber(static_cast<std::uint32_t>(part.colorCode));
+}
+
+int countCells(const Part& part)
+{
+    return part.size[0] * part.size[1] * part.size[2];
+}
+
+/** Whether a part is possible by itself. */
+bool isValid(const Part& part, const BrickGrid& grid)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (part.getSize()[axis] == 0 || part.getCell()[axis] + part.getSize()[axis] > grid.dimensions[axis])
+            return false;
+    return countCells(part) <= LARGEST_PART;
+}
+
+/** Fill in the parts. @return false if a part is impossible. */
+bool readParts(ByteReader& reader, const BrickGrid& grid, std::vector<Part>& parts)
+{
+    const std::uint64_t numCells = grid.getNumCells();
+    std::uint64_t number = 0;
+    for (Part& part : parts)
+    {
+        const std::uint64_t step = reader.readShort();
+        if (step >= numCells - number) return false;
+        number += step;
+        part.cell = cellOf(grid, number);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (Part& part : parts)
+            part.size[axis] = reader.readNumber<std::uint8_t>();
+    readColors(reader, parts);
+    for (Part& part : parts)
+        part.colorCode = static_cast<std::int32_t>(reader.readNumber<std::uint32_t>());
+    std::uint64_t numCovered = 0;
+    for (const Part& part : parts)
+    {
+        numCovered += static_cast<std::uint64_t>(countCells(part));
+        if (!isValid(part, grid) || numCovered > numCells) return false;
+    }
+    return true;
+}
+
+bool areInCellsOfTheirOwn(const std::vector<Brick>& sorted)
+{
+    return std::adjacent_find(sorted.begin(), sorted.end(),
+                              [](const Brick& a, const Brick& b) { return a.cell == b.cell; }) == sorted.end();
 }
 
 std::string compressData(const std::string& data)
@@ -187,38 +273,59 @@ std::optional<std::string> decompressData(std::string_view compressed, std::uint
     return data;
 }
 
-/** Read version 1, after the header. @return null if a value is impossible. */
-osg::ref_ptr<const BrickModel> readModel(ByteReader& reader)
+/** @return null if a value is impossible. */
+osg::ref_ptr<const BrickModel> readBrickData(ByteReader& reader, const BrickGrid& grid, std::uint64_t count)
+{
+    std::vector<Brick> bricks(count);
+    if (!readRuns(reader, grid, bricks)) return nullptr;
+    readColors(reader, bricks);
+    if (reader.hasFailed() || !reader.readRest().empty()) return nullptr;
+    return BrickModel::create(grid, std::move(bricks));
+}
+
+/** @return null if a value is impossible, or parts overlap. */
+osg::ref_ptr<const BrickModel> readPartData(ByteReader& reader, const BrickGrid& grid, std::uint64_t count)
+{
+    std::vector<Part> parts(count);
+    if (!readParts(reader, grid, parts) || reader.hasFailed() || !reader.readRest().empty()) return nullptr;
+    osg::ref_ptr<const BrickModel> model = BrickModel::createOfParts(grid, std::move(parts));
+    return areInCellsOfTheirOwn(model->getBricks()) ? model : nullptr;
+}
+
+/** Read a model, after the header. @return null if a value is impossible. */
+osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t version)
 {
     BrickGrid grid;
     if (!readGrid(reader, grid)) return nullptr;
-    const auto numBricks = reader.readNumber<std::uint64_t>();
+    const auto count = reader.readNumber<std::uint64_t>();
     const auto size = reader.readNumber<std::uint64_t>();
     if (reader.hasFailed()) return nullptr;
     const std::optional<std::string> data = decompressData(reader.readRest(), size);
-    // Each brick has a colour of three bytes.
-    if (!data || numBricks > size / 3) return nullptr;
-    std::vector<Brick> bricks(numBricks);
+    // Each brick and each part has a colour of three bytes.
+    if (!data || count > size / 3) return nullptr;
     ByteReader dataReader(*data);
-    if (!readRuns(dataReader, grid, bricks)) return nullptr;
-    readColors(dataReader, bricks);
-    if (dataReader.hasFailed() || !dataReader.readRest().empty()) return nullptr;
-    return BrickModel::create(grid, std::move(bricks));
+    return version == VERSION_OF_PARTS ? readPartData(dataReader, grid, count) : readBrickData(dataReader, grid, count);
 }
 
 } // namespace
 
 std::string encodeBricks(const BrickModel& model)
 {
+    const bool hasParts = !model.getParts().empty();
     ByteWriter data;
-    writeRuns(model, data);
-    writeColors(model, data);
+    if (hasParts)
+        writeParts(model, data);
+    else
+    {
+        writeRuns(model, data);
+        writeColors(model.getBricks(), data);
+    }
 
     ByteWriter writer;
-    writer.writeNumber(VERSION);
+    writer.writeNumber(hasParts ? VERSION_OF_PARTS : VERSION_OF_CELLS);
     writer.writeNumber(std::uint32_t(0)); // the check sum, which is not known yet
     writeGrid(model.getGrid(), writer);
-    writer.writeNumber(static_cast<std::uint64_t>(model.getBricks().size()));
+    writer.writeNumber(static_cast<std::uint64_t>(hasParts ? model.getParts().size() : model.getBricks().size()));
     writer.writeNumber(static_cast<std::uint64_t>(data.getBytes().size()));
     std::string bytes = writer.getBytes() + compressData(data.getBytes());
 
@@ -237,14 +344,18 @@ osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string&
         error = "the stored bricks are damaged or incomplete; expected the bytes that were written";
         return nullptr;
     }
-    if (version != VERSION)
+    if (version != VERSION_OF_CELLS && version != VERSION_OF_PARTS)
     {
         error = "the stored bricks have version " + std::to_string(version) + " of their format; expected version " +
-                std::to_string(VERSION) + ", or a newer osgLego to read them";
+                std::to_string(VERSION_OF_CELLS) + " or " + std::to_string(VERSION_OF_PARTS) +
+                ", or a newer osgLego to read them";
         return nullptr;
     }
-    osg::ref_ptr<const BrickModel> model = readModel(reader);
-    if (!model) error = "the stored bricks contradict their grid; expected each brick in a cell of its own";
+    osg::ref_ptr<const BrickModel> model = readModel(reader, version);
+    if (!model && version == VERSION_OF_PARTS)
+        error = "the stored parts contradict their grid; expected parts within it that do not overlap";
+    else if (!model)
+        error = "the stored bricks contradict their grid; expected each brick in a cell of its own";
     return model;
 }
 

@@ -11,10 +11,13 @@
 namespace osgLego
 {
 
-/** Encode a model compactly, for files and networks: its grid, and the cells and colours of its bricks, compressed and
- * protected by a check sum. The bytes are the same on every machine.
+/** Encode a model compactly, for files and networks: its grid, and the cells and colours of its bricks or, if they are
+ * joined to parts, the parts with their sizes, colours and colour codes, compressed and protected by a check sum. The
+ * bytes are the same on every machine.
  *
- * Precondition: the bricks are in the grid, sorted and unique, as in every model from BrickModel::create().
+ * Preconditions:
+ * 1. The bricks are in the grid, sorted and unique, as in every model from BrickModel::create() and createOfParts().
+ * 2. No part has more than 256 cells; real ones have at most 48.
  *
  * Usage:
  *
@@ -30,7 +33,8 @@ namespace osgLego
  * @throws std::bad_alloc if there is not enough memory. */
 OSGLEGO_EXPORT std::string encodeBricks(const BrickModel& model);
 
-/** Decode the bytes of encodeBricks() into an equal model. May be called from any thread.
+/** Decode the bytes of encodeBricks(), of this version or an older one, into an equal model. May be called from any
+ * thread.
  * @return null, with one sentence in `error`, if the bytes are damaged or incomplete, or in the format of a newer
  * version. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string& error);

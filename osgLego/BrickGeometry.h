@@ -17,8 +17,11 @@ namespace osgLego
  * triangles; a grid of 128 x 128 x 128 cells can have several million. The triangles are in the order of
  * BrickModel::getBricks(). For each brick there are two triangles for each open side, in the order of BrickSide, and,
  * if the upper side is open, the 46 triangles of the stud. As long as this order is kept, BrickIntersection::find can
- * identify the brick of a triangle; for this purpose the model is the user data of the geometry. May be called from any
- * thread. */
+ * identify the brick of a triangle; for this purpose the model is the user data of the geometry.
+ *
+ * If the cells are joined to parts, the triangles are those of the cells all the same: faces of one part are not
+ * merged, because larger faces would have corners of other faces on their edges, where cracks appear, and most
+ * triangles are those of studs. May be called from any thread. */
 OSGLEGO_EXPORT osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model);
 
 /** Pass the same triangles in the same order to a functor, without creating a geometry of them all: for picking. May be

@@ -37,6 +37,7 @@ BrickIntersection::find(const osgUtil::LineSegmentIntersector::Intersection& int
     if (!triangle) return std::nullopt;
     found.node = findNode(intersection.nodePath);
     found.brick = triangle->brick;
+    found.part = found.model->findPart(triangle->brick.getCell());
     found.side = triangle->side;
     found.isStud = triangle->isStud;
     return found;

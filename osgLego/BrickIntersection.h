@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** The brick hit by an intersection, with its cell and colour, and the part of it that was hit.
+/** The brick hit by an intersection, with its cell, colour and part, and the side or stud that was hit.
  *
  * Works for the bricks of a LegoNode and for geometry from createBrickGeometry, anywhere in a scene. Both are
  * intersected as the triangles described at createBrickGeometry, faces and studs. In an Intersection,
@@ -33,7 +33,7 @@ namespace osgLego
  *     scene->accept(visitor);
  *     if (!ray->containsIntersections()) return;
  *     if (const auto hit = osgLego::BrickIntersection::find(ray->getFirstIntersection()))
- *         select(hit->brick.getCell());
+ *         select(hit->part ? hit->part->getCell() : hit->brick.getCell());
  *
  * A plain value; needs no GL context.
  */
@@ -42,8 +42,11 @@ struct OSGLEGO_EXPORT BrickIntersection
     osg::ref_ptr<LegoNode> node;          //!< null for geometry that is not under a LegoNode
     osg::ref_ptr<const BrickModel> model; //!< all bricks of the node or the geometry, and their grid
     Brick brick;                          //!< the cell, colour (red, green, blue) and open sides of the brick
-    BrickSide side = SIDE_LEFT;           //!< the side that was hit; for a stud, the upper side
-    bool isStud = false;                  //!< whether the wall or the top of the stud was hit
+    /** The part that the cell belongs to, in the model; null if the cells are not joined to parts. findPartType() names
+     * it. */
+    const Part* part = nullptr;
+    BrickSide side = SIDE_LEFT; //!< the side that was hit; for a stud, the upper side
+    bool isStud = false;        //!< whether the wall or the top of the stud was hit
 
     /** Find the brick. The time is proportional to the number of bricks before it: a few milliseconds for several
      * million. May be called from the thread that updates the scene.

@@ -29,13 +29,14 @@ void include(const Brick& brick, BrickBlock& block)
 class BlockLayer
 {
 public:
-    explicit BlockLayer(const BrickGrid& grid) :
-        _stud(SIDE_RIGHT << (2 * grid.getUpIndex())),
-        _width(static_cast<std::size_t>((grid.dimensions.x + SIDE - 1) / SIDE)),
-        _size(_width * static_cast<std::size_t>((grid.dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size)
+    explicit BlockLayer(const BrickModel& model) :
+        _model(model), _stud(SIDE_RIGHT << (2 * model.getGrid().getUpIndex())),
+        _width(static_cast<std::size_t>((model.getGrid().dimensions.x + SIDE - 1) / SIDE)),
+        _size(_width * static_cast<std::size_t>((model.getGrid().dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size)
     {
     }
 
+    /** @param bricks the model's bricks in this layer. */
     BrickPoints sort(std::span<const Brick> bricks)
     {
         for (const Brick& brick : bricks)
@@ -52,8 +53,7 @@ public:
         }
         result.points.resize(static_cast<std::size_t>(next));
         for (const Brick& brick : bricks)
-            if (brick.openSides != 0)
-                result.points[static_cast<std::size_t>(blockOf(brick).first++)] = packBrick(brick);
+            if (brick.openSides != 0) result.points[static_cast<std::size_t>(blockOf(brick).first++)] = pack(brick);
         return result;
     }
 
@@ -65,11 +65,46 @@ private:
         return _blocks[brick.openSides & _stud ? place : _size + place];
     }
 
+    BrickPoint pack(const Brick& brick) const
+    {
+        if (_model.getParts().empty()) return packBrick(brick);
+        const auto index = static_cast<std::size_t>(&brick - _model.getBricks().data());
+        return packBrick(brick, _model.getParts()[_model.getPartIndices()[index]], _model.getGrid().getUpIndex());
+    }
+
+    const BrickModel& _model;
     int _stud; // the side that has a stud when it is open
     std::size_t _width;
     std::size_t _size;
     std::vector<BrickBlock> _blocks; // including empty ones
 };
+
+/** The sides of a cell whose neighbour is of the same part. */
+std::uint32_t findJoinedSides(const Brick& brick, const Part& part)
+{
+    std::uint32_t sides = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        const int place = brick.cell[axis] - part.cell[axis];
+        if (place > 0) sides |= std::uint32_t(SIDE_LEFT) << (2 * axis);
+        if (place + 1 < part.size[axis]) sides |= std::uint32_t(SIDE_RIGHT) << (2 * axis);
+    }
+    return sides;
+}
+
+/** The code of a part's length in a BrickPoint. */
+std::uint32_t lengthCode(int cells)
+{
+    return static_cast<std::uint32_t>(std::clamp(cells, 2, 5) - 2);
+}
+
+/** A pseudo-random number of a part, from its position, so that a part that stays keeps its look. */
+std::uint32_t numberOf(const Part& part)
+{
+    std::uint32_t number = part.cell[0] * 0x9e3779b1u ^ part.cell[1] * 0x85ebca77u ^ part.cell[2] * 0xc2b2ae3du;
+    number = (number ^ number >> 15) * 0x2c1b3c6du;
+    return (number ^ number >> 12) % NO_PART;
+}
 
 /** The index of the first brick in each layer of blocks, followed by the number of all bricks. */
 std::vector<std::size_t> findLayers(const std::vector<Brick>& bricks)
@@ -109,7 +144,17 @@ BrickPoint packBrick(const Brick& brick)
 {
     const auto& [red, green, blue] = brick.color;
     return {brick.cell[0] | std::uint32_t(brick.cell[1]) << 16, brick.cell[2] | std::uint32_t(brick.openSides) << 16,
-            red | std::uint32_t(green) << 8 | std::uint32_t(blue) << 16 | std::uint32_t(0xff) << 24};
+            red | std::uint32_t(green) << 8 | std::uint32_t(blue) << 16 | NO_PART << 24};
+}
+
+BrickPoint packBrick(const Brick& brick, const Part& part, int up)
+{
+    const auto other = static_cast<std::size_t>(3 - up);
+    BrickPoint point = packBrick(brick);
+    point[1] |=
+        findJoinedSides(brick, part) << 22 | lengthCode(part.size[0]) << 28 | lengthCode(part.size[other]) << 30;
+    point[2] = (point[2] & 0xffffffu) | numberOf(part) << 24;
+    return point;
 }
 
 Brick unpackBrick(const BrickPoint& point)
@@ -117,7 +162,7 @@ Brick unpackBrick(const BrickPoint& point)
     Brick brick;
     brick.cell = {static_cast<std::uint16_t>(point[0]), static_cast<std::uint16_t>(point[0] >> 16),
                   static_cast<std::uint16_t>(point[1])};
-    brick.openSides = static_cast<std::uint8_t>(point[1] >> 16);
+    brick.openSides = static_cast<std::uint8_t>(point[1] >> 16 & 63u);
     brick.color = {static_cast<std::uint8_t>(point[2]), static_cast<std::uint8_t>(point[2] >> 8),
                    static_cast<std::uint8_t>(point[2] >> 16)};
     return brick;
@@ -149,8 +194,8 @@ BrickPoints createBrickPoints(const BrickModel& model)
     std::vector<BrickPoints> layers(begins.size() - 1);
     const auto sortLayer = [&](std::size_t layer)
     {
-        layers[layer] = BlockLayer(model.getGrid())
-                            .sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
+        layers[layer] =
+            BlockLayer(model).sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
     oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(std::size_t(0), layers.size(), sortLayer); });

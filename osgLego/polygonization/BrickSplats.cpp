@@ -1,5 +1,6 @@
 #include <osgLego/polygonization/BrickSplats.h>
 
+#include <osgLego/gl/GlObject.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
@@ -24,9 +25,11 @@ namespace osgLego
 namespace
 {
 
-// Different from the units of the relief and of the light probe.
+// Different from the units of the relief, of distant occlusion and of the light probe.
+constexpr unsigned int BRICKS_UNIT = 1;
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
+constexpr GLsizei WORDS_PER_BRICK = 3;
 
 /** Create a texture to draw into and to fetch texels from; its size is set later. */
 osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
@@ -72,6 +75,29 @@ private:
     GLint _sampleBuffers = 0;
 };
 
+/** Lets shaders read a buffer of bricks, during its lifetime. */
+class BrickTexture
+{
+public:
+    BrickTexture(osg::State& state, const GlTexture& texture, const ContextBricks& bricks) : _state(state)
+    {
+        bind(texture.get());
+        state.get<osg::GLExtensions>()->glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, bricks.buffer.get());
+    }
+    ~BrickTexture() { bind(0); }
+    BrickTexture(const BrickTexture&) = delete;
+    BrickTexture& operator=(const BrickTexture&) = delete;
+
+private:
+    void bind(GLuint texture) const
+    {
+        _state.setActiveTextureUnit(BRICKS_UNIT);
+        glBindTexture(GL_TEXTURE_BUFFER, texture);
+    }
+
+    osg::State& _state;
+};
+
 /** Apply a state set, and the matrix uniforms that OSG can set instead of the built-in matrices.
  * @return whether its program could be applied. */
 bool applyState(osg::State& state, const osg::StateSet& stateSet)
@@ -115,6 +141,10 @@ public:
             glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
             // See drawPoints.
             _maximumSize = {viewport[0] / 2, viewport[1]};
+            _bricks = GlTexture(state);
+            GLint texels = 0;
+            glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+            _maximumBricks = texels / WORDS_PER_BRICK;
         }
         // Contexts that share objects would each need their own frame buffer objects.
         return (_isSoftware || drawing == Drawing::SPLATS) && !_hasFailed && _owner.get() == state.getGraphicsContext();
@@ -124,6 +154,7 @@ public:
     void fail() { _hasFailed = true; }
 
     float getMaximumPointSize() const { return _maximumPointSize; }
+    GLsizei getMaximumBricks() const { return _maximumBricks; }
     /** Whether a picture of the given size in pixels is not empty and not too large. */
     bool isPossible(const glm::ivec2& size) const
     {
@@ -131,6 +162,8 @@ public:
     }
     osg::Texture2D& getSplats() const { return *_splats; }
     osg::Texture2D& getDepths() const { return *_depths; }
+    /** The texture for the buffer of the bricks that are drawn. */
+    const GlTexture& getBricks() const { return _bricks; }
 
     /** Bind the target for drawing, with at least the given size. */
     bool bind(osg::State& state, const glm::ivec2& size)
@@ -181,7 +214,9 @@ private:
     float _maximumPointSize = 1.0f;
     glm::ivec2 _maximumSize{0};
     glm::ivec2 _size{0};
-    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
+    GlTexture _bricks;
+    GLsizei _maximumBricks = 0;
+    osg::ref_ptr<osg::Texture2D> _splats = createTexture(GL_R32UI, GL_RED_INTEGER_EXT, GL_UNSIGNED_INT);
     osg::ref_ptr<osg::Texture2D> _depths = createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
     osg::ref_ptr<osg::FrameBufferObject> _frameBuffer;
 };
@@ -221,6 +256,7 @@ BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLigh
         setPointModes(*stateSet);
         stateSet->addUniform(new osg::Uniform("splats", static_cast<int>(SPLATS_UNIT)));
         stateSet->addUniform(new osg::Uniform("splatDepths", static_cast<int>(DEPTHS_UNIT)));
+        stateSet->addUniform(new osg::Uniform("splatBricks", static_cast<int>(BRICKS_UNIT)));
     }
 }
 
@@ -237,7 +273,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     // Rays do not support other depth conventions.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
-    if (!target.isPossible(destination.getSize())) return false;
+    if (!target.isPossible(destination.getSize()) || bricks.numBricks > target.getMaximumBricks()) return false;
     const CellView::Rays rays = view.computeRays(destination.getSize());
     if (!view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
@@ -252,6 +288,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     }
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
+    const BrickTexture texture(state, target.getBricks(), bricks);
     setBrickUniforms(state, bricks.bricks->getGrid(), view, false);
     if (distant) distant->apply(state);
     setRays(state, rays, destination.getSize());

@@ -9,7 +9,7 @@ uniform sampler2D voxelImage; // passes/voxel_color.glsl
 uniform usamplerBuffer occupancy;
 uniform ivec2 layers; // (z) the first to extract, and the one after the last; the image also has their neighbours
 
-// Captured by transform feedback: x | y << 16, z | open sides << 16, colour.
+// Captured by transform feedback: x | y << 16, z | open sides << 16, colour (see BrickPoint; its alpha is NO_PART).
 flat out uvec3 brick;
 
 #include "passes/occupancy.glsl"

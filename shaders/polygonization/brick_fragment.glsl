@@ -14,6 +14,7 @@
 #include "polygonization/splat_rays.glsl"
 
 uniform usampler2D splats;
+uniform usamplerBuffer splatBricks; // three texels for each brick, see BrickPoint
 uniform sampler2D splatDepths; // 1: no brick
 
 vec3 eyePosition;
@@ -91,15 +92,15 @@ bool findFragment()
     float depth = texelFetch(splatDepths, ivec2(pixel), 0).x;
     if (depth == 1.0) return false;
     gl_FragDepth = sceneRays[2].w + sceneRays[3].w * depth;
-    uvec2 splat = texelFetch(splats, ivec2(pixel), 0).xy;
-    vec3 cell = fromStud(cellOf(splat));
-    uvec3 number = uvec3(cell);
-    uvec3 brick = uvec3(number.x | number.y << 16, number.z | (splat.y >> 2 & 63u) << 16, splat.y >> 8);
-    color = splat.y >> 8;
+    uint splat = texelFetch(splats, ivec2(pixel), 0).x;
+    int word = 3 * int(splat >> 2);
+    uvec3 brick = uvec3(texelFetch(splatBricks, word).x, texelFetch(splatBricks, word + 1).x,
+                        texelFetch(splatBricks, word + 2).x);
+    vec3 cell = vec3(brick.x & 0xffffu, brick.x >> 16, brick.y & 0xffffu);
 
     Plane plane;
     vec3 normal;
-    if ((splat.y & 3u) == STUD)
+    if ((splat & 3u) == STUD)
     {
         vec2 facet;
         Ray ray = rayThrough(pixel, cell);
@@ -108,14 +109,16 @@ bool findFragment()
         plane = isDisk ? planeOfDisk() : planeOfWall(facet);
         vec3 place = toStud(meet(plane, pixel, cell));
         normal = isDisk ? unitOf(upAxis) : fromStud(vec3(place.xy - 0.5, 0.0));
+        color = brick.z;
         detail = detailOf(brick, isDisk ? STUD_DISK : STUD_WALL, upAxis, true);
     }
     else
     {
-        int axis = (int(splat.y & 3u) + upAxis + 1) % 3;
+        int axis = (int(splat & 3u) + upAxis + 1) % 3;
         bool upper = eye[axis] > (cell[axis] + 0.5) * eye.w;
         plane = planeOfFace(axis, upper);
         normal = upper ? unitOf(axis) : -unitOf(axis);
+        color = colorOf(brick, axis, upper, upAxis);
         detail = detailOf(brick, FACE, axis, upper);
     }
     vec3 place = meet(plane, pixel, cell);

@@ -1,5 +1,5 @@
 // The surface of a brick: rounded edges that form joints between bricks, a relief on the stud, and a slight variation from
-// brick to brick. All of it is averaged over the pixel: slopes are summed, and their variance is added to the roughness.
+// brick to brick. If cells are joined to parts, edges and variation are those of the parts. All of it is averaged over the pixel: slopes are summed, and their variance is added to the roughness.
 // Lengths are in cell widths.
 
 #include "osgLego/BrickDimensions.h"
@@ -86,18 +86,27 @@ float widthOf(vec2 slopes)
     return max(length(slopes), 1e-5);
 }
 
-Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled)
+// Likewise for an edge of a cell, which is no edge of its part if `isJoined`.
+vec3 edgeUnlessJoined(bool isJoined, float place, float width, bool isFilled)
 {
-    vec3 left = edgeAt(place.x, width.x, (filled & 1u) != 0u);
-    vec3 right = edgeAt(size.x - place.x, width.x, (filled & 2u) != 0u);
-    vec3 lower = edgeAt(place.y, width.y, (filled & 4u) != 0u);
-    vec3 upper = edgeAt(size.y - place.y, width.y, (filled & 8u) != 0u);
-    // A pixel wider than half a brick also covers edges of other bricks, which are not known here: the slopes of opposite
-    // sides cancel out; for variance and darkness, the mean over the whole brick is used.
+    return isJoined ? vec3(0.0) : edgeAt(place, width, isFilled);
+}
+
+// `filled` and `joined` have bits for the sides beside the face (see sidesBeside); `lengths` are those of the part, in cells.
+Bend bendFace(vec2 place, vec2 size, vec2 width, uint filled, uint joined, vec2 lengths)
+{
+    vec3 left = edgeUnlessJoined((joined & 1u) != 0u, place.x, width.x, (filled & 1u) != 0u);
+    vec3 right = edgeUnlessJoined((joined & 2u) != 0u, size.x - place.x, width.x, (filled & 2u) != 0u);
+    vec3 lower = edgeUnlessJoined((joined & 4u) != 0u, place.y, width.y, (filled & 4u) != 0u);
+    vec3 upper = edgeUnlessJoined((joined & 8u) != 0u, size.y - place.y, width.y, (filled & 8u) != 0u);
+    // A pixel wider than half a cell also covers edges of other cells, which are not known here: the slopes of opposite
+    // sides cancel out; for variance and darkness, the mean over the whole part is used. Its ends beyond this cell count as
+    // joints.
     vec2 near = clamp(2.0 - 2.0 * width / size, 0.0, 1.0);
+    vec2 whole = lengths * size;
     vec2 joints = vec2((filled & 1u) + (filled >> 1 & 1u), (filled >> 2 & 1u) + (filled >> 3 & 1u));
-    vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / size, vec2(left.y + right.y, lower.y + upper.y), near);
-    vec2 darkness = mix(sumOfDarkness(EDGE) * joints / size, vec2(left.z + right.z, lower.z + upper.z), near);
+    vec2 variance = mix(EDGE_SLOPE * EDGE_SLOPE * EDGE * 2.0 / 3.0 / whole, vec2(left.y + right.y, lower.y + upper.y), near);
+    vec2 darkness = mix(sumOfDarkness(EDGE) * joints / whole, vec2(left.z + right.z, lower.z + upper.z), near);
     return Bend(vec2(right.x - left.x, upper.x - lower.x) * near, variance.x + variance.y,
                 1.0 - min(darkness.x + darkness.y, 1.0));
 }
@@ -120,7 +129,7 @@ Bend bendDisk(vec2 place, float width, vec4 slopes)
     return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
 }
 
-// Three pseudo-random numbers of the brick, from -1 to 1.
+// Three pseudo-random numbers of the brick or the part, from -1 to 1.
 vec3 ownNumbers()
 {
     uint number = detail >> 16;
@@ -192,7 +201,8 @@ Surface surfaceHere(vec3 toEye)
 
     Bend bend;
     if (part == FACE)
-        bend = bendFace(place, size, width, filledBeside(detail >> 5 & 63u, axes));
+        bend = bendFace(place, size, width, ~sidesBeside(detail >> 5, axes), detail >> 12,
+                        vec2(color >> 24 & 15u, color >> 28));
     else if (part == STUD_WALL)
     {
         bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));

@@ -18,8 +18,8 @@ uniform bool showsInsides; // whether back-facing sides are drawn, too
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec2 coordinate; // faces and disk: 0 to 1 across; wall: 0 to 1 around and up
-flat out uint color;
-flat out uint detail; // see brick_detail.glsl
+flat out uint color;  // see colorOf in brick_detail.glsl
+flat out uint detail; // see detailOf
 
 // Directions around the stud, in a table, since the cosine is slow on some machines.
 const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
@@ -46,12 +46,12 @@ Place moved(Place place, float distance, Place step)
     return Place(place.eye + distance * step.eye, place.clip + distance * step.clip);
 }
 
-void emitVertex(Place place, vec3 normal, vec2 where, uint details)
+void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
 {
     eyePosition = place.eye;
     eyeNormal = normal;
     coordinate = where;
-    color = brick[0].z;
+    color = colors;
     detail = details;
     gl_Position = place.clip;
     gl_ClipVertex = vec4(place.eye, 1.0);
@@ -85,10 +85,11 @@ void emitSide(vec3 cell, int axis, bool upper)
     Place alongU = placeOf(u);
     Place second = moved(first, 1.0, placeOf(v));
     vec3 eyeNormal = gl_NormalMatrix * normal;
-    emitVertex(first, eyeNormal, vec2(0.0, 0.0), details);
-    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0), details);
-    emitVertex(second, eyeNormal, vec2(0.0, 1.0), details);
-    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0), details);
+    uint colors = colorOf(brick[0], axis, upper, upAxis);
+    emitVertex(first, eyeNormal, vec2(0.0, 0.0), details, colors);
+    emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0), details, colors);
+    emitVertex(second, eyeNormal, vec2(0.0, 1.0), details, colors);
+    emitVertex(moved(second, 1.0, alongU), eyeNormal, vec2(1.0, 1.0), details, colors);
     EndPrimitive();
 }
 
@@ -143,8 +144,10 @@ void emitStud(vec3 center, vec3 up)
             vec3 normal = direction.x * normalU + direction.y * normalV;
             float around = float(side) / float(STUD_SIDES);
             uint details = wall | insideUnless(wasTurned);
-            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), details);
-            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), details);
+            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), details,
+                       brick[0].z);
+            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), details,
+                       brick[0].z);
         }
         if (wasSeen && !isSeen) EndPrimitive();
         wasSeen = isSeen;
@@ -159,7 +162,8 @@ void emitStud(vec3 center, vec3 up)
     {
         int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
         vec2 direction = DIRECTIONS[side];
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk);
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk,
+                   brick[0].z);
     }
     EndPrimitive();
 }

@@ -1,6 +1,6 @@
 // Polygonization, vertex shader: passes on one vertex for each brick.
 
-layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
+layout(location = 0) in uvec3 vertexBrick; // see BrickPoint
 
 flat out uvec3 brick;
 

@@ -2,8 +2,8 @@
 // a brick's picture, and each of its pixels intersects its ray with the brick (Majercik et al. 2018, "A Ray-Box Intersection
 // Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as in the geometry shader.
 //
-// A splat has two words. The first is the cell in stud coordinates, whose last axis is up (10, 10 and 12 bits). The second is
-// the part that the ray hits, the axis of a face in stud coordinates or STUD (2 bits), the open sides (6), the colour (24).
+// A splat is the number of its brick in the buffer, and the part of it that the ray hits in the lowest two bits: the axis of a
+// face in stud coordinates, whose last axis is up, or STUD.
 
 #include "osgLego/BrickDimensions.h"
 
@@ -39,20 +39,6 @@ vec3 toStud(vec3 vector)
 vec3 fromStud(vec3 vector)
 {
     return upAxis == 1 ? vector.yzx : vector;
-}
-
-uvec2 packSplat(uvec3 brick)
-{
-    uvec3 cell = uvec3(brick.x & 0xffffu, brick.x >> 16, brick.y & 0xffffu);
-    uvec3 turned = upAxis == 1 ? cell.zxy : cell;
-    return uvec2(turned.x | turned.y << 10 | turned.z << 20,
-                 (brick.y >> 16) << 2 | (brick.z & 0xffffffu) << 8);
-}
-
-// The cell in stud coordinates.
-vec3 cellOf(uvec2 splat)
-{
-    return vec3(splat.x & 1023u, splat.x >> 10 & 1023u, splat.x >> 20);
 }
 
 // The parameter at which a ray, in stud coordinates, hits the stud's prism; NEVER if it misses. `facet` is the normal of the

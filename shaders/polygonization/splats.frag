@@ -5,10 +5,10 @@
 #include "polygonization/splat_rays.glsl"
 
 // See splats.vert.
-flat in uvec4 splat;
+flat in uvec3 splat;
 flat in vec4 rays[4];
 
-out uvec2 nearest;
+out uint nearest; // see splat_rays.glsl
 
 const float TINY = 1e-20; // avoids divisions by 0
 
@@ -25,7 +25,7 @@ float meetSides(Ray ray, inout uint part)
     vec3 steps = 1.0 / (ray.direction + TINY);
     vec3 middle = (0.5 - ray.origin) * steps;
     vec3 reach = abs(steps);
-    bvec3 isSeen = notEqual(splat.zzz & uvec3(1u, 2u, 4u), uvec3(0u));
+    bvec3 isSeen = notEqual(splat.yyy & uvec3(1u, 2u, 4u), uvec3(0u));
     vec3 near = mix(vec3(-NEVER), middle - 0.5 * reach, isSeen);
     float first = max(near.x, max(near.y, near.z));
     float slack = rays[1].w;
@@ -41,11 +41,11 @@ void main()
     float distance = meetSides(ray, part);
 #if defined(STUDS)
     vec2 facet;
-    float stud = (splat.z & 8u) != 0u ? meetStud(ray, uintBitsToFloat(splat.w), facet) : NEVER;
+    float stud = (splat.y & 8u) != 0u ? meetStud(ray, uintBitsToFloat(splat.z), facet) : NEVER;
     if (stud < distance) part = STUD;
     distance = min(distance, stud);
 #endif
     if (distance == NEVER) discard;
-    nearest = splat.xy | uvec2(0u, part);
+    nearest = splat.x | part;
     gl_FragDepth = rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance : 1.0 / distance);
 }

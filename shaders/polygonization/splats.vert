@@ -3,14 +3,14 @@
 #include "polygonization/splat_rays.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
 
-layout(location = 0) in uvec3 vertexBrick; // x | y << 16, z | open sides << 16, colour
+layout(location = 0) in uvec3 vertexBrick; // see BrickPoint
 
 uniform vec2 pictureSize; // pixels
 uniform vec2 depth;       // at the start of a ray, and the change with the ray's parameter (in perspective: its reciprocal)
 
-// The two words described in splat_rays.glsl; bits for the sides (by axis, in stud coordinates) and the stud that are open
-// and turned towards the eye; the height of studs.
-flat out uvec4 splat;
+// The splat, without the part that is hit; bits for the sides (by axis, in stud coordinates) and the stud that are open and
+// turned towards the eye; the height of studs.
+flat out uvec3 splat;
 // xyz, in stud coordinates: the changes of rays per pixel to the right and up, and the origin (relative to the cell) and
 // direction of the ray at the picture's corner. w: 1 if the direction changes from pixel to pixel, 0 if the origin does; the
 // slack, in cells; the depth.
@@ -81,12 +81,12 @@ void main()
     bvec3 seen = seenSides(toEye, open);
     Box box = boxAround(seen, toEye);
     uvec3 bits = uvec3(1u, 2u, 4u) * uvec3(toStud(vec3(seen)));
-    splat = uvec4(packSplat(vertexBrick), bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
+    splat = uvec3(uint(gl_VertexID) << 2, bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
 #if defined(STUDS)
     vec3 fromFoot = toStud(toEye) - eye.w * vec3(0.5, 0.5, 1.0);
     if ((open & (2u << (2 * upAxis))) != 0u && isStudSeen(length(fromFoot.xy), -fromFoot.z, studHeight, eye.w))
     {
-        splat.z |= 8u;
+        splat.y |= 8u;
         box.lower = min(box.lower, fromStud(vec3(0.5 - STUD_RADIUS, 0.5 - STUD_RADIUS, 1.0)));
         box.upper = max(box.upper, fromStud(vec3(0.5 + STUD_RADIUS, 0.5 + STUD_RADIUS, 1.0 + studHeight)));
     }
@@ -96,7 +96,7 @@ void main()
     vec2 least = max(picture.xy - picture.zw, -1.0);
     vec2 most = min(picture.xy + picture.zw, 1.0);
     vec2 extent = 0.5 * (most - least) * pictureSize;
-    bool isInPicture = splat.z != 0u && all(greaterThanEqual(extent, vec2(0.0)));
+    bool isInPicture = splat.y != 0u && all(greaterThanEqual(extent, vec2(0.0)));
     vec2 place = 0.5 * (least + most);
     gl_PointSize = max(extent.x, extent.y) + 2.0 * MARGIN;
     gl_Position = isInPicture ? vec4(0.5 + 0.5 * place.x, place.y, 0.0, 1.0) : NOWHERE;

@@ -4,6 +4,7 @@
 #include <osgLego/CpuLegolizer.h>
 
 #include <Meshes.h>
+#include <PartModels.h>
 
 #include <algorithm>
 #include <bit>
@@ -51,6 +52,8 @@ void expectEqualAfterDecoding(const BrickModel& model)
     EXPECT_TRUE(error.empty());
     EXPECT_EQ(decoded->getGrid(), model.getGrid());
     EXPECT_TRUE(decoded->getBricks() == model.getBricks());
+    EXPECT_TRUE(decoded->getParts() == model.getParts());
+    EXPECT_TRUE(decoded->getPartIndices() == model.getPartIndices());
 }
 
 std::string errorOf(const std::string& bytes)
@@ -178,8 +181,9 @@ TEST_F(BrickCodec, TruncatingAndAppendingIsAnError)
 
 TEST_F(BrickCodec, ANewerVersionIsNamed)
 {
-    EXPECT_EQ(errorOf(forge(_bytes, 0, "\x02")),
-              "the stored bricks have version 2 of their format; expected version 1, or a newer osgLego to read them");
+    EXPECT_EQ(
+        errorOf(forge(_bytes, 0, "\x03")),
+        "the stored bricks have version 3 of their format; expected version 1 or 2, or a newer osgLego to read them");
 }
 
 TEST_F(BrickCodec, ImpossibleValuesAreErrorsEvenIfTheCheckSumIsRight)
@@ -216,6 +220,127 @@ TEST_F(BrickCodec, BricksOutsideTheGridOrTwiceInACellAreErrors)
           std::vector<Brick>{createBrick(2, 1, 1), createBrick(1, 1, 1)}})
         EXPECT_NE(errorOf(encodeBricks(*BrickModel::createComplete(grid, bricks))).find("contradict"),
                   std::string::npos);
+}
+
+Part createPart(const glm::ivec3& cell, const glm::ivec3& size, std::int32_t code = Part::NO_CODE)
+{
+    Part part;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        part.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(cell[axis]);
+        part.size[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(size[axis]);
+    }
+    part.color = {10, 20, 30};
+    part.colorCode = code;
+    return part;
+}
+
+/** Whether the parts are within the grid and in cells of their own. */
+bool arePossible(const BrickModel& model)
+{
+    std::size_t numCells = 0;
+    for (const Part& part : model.getParts())
+    {
+        for (int axis = 0; axis < 3; ++axis)
+            if (part.getCell()[axis] + part.getSize()[axis] > model.getGrid().dimensions[axis]) return false;
+        numCells += static_cast<std::size_t>(part.size[0] * part.size[1] * part.size[2]);
+    }
+    const std::vector<Brick>& bricks = model.getBricks();
+    const auto isSame = [](const Brick& a, const Brick& b) { return a.cell == b.cell; };
+    return model.getParts().empty() ||
+           (numCells == bricks.size() && std::adjacent_find(bricks.begin(), bricks.end(), isSame) == bricks.end());
+}
+
+/** Models of parts, in version 2 of the format. */
+class PartCodec : public ::testing::Test
+{
+protected:
+    static osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& size, UpAxis up = UpAxis::Z)
+    {
+        PartFilling filling;
+        filling.heights = {1, 3};
+        filling.colors = {{200, 30, 20}, {240, 240, 235}, {20, 80, 170}};
+        filling.isCovered = [](const glm::ivec3& cell) { return (cell.x / 5 + cell.y / 4 + cell.z / 3) % 3 != 0; };
+        return createParts(createPartGrid(size, 0.4, up), filling);
+    }
+
+    osg::ref_ptr<const BrickModel> _model = createModel({9, 7, 6});
+    std::string _bytes = encodeBricks(*_model);
+};
+
+TEST_F(PartCodec, PartsAreEqualAfterDecoding)
+{
+    EXPECT_EQ(_bytes[0], 2);
+    expectEqualAfterDecoding(*_model);
+    expectEqualAfterDecoding(*createModel({40, 30, 20}, UpAxis::Y));
+    constexpr std::int32_t LARGEST = std::numeric_limits<std::int32_t>::max();
+    expectEqualAfterDecoding(*BrickModel::createOfParts(
+        createGrid({1024, 1024, 2560}),
+        {createPart({1016, 1022, 2557}, {8, 2, 3}, LARGEST), createPart({0, 0, 0}, {1, 1, 1}),
+         createPart({0, 0, 1}, {16, 16, 1}, std::numeric_limits<std::int32_t>::min())}));
+}
+
+TEST_F(PartCodec, CellsAreStillInVersion1)
+{
+    const osg::ref_ptr<const BrickModel> cells = createCells(*_model);
+    EXPECT_EQ(encodeBricks(*cells)[0], 1);
+    expectEqualAfterDecoding(*cells);
+    EXPECT_FALSE(cells->findPart(cells->getBricks().front().getCell()));
+}
+
+TEST_F(PartCodec, ALayoutTakesLessThanFourBytesForEachPart)
+{
+    const osg::ref_ptr<const BrickModel> model = createModel({60, 60, 30});
+    EXPECT_LT(encodeBricks(*model).size(), 4 * model->getParts().size());
+}
+
+TEST_F(PartCodec, ChangingOrRemovingAnyByteIsAnError)
+{
+    for (std::size_t place = 0; place < _bytes.size(); ++place)
+    {
+        EXPECT_NE(errorOf(_bytes.substr(0, place)).find("damaged or incomplete"), std::string::npos) << place;
+        std::string damaged = _bytes;
+        damaged[place] = static_cast<char>(damaged[place] ^ '\x10');
+        EXPECT_NE(errorOf(damaged).find("damaged or incomplete"), std::string::npos) << place;
+    }
+}
+
+TEST_F(PartCodec, ChangingAnyByteAndTheCheckSumIsAnErrorOrAPossibleModel)
+{
+    int numErrors = 0;
+    for (std::size_t place = 0; place < _bytes.size(); ++place)
+        for (int bit = 0; bit < 8; ++bit)
+        {
+            std::string error;
+            const char changed = static_cast<char>(_bytes[place] ^ (1 << bit));
+            const osg::ref_ptr<const BrickModel> model =
+                decodeBricks(forge(_bytes, place, std::string(1, changed)), error);
+            EXPECT_EQ(model == nullptr, !error.empty()) << place;
+            EXPECT_TRUE(!model || arePossible(*model)) << place;
+            numErrors += model ? 0 : 1;
+        }
+    EXPECT_GT(numErrors, static_cast<int>(_bytes.size()));
+}
+
+TEST_F(PartCodec, ImpossiblePartsAreErrorsEvenIfTheCheckSumIsRight)
+{
+    const BrickGrid grid = createGrid({40, 40, 40});
+    for (const std::vector<Part>& parts :
+         {std::vector<Part>{createPart({39, 0, 0}, {2, 1, 1})}, std::vector<Part>{createPart({0, 38, 0}, {1, 3, 1})},
+          std::vector<Part>{createPart({0, 0, 38}, {1, 1, 3})}, std::vector<Part>{createPart({0, 0, 0}, {0, 1, 1})},
+          std::vector<Part>{createPart({0, 0, 0}, {1, 1, 0})},
+          std::vector<Part>{createPart({0, 0, 0}, {16, 17, 1})}, // 272 cells
+          std::vector<Part>{createPart({1, 1, 1}, {1, 1, 1}), createPart({1, 1, 1}, {1, 1, 1})},
+          std::vector<Part>{createPart({0, 0, 0}, {4, 2, 3}), createPart({3, 1, 2}, {2, 2, 1})},
+          std::vector<Part>{createPart({0, 0, 0}, {1, 1, 1}), createPart({0, 0, 40}, {1, 1, 1})}})
+        EXPECT_EQ(errorOf(encodeBricks(*BrickModel::createOfParts(grid, parts))),
+                  "the stored parts contradict their grid; expected parts within it that do not overlap");
+    for (const std::string& forged :
+         {forge(_bytes, DIMENSIONS, std::string(12, '\0')), forge(_bytes, DIMENSIONS, std::string(1, '\x01')),
+          forge(_bytes, NUM_BRICKS, std::string(8, '\x7f')), forge(_bytes, DATA_SIZE, std::string(8, '\x7f')),
+          forge(_bytes, NUM_BRICKS, std::string(1, _bytes[NUM_BRICKS] - 1)),
+          forge(_bytes, NUM_BRICKS, std::string(1, _bytes[NUM_BRICKS] + 1)), forge(_bytes, 0, "\x01")})
+        EXPECT_NE(errorOf(forged).find("contradict"), std::string::npos);
 }
 
 } // namespace

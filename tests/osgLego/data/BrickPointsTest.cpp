@@ -2,8 +2,10 @@
 #include <osgLego/data/BrickPoints.h>
 
 #include <Meshes.h>
+#include <PartModels.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <glm/common.hpp>
@@ -44,6 +46,7 @@ TEST(BrickPoints, ContainEachVisibleBrickOnce)
             EXPECT_EQ(point[2] & 0xffu, brick->color[0]);
             EXPECT_EQ(point[2] >> 8 & 0xffu, brick->color[1]);
             EXPECT_EQ(point[2] >> 16 & 0xffu, brick->color[2]);
+            EXPECT_EQ(point[2] >> 24, NO_PART);
         }
     }
 }
@@ -116,6 +119,49 @@ TEST(BrickPoints, BricksWithAndWithoutStudsAreInSeparateBlocks)
     }
     EXPECT_GT(numStudded, 0u);
     EXPECT_LT(numStudded, result.blocks.size());
+}
+
+/** The code of a length in cells; see BrickPoint. */
+std::uint32_t codeOf(int length)
+{
+    return length <= 2 ? 0u : length == 3 ? 1u : length == 4 ? 2u : 3u;
+}
+
+TEST(BrickPoints, CellsOfPartsHaveTheirJoinedSidesTheirLengthsAndANumberInCommon)
+{
+    for (const UpAxis up : {UpAxis::Z, UpAxis::Y})
+    {
+        test::PartFilling filling;
+        filling.heights = {1, 3};
+        filling.isCovered = [](const glm::ivec3& cell) { return (cell.x / 7 + cell.y / 5 + cell.z / 3) % 4 != 0; };
+        const osg::ref_ptr<const BrickModel> model =
+            test::createParts(test::createPartGrid({30, 20, 15}, 0.4, up), filling);
+        const BrickPoints result = createBrickPoints(*model);
+        const BrickPoints ofCells = createBrickPoints(*test::createCells(*model));
+        ASSERT_EQ(result.points.size(), ofCells.points.size());
+        ASSERT_GT(result.points.size(), 1000u);
+        std::map<const Part*, std::uint32_t> numbers;
+        for (std::size_t index = 0; index < result.points.size(); ++index)
+        {
+            const BrickPoint& point = result.points[index];
+            EXPECT_EQ(unpackBrick(point), unpackBrick(ofCells.points[index]));
+            const Part* part = model->findPart(cellOf(point));
+            for (int side = 0; side < 6; ++side)
+            {
+                glm::ivec3 neighbour = cellOf(point);
+                neighbour[side / 2] += side % 2 == 1 ? 1 : -1;
+                EXPECT_EQ(point[1] >> (22 + side) & 1u, model->findPart(neighbour) == part ? 1u : 0u);
+            }
+            EXPECT_EQ(point[1] >> 28 & 3u, codeOf(part->getSize().x));
+            EXPECT_EQ(point[1] >> 30, codeOf(up == UpAxis::Y ? part->getSize().z : part->getSize().y));
+            EXPECT_NE(point[2] >> 24, NO_PART);
+            EXPECT_EQ(numbers.emplace(part, point[2] >> 24).first->second, point[2] >> 24);
+        }
+        std::set<std::uint32_t> different;
+        for (const auto& [part, number] : numbers)
+            different.insert(number);
+        EXPECT_GT(different.size(), std::min<std::size_t>(numbers.size() / 2, 150u));
+    }
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 #include <osgLego/BrickDimensions.h>
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/BrickIntersection.h>
+#include <osgLego/PartType.h>
 
 #include <Meshes.h>
+#include <PartModels.h>
 
 #include <gtest/gtest.h>
 #include <osg/Geode>
@@ -157,6 +159,36 @@ TEST(BrickIntersection, BrickGeometryIsFoundAfterTheDefaultOptimizations)
     const auto hit = pickFirst(*scene, {8, 0.06, 0.06}, {-8, 0.06, 0.06});
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->brick.getCell(), glm::ivec3(11, 6, 6));
+}
+
+TEST(BrickIntersection, ThePartOfTheBrickIsFound)
+{
+    Part brick;
+    brick.size = {2, 4, 3};
+    brick.colorCode = 4;
+    Part plate;
+    plate.cell = {0, 0, 3};
+    plate.size = {1, 8, 1};
+    plate.color = {1, 2, 3};
+    const osg::ref_ptr<const BrickModel> model =
+        BrickModel::createOfParts(createPartGrid({2, 8, 4}, 0.4), {brick, plate});
+    const osg::ref_ptr<LegoNode> node = createStoredNode(*model, "8");
+    const osg::ref_ptr<osg::Geode> geode = createGeode(*model);
+    for (osg::Node* scene : {static_cast<osg::Node*>(node), static_cast<osg::Node*>(geode)})
+    {
+        const auto side = pickFirst(*scene, {5, 3.6, 0.9}, {-5, 3.6, 0.9});
+        ASSERT_TRUE(side && side->part);
+        EXPECT_EQ(*side->part, brick);
+        EXPECT_EQ(findPartType(*side->part, model->getGrid())->getName(), "Brick 2 x 4");
+        const auto stud = pickFirst(*scene, {0.4, 6.4, 9}, {0.4, 6.4, -9});
+        ASSERT_TRUE(stud && stud->part);
+        EXPECT_TRUE(stud->isStud);
+        EXPECT_EQ(*stud->part, plate);
+        EXPECT_EQ(findPartType(*stud->part, model->getGrid())->getName(), "Plate 1 x 8");
+    }
+    const auto cell = pickFirst(*createStoredNode(*createCells(*model), "8"), {5, 3.6, 0.9}, {-5, 3.6, 0.9});
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->part, nullptr);
 }
 
 TEST(BrickIntersection, OtherGeometryGivesNoBrick)

@@ -1,12 +1,14 @@
 #include <common/RacingCar.h>
 
 #include <LookTest.h>
+#include <PartModels.h>
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <osg/ClipNode>
 #include <osg/FrontFace>
 #include <osg/MatrixTransform>
@@ -82,6 +84,34 @@ TEST_F(BrickSplats, MakeThePictureOfTheTriangles)
         for (const auto& [name, viewpoint] : VIEWS)
             EXPECT_LE(countDifference(*lego, viewpoint), NUM_PIXELS / 400) << settings << " " << name;
     }
+}
+
+/** Bricks and plates in a ball of about the size of the car, of three colours. */
+osg::ref_ptr<const BrickModel> createPartBall(UpAxis up)
+{
+    constexpr int SIDE = 20;
+    const glm::ivec3 size =
+        up == UpAxis::Y ? glm::ivec3(SIDE, SIDE * 5 / 2, SIDE) : glm::ivec3(SIDE, SIDE, SIDE * 5 / 2);
+    BrickGrid grid = createPartGrid(size, 0.4, up);
+    grid.cellSize *= 0.147; // so that no border between cells is exactly in the middle of a pixel
+    grid.origin = -0.5 * grid.cellSize * glm::dvec3(size);
+    PartFilling filling;
+    filling.heights = {1, 3};
+    filling.colors = {{200, 30, 20}, {240, 240, 235}, {20, 80, 170}};
+    filling.isCovered = [size](const glm::ivec3& cell)
+    { return glm::length((glm::dvec3(cell) + 0.5) / (0.5 * glm::dvec3(size)) - 1.0) < 1.0; };
+    return createParts(grid, filling);
+}
+
+TEST_F(BrickSplats, MakeThePictureOfTheTrianglesOfParts)
+{
+    for (const char* settings : {"20,look=plain", "20,look=full"})
+        for (const UpAxis up : {UpAxis::Z, UpAxis::Y})
+        {
+            const osg::ref_ptr<LegoNode> lego = createStoredNode(*createPartBall(up), settings);
+            for (const auto& [name, viewpoint] : VIEWS)
+                EXPECT_LE(countDifference(*lego, viewpoint), NUM_PIXELS / 400) << settings << " " << name;
+        }
 }
 
 TEST_F(BrickSplats, MakeTheGeometryBufferOfTheTriangles)
