@@ -1,10 +1,10 @@
 #include <osgLego/LegoNode.h>
 
-#include <osgLego/Palette.h>
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
+#include <osgLego/palette/SettingsPalette.h>
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
@@ -41,8 +41,7 @@ LegoNode::~LegoNode() = default;
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
     std::string error = settings.check();
-    const std::string palette = settings.getPalette();
-    if (error.empty() && palette != "none") Palette::read(palette, error);
+    if (error.empty()) error = findPaletteError(settings);
     if (!error.empty())
     {
         OSG_WARN << "osgLego: " << error << std::endl;

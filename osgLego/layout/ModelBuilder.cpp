@@ -2,6 +2,7 @@
 
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/Layout.h>
+#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/LayoutModel.h>
 #include <osgLego/palette/Oklab.h>
 
@@ -66,6 +67,20 @@ void warnOfLeak(Fill fill)
              << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
 }
 
+void addFigures(const LayoutFigures& figures, LayoutStatistics& statistics)
+{
+    statistics.numCells = figures.cells;
+    statistics.numParts = figures.parts;
+    statistics.numComponents = figures.components;
+    statistics.numComponentsPossible = figures.componentsPossible;
+    statistics.numArticulationParts = figures.articulationParts;
+    statistics.numFloating = figures.floating;
+    statistics.stackedSeams = figures.getStackedSeams();
+    statistics.stackedLength = figures.stackedLength;
+    statistics.numColors = figures.colors;
+    statistics.numUnavailable = figures.unavailable;
+}
+
 } // namespace
 
 ModelBuilder::ModelBuilder(const LegoSettings& settings, const PaletteLookup& lookup) :
@@ -107,9 +122,8 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     if (parts.empty() && !problem.cells.empty()) return nullptr;
     statistics.layout = stopwatch.lap();
     osg::ref_ptr<const BrickModel> model = createModel(parts, grid, colors);
-    statistics.numCells = problem.cells.size();
     statistics.numInterior = cells.numInterior;
-    statistics.numParts = parts.size();
+    addFigures(computeLayoutFigures(problem, parts), statistics);
     statistics.figures = stopwatch.lap();
     _statistics = statistics;
     if (_previous) *_previous = {_settings, std::move(parts), std::move(colors)};
