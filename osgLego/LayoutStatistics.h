@@ -1,13 +1,16 @@
 #pragma once
 
+#include <osgLego/Export.h>
+
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace osgLego
 {
 
 /** Figures of the parts that cells were joined to (LegoSettings::parts). Times are in milliseconds. */
-struct LayoutStatistics
+struct OSGLEGO_EXPORT LayoutStatistics
 {
     std::size_t numCells = 0;
     std::size_t numInterior = 0; //!< cells that LegoSettings::fill added
@@ -28,6 +31,9 @@ struct LayoutStatistics
     double fill = 0.0;    //!< likewise to find interior cells
     double layout = 0.0;  //!< likewise to lay parts
     double figures = 0.0; //!< likewise to compute these figures
+
+    /** A report in a few lines of English, without the times. */
+    std::string toString() const;
 };
 
 } // namespace osgLego

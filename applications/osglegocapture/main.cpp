@@ -114,6 +114,9 @@ int capture(const CaptureOptions& options)
     if (!options.cells.empty())
         writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
     progress.clear();
+    if (const LegoNode* lego = scene.getLegoNode())
+        if (const auto layout = lego->getStatistics(context->getState()->getContextID()).layout)
+            fmt::print("{}\n", layout->toString());
     if (options.reference.empty()) return EXIT_FINE;
     return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
                                                                                                   : EXIT_DIFFERENT;
