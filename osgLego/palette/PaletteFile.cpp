@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -68,31 +69,38 @@ std::string lowerCaseExtension(const fs::path& path)
     return extension;
 }
 
+std::string unreadable(const fs::path& path, const std::error_code& problem)
+{
+    return path.string() + ": the palette can't be read: " + problem.message();
+}
+
 /** Look at a file without opening it. @return one sentence if it can't be a palette. */
 std::string inspect(const fs::path& path, FileState& state)
 {
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
-    if (!fs::exists(status)) return path.string() + ": the palette can't be read: " + problem.message();
+    if (!fs::exists(status)) return unreadable(path, problem);
     if (!fs::is_regular_file(status))
         return path.string() + " is not a file; expected a palette in a .csv or .ldr file";
     state.size = fs::file_size(path, problem);
     if (!problem) state.time = fs::last_write_time(path, problem);
-    if (problem) return path.string() + ": the palette can't be read: " + problem.message();
+    if (problem) return unreadable(path, problem);
     if (state.size > LARGEST_FILE)
         return path.string() + ": the palette has " + std::to_string(state.size) + " bytes; expected at most " +
                std::to_string(LARGEST_FILE);
     return {};
 }
 
-/** Read the beginning of a file, which may have grown since its size was looked up. */
-bool readText(const fs::path& path, std::string& text)
+/** Read a file, which may have grown since its size was looked up. @return one sentence if that fails. */
+std::string readText(const fs::path& path, std::string& text)
 {
+    errno = 0;
     std::ifstream file(path, std::ios::binary);
     text.resize(LARGEST_FILE);
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-    return !file.bad() && (file.eof() || file.good());
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    return file.eof() || file.good() ? std::string()
+                                     : unreadable(path, std::error_code(errno, std::generic_category()));
 }
 
 } // namespace
@@ -112,11 +120,7 @@ osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& e
     const fs::path key = fs::absolute(path, ignored);
     if (osg::ref_ptr<const Palette> found = cache.find(key, state)) return found;
     std::string text;
-    if (!readText(path, text))
-    {
-        error = path.string() + ": the palette can't be read";
-        return nullptr;
-    }
+    if (error = readText(path, text); !error.empty()) return nullptr;
     std::string wrong;
     const std::vector<PaletteColor> colors =
         extension == ".csv" ? readColorTable(text, wrong) : readColorConfiguration(text, getKnownColors(), wrong);
