@@ -33,6 +33,15 @@ std::string findProcessor()
     return "unknown";
 }
 
+nlohmann::ordered_json describeMachine()
+{
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return {{"processor", findProcessor()},
+            {"threads", std::to_string(std::thread::hardware_concurrency())},
+            {"commit", OSGLEGO_COMMIT},
+            {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}};
+}
+
 } // namespace
 
 osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width, int height)
@@ -44,18 +53,17 @@ osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width, int height)
     return context;
 }
 
+nlohmann::ordered_json createDocument(const std::string& benchmark)
+{
+    return {{"benchmark", benchmark}, {"environment", describeMachine()}};
+}
+
 nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context)
 {
     context.makeCurrent();
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return {{"benchmark", benchmark},
-            {"environment",
-             {{"renderer", getGlText(GL_RENDERER)},
-              {"version", getGlText(GL_VERSION)},
-              {"processor", findProcessor()},
-              {"threads", std::to_string(std::thread::hardware_concurrency())},
-              {"commit", OSGLEGO_COMMIT},
-              {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}}}};
+    nlohmann::ordered_json environment{{"renderer", getGlText(GL_RENDERER)}, {"version", getGlText(GL_VERSION)}};
+    environment.update(describeMachine());
+    return {{"benchmark", benchmark}, {"environment", environment}};
 }
 
 bool isSoftwareRenderer()

@@ -13,8 +13,11 @@ namespace osgLego
  * @param width, height the size of its own frame buffer, in pixels. */
 osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width = 16, int height = 16);
 
-/** Create a document of figures that contains the name of the benchmark and the environment: renderer, version of GL,
- * processor, threads, commit, date.
+/** Create a document of figures that contains the name of the benchmark and the environment: processor, threads,
+ * commit, date. */
+nlohmann::ordered_json createDocument(const std::string& benchmark);
+
+/** The same for a benchmark that uses GL: the environment also contains the renderer and the version of GL.
  * @param context is made current. */
 nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context);
 

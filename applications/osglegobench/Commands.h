@@ -16,5 +16,8 @@ void addFrameCommand(CLI::App& app);
 void addDrawCommand(CLI::App& app);
 /** Error of ambient occlusion against rays, and the time of its passes. */
 void addOcclusionCommand(CLI::App& app);
+/** Layouts of parts beside the least number of parts that is possible. Also prints tables, and writes JSON only to a
+ * file. */
+void addLayoutCommand(CLI::App& app);
 
 } // namespace osgLego

@@ -20,6 +20,7 @@ int run(int argc, char** argv)
     addFrameCommand(app);
     addDrawCommand(app);
     addOcclusionCommand(app);
+    addLayoutCommand(app);
     CLI11_PARSE(app, argc, argv);
     return 0;
 }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <common/LayoutBound.h>
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace osgLego
+{
+
+/** Lower bounds of layouts, which take minutes to compute, in a file. */
+class BoundCache
+{
+public:
+    /** Read a file, if it exists. Throws std::runtime_error if it has other contents.
+     * @param fileName empty keeps bounds in memory. */
+    explicit BoundCache(std::string fileName);
+
+    /** The bounds of some layers, from the file or computed now and added to it. Throws std::runtime_error.
+     * @param seconds the time for each connected region of a layer. */
+    std::vector<LayerBound> getBounds(const LayoutProblem& problem, const std::vector<int>& layers, double seconds);
+
+private:
+    void write() const;
+
+    std::string _fileName;
+    nlohmann::ordered_json _entries = nlohmann::ordered_json::object(); //!< z, parts and isOptimum of layers, by hash
+};
+
+} // namespace osgLego

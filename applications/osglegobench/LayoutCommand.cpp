@@ -1,0 +1,230 @@
+#include "BenchEnvironment.h"
+#include "BenchOptions.h"
+#include "Commands.h"
+#include "LayoutCase.h"
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using nlohmann::ordered_json;
+
+struct LayoutCommandOptions : BenchOptions
+{
+    std::string assimp = "/usr/share/assimp/models";
+    std::string boundsFile;
+    double boundSeconds = 60.0;
+    unsigned int numRuns = 5;
+    std::vector<std::string> figures;
+};
+
+constexpr double ONE_SECOND = 1000.0;
+
+MeshSource findAssimpMesh(const LayoutCommandOptions& options, const std::string& name, const std::string& path)
+{
+    const std::string file = options.assimp + "/" + path;
+    if (!std::filesystem::exists(file))
+        throw std::runtime_error("'" + file + "' is missing; expected the models of Debian's assimp-testmodels there");
+    return {name, file, UpAxis::Z};
+}
+
+LegoSettings createSettings(unsigned int resolution, Effort effort, Fill fill)
+{
+    LegoSettings settings;
+    settings.resolution = resolution;
+    settings.proportions = Proportions::BRICK;
+    settings.effort = effort;
+    settings.fill = fill;
+    return settings;
+}
+
+/** The models of the goals. */
+class CaseList
+{
+public:
+    explicit CaseList(const LayoutCommandOptions& options) :
+        _bunny(options.getMesh()), _duck(findAssimpMesh(options, "duck", "Collada/duck.dae")),
+        _spider(findAssimpMesh(options, "spider", "OBJ/spider.obj"))
+    {
+        addOneColor();
+        addColored();
+    }
+
+    /** For --quick, without models that are not built in. */
+    static std::vector<LayoutCase> createQuick()
+    {
+        LegoSettings colored = createSettings(16, Effort::NORMAL, Fill::SURFACE);
+        colored.palette = "ldraw";
+        LegoSettings plates = createSettings(12, Effort::INSTANT, Fill::SOLID);
+        plates.proportions = Proportions::PLATE;
+        return {
+            {"small", MeshSource(), createSettings(16, Effort::NORMAL, Fill::SOLID), {1.02, 0.06, ONE_SECOND, {}, {}}},
+            {"colored", MeshSource(), colored, {1.02, 0.10, 2.0 * ONE_SECOND, {}, {}}},
+            {"plates", MeshSource(), plates, {{}, {}, {}, {}, 0.6}}};
+    }
+
+    std::vector<LayoutCase> cases;
+
+private:
+    void add(const std::string& figure, const MeshSource& mesh, const LegoSettings& settings, const LayoutGoals& goals)
+    {
+        cases.push_back({figure, mesh, settings, goals});
+    }
+
+    void addOneColor()
+    {
+        const LayoutGoals small{1.02, 0.06, ONE_SECOND, {}, {}};
+        add("small", _bunny, createSettings(13, Effort::NORMAL, Fill::SOLID), small);
+        add("small", _duck, createSettings(14, Effort::NORMAL, Fill::SOLID), small);
+        add("small", MeshSource(), createSettings(18, Effort::NORMAL, Fill::SOLID), small);
+        for (const MeshSource& mesh : {_bunny, _duck, MeshSource()})
+            for (const unsigned int resolution : {32u, 48u, 64u})
+                add("surface", mesh, createSettings(resolution, Effort::NORMAL, Fill::SURFACE),
+                    {1.01, 0.07, 2.0 * ONE_SECOND, {}, {}});
+        add("solid", _bunny, createSettings(48, Effort::BEST, Fill::SOLID), {1.02, 0.03, 20.0 * ONE_SECOND, {}, {}});
+        add("solid", _duck, createSettings(48, Effort::BEST, Fill::SOLID), {1.02, 0.03, 20.0 * ONE_SECOND, {}, {}});
+        add("shell", _bunny, createSettings(48, Effort::NORMAL, Fill::SHELL), {{}, {}, {}, 0.03, {}});
+        add("shell", _duck, createSettings(48, Effort::NORMAL, Fill::SHELL), {{}, {}, {}, 0.03, {}});
+        LegoSettings plates = createSettings(48, Effort::BEST, Fill::SOLID);
+        plates.proportions = Proportions::PLATE;
+        add("plates", _bunny, plates, {{}, {}, {}, {}, 0.6});
+        add("medium", _bunny, createSettings(52, Effort::NORMAL, Fill::SOLID), {1.03, {}, ONE_SECOND, {}, {}});
+        add("large", _bunny, createSettings(424, Effort::NORMAL, Fill::SURFACE), {1.06, {}, 10.0 * ONE_SECOND, {}, {}});
+        add("live", _bunny, createSettings(64, Effort::INSTANT, Fill::SURFACE), {1.12, {}, 50.0, {}, {}});
+    }
+
+    void addColored()
+    {
+        for (const MeshSource& mesh : {MeshSource(), _duck, _spider})
+        {
+            LegoSettings settings = createSettings(48, Effort::NORMAL, Fill::SURFACE);
+            settings.palette = "ldraw";
+            add("colored", mesh, settings, {1.02, 0.10, 2.0 * ONE_SECOND, {}, {}});
+        }
+    }
+
+    MeshSource _bunny;
+    MeshSource _duck;
+    MeshSource _spider;
+};
+
+std::vector<LayoutCase> selectCases(const LayoutCommandOptions& options)
+{
+    const MeshSource checked = options.getMesh(); // also checks the file to write
+    const std::vector<LayoutCase> all = options.isQuick ? CaseList::createQuick() : CaseList(options).cases;
+    if (options.figures.empty()) return all;
+    std::vector<LayoutCase> selected;
+    std::string known;
+    for (const LayoutCase& layoutCase : all)
+    {
+        if (std::find(options.figures.begin(), options.figures.end(), layoutCase.figure) != options.figures.end())
+            selected.push_back(layoutCase);
+        if (known.find("'" + layoutCase.figure + "'") == std::string::npos)
+            known += (known.empty() ? "'" : ", '") + layoutCase.figure + "'";
+    }
+    if (selected.empty()) throw std::runtime_error("no figure is named so; expected some of " + known);
+    return selected;
+}
+
+std::string formatRatio(const ordered_json& row)
+{
+    if (row.contains("ofPlates")) return fmt::format("{:.3f} of plates", row["ofPlates"].get<double>());
+    if (!row.contains("ratio")) return "-";
+    const ordered_json& bound = row["bound"];
+    std::string text = fmt::format("{:.3f}", row["ratio"].get<double>());
+    if (bound["layers"] != bound["allLayers"])
+        text += fmt::format(", {} of {} layers", bound["layers"].get<int>(), bound["allLayers"].get<int>());
+    if (const int rest = bound["layers"].get<int>() - bound["optimalLayers"].get<int>(); rest > 0)
+        text += fmt::format(", {} by LP", rest);
+    return text;
+}
+
+void printRow(const ordered_json& row)
+{
+    fmt::print("| {} | {} {} | {} | {} | {} | {:.1f} % | {} of {} | {:.1f} % | {} | {} | {} | {:.0f} |\n",
+               row["figure"].get<std::string>(), row["mesh"].get<std::string>(), row["resolution"].get<int>(),
+               row["cells"].get<int>(), row["parts"].get<int>(), formatRatio(row), 100.0 * row["stacked"].get<double>(),
+               row["components"].get<int>(), row["componentsPossible"].get<int>(),
+               100.0 * row["articulation"].get<double>(), row["floating"].get<int>(), row["colors"].get<int>(),
+               row["unavailable"].get<int>(), row["milliseconds"]["median"].get<double>());
+    std::fflush(stdout);
+}
+
+void printGoals(const ordered_json& rows)
+{
+    fmt::print("\n| figure | model | compared | measured | goal | verdict |\n|---|---|---|---|---|---|\n");
+    std::size_t numGoals = 0;
+    std::size_t numMissed = 0;
+    for (const ordered_json& row : rows)
+        for (const ordered_json& goal : row["goals"])
+        {
+            const bool isReached = goal["reached"];
+            ++numGoals;
+            numMissed += isReached ? 0 : 1;
+            fmt::print("| {} | {} {} | {} | {:.4g} | at most {:.4g} | {} |\n", row["figure"].get<std::string>(),
+                       row["mesh"].get<std::string>(), row["resolution"].get<int>(), goal["what"].get<std::string>(),
+                       goal["figure"].get<double>(), goal["goal"].get<double>(), isReached ? "reached" : "MISSED");
+        }
+    fmt::print("\n{} goals, {} of them missed\n", numGoals, numMissed);
+}
+
+void runLayout(const LayoutCommandOptions& options)
+{
+    const std::vector<LayoutCase> cases = selectCases(options);
+    BoundCache bounds(options.boundsFile);
+    ordered_json document = createDocument("layout");
+    fmt::print(
+        "| figure | model | cells | parts | parts / bound | stacked | components, possible | articulation | floating "
+        "| colours | never made | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const LayoutCase& layoutCase : cases)
+    {
+        const unsigned int numRuns = layoutCase.settings.effort == Effort::INSTANT ? options.numRuns : 1;
+        document["rows"].push_back(measureLayout(layoutCase, {numRuns, options.boundSeconds}, bounds));
+        printRow(document["rows"].back());
+    }
+    printGoals(document["rows"]);
+    if (!options.jsonFile.empty()) options.write(document);
+}
+
+} // namespace
+
+void addLayoutCommand(CLI::App& app)
+{
+    CLI::App* command = app.add_subcommand(
+        "layout", "Layouts of parts: their number beside the least possible, joints, components, and the time; prints "
+                  "tables with verdicts");
+    const auto options = std::make_shared<LayoutCommandOptions>();
+    command->add_option("--models", options->models, "Folder of bunny.ply (build/models)")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
+    command->add_option("--assimp", options->assimp, "Folder of Debian's assimp-testmodels (" + options->assimp + ")")
+        ->type_name("FOLDER");
+    command->add_option("--figure", options->figures, "Only these figures, such as small,solid (all)")
+        ->delimiter(',')
+        ->type_name("NAME,...");
+    command
+        ->add_option("--bounds", options->boundsFile,
+                     "Keep the least numbers of parts there, which take minutes to compute (computed each time)")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--bound-seconds", options->boundSeconds,
+            "The time for each connected region of a layer, after which its bound is that of a linear program (60)")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->type_name("SECONDS");
+    command->add_option("--runs", options->numRuns, "Timed runs of layouts with effort=instant (5)")
+        ->check(CLI::Range(1u, 10000u));
+    command->add_flag("--quick", options->isQuick, "A short run that checks that everything works");
+    command->add_option("--json", options->jsonFile, "Also write the figures there")->type_name("FILE");
+    command->callback([options] { runLayout(*options); });
+}
+
+} // namespace osgLego
