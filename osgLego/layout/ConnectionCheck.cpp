@@ -12,6 +12,7 @@ namespace
 
 constexpr std::array VERTICAL{CellLattice::ABOVE, CellLattice::BELOW};
 constexpr std::int32_t UNKNOWN = -1;
+constexpr std::size_t MAXIMUM_PARTS = 600;
 
 } // namespace
 
@@ -32,12 +33,20 @@ std::int32_t ConnectionCheck::addOutside(Index anchor)
     return number;
 }
 
-/** Connect the first `end` parts outside by parts that touch two of them. */
-void ConnectionCheck::connectOutside(std::size_t end, const LayoutRegion& region)
+/** Connect the first `end` parts outside to their neighbours, and those that nobody changes to their component. */
+void ConnectionCheck::connectOutside(std::size_t end)
 {
     const CellLattice& lattice = _map.getLattice();
-    for (std::size_t i = 0; i < end; ++i)
-        _map.visitPart(_outside[i],
+    for (; _numConnected < end; ++_numConnected)
+    {
+        const Index anchor = _outside[_numConnected];
+        const auto number = static_cast<std::int32_t>(_numConnected);
+        if (_region->fixedComponents)
+        {
+            const Index component = (*_region->fixedComponents)[static_cast<std::size_t>(anchor)];
+            if (component != CellLattice::NONE) _base.join(number, addOutside(component));
+        }
+        _map.visitPart(anchor,
                        [&](Index cell)
                        {
                            for (const auto side : VERTICAL)
@@ -45,10 +54,11 @@ void ConnectionCheck::connectOutside(std::size_t end, const LayoutRegion& region
                                const Index other = lattice.getNeighbor(cell, side);
                                if (other == CellLattice::NONE || _window->findCell(other) != WindowBuilder::NO_CELL)
                                    continue;
-                               if (region.isReadable(lattice, other))
-                                   _base.join(static_cast<std::int32_t>(i), addOutside(_map.getAnchor(other)));
+                               if (_region->isReadable(lattice, other))
+                                   _base.join(number, addOutside(_map.getAnchor(other)));
                            }
                        });
+    }
 }
 
 void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& region)
@@ -58,7 +68,9 @@ void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& reg
     _outside.clear();
     _contacts.clear();
     _base.reset(0);
+    _numConnected = 0;
     _window = &window;
+    _region = &region;
     const CellLattice& lattice = _map.getLattice();
     for (std::size_t i = 0; i < window.getCells().size(); ++i)
         for (const auto side : VERTICAL)
@@ -67,18 +79,14 @@ void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& reg
             if (other == CellLattice::NONE || window.findCell(other) != WindowBuilder::NO_CELL) continue;
             _contacts.emplace_back(static_cast<int>(i), addOutside(_map.getAnchor(other)));
         }
-    const std::size_t numTouching = _outside.size();
-    connectOutside(numTouching, region);
-
-    _owners.resize(window.getCells().size());
+    _presentOwners.resize(window.getCells().size());
     int numOwners = 0;
     for (const Index anchor : window.getAnchors())
     {
         _map.visitPart(anchor,
-                       [&](Index cell) { _owners[static_cast<std::size_t>(window.findCell(cell))] = numOwners; });
+                       [&](Index cell) { _presentOwners[static_cast<std::size_t>(window.findCell(cell))] = numOwners; });
         ++numOwners;
     }
-    partition(_owners, numOwners, _before);
 }
 
 /** Connect the parts outside by the parts of the window that own its cells. */
@@ -97,16 +105,38 @@ void ConnectionCheck::partition(const std::vector<int>& owners, int numOwners, P
             _map.getLattice().getNeighbor(_window->getCells()[static_cast<std::size_t>(cell)], CellLattice::ABOVE));
         if (above != WindowBuilder::NO_CELL) partition.sets.join(number(cell), number(above));
     }
+    partition.numComponents = 0;
     partition.numLoose = 0;
-    for (int i = 0; i < numOwners; ++i)
-        partition.numLoose += partition.sets.find(first + i) == first + i ? 1 : 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(partition.sets.getCount()); ++i)
+        if (partition.sets.find(i) == i) ++(i < first ? partition.numComponents : partition.numLoose);
+    partition.numComponents += partition.numLoose;
 }
 
 bool ConnectionCheck::keepsConnections(const std::vector<int>& chosen)
 {
+    _owners.resize(_presentOwners.size());
     for (std::size_t i = 0; i < chosen.size(); ++i)
         _window->getParts().parts[static_cast<std::size_t>(chosen[i])].cells.visit(
             [&](int cell) { _owners[static_cast<std::size_t>(cell)] = static_cast<int>(i); });
+    // Most windows are connected by their next neighbours: look farther only if they are not.
+    for (const std::size_t numParts : {_outside.size(), MAXIMUM_PARTS})
+    {
+        while (_numConnected < std::min(_outside.size(), numParts))
+            connectOutside(std::min(_outside.size(), numParts));
+        if (isCoarser(chosen)) return true;
+    }
+    return false;
+}
+
+bool ConnectionCheck::joinsComponents(const std::vector<int>& chosen)
+{
+    return keepsConnections(chosen) && _after.numComponents < _before.numComponents;
+}
+
+/** Whether the chosen parts connect all parts that the present ones connect. */
+bool ConnectionCheck::isCoarser(const std::vector<int>& chosen)
+{
+    partition(_presentOwners, static_cast<int>(_window->getAnchors().size()), _before);
     partition(_owners, static_cast<int>(chosen.size()), _after);
     if (_after.numLoose > _before.numLoose) return false;
     _roots.assign(_outside.size(), UNKNOWN);

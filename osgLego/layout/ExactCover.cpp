@@ -50,6 +50,7 @@ int ExactCover::computePrices()
     {
         const auto begin = _users.begin() + _userStarts[static_cast<std::size_t>(cell)];
         const auto end = _users.begin() + _userStarts[static_cast<std::size_t>(cell) + 1];
+        if (begin == end) return std::numeric_limits<int>::max(); // there is no cover
         int price = std::numeric_limits<int>::max();
         for (auto user = begin; user != end; ++user)
             price = std::min(price, _reducedCosts[static_cast<std::size_t>(*user)]);
@@ -125,8 +126,9 @@ bool ExactCover::findCheaper(const WindowParts& window, int limit, int maximumNo
 {
     _window = &window;
     _numNodes = 0;
-    _limit = limit - computePrices();
-    if (_limit <= 0) return false;
+    const int prices = computePrices();
+    if (prices >= limit) return false;
+    _limit = limit - prices;
     sortParts();
     if (_known.empty()) _known.resize(NUM_KNOWN);
     ++_numSearches;

@@ -2,6 +2,8 @@
 
 #include <osgLego/layout/PartMap.h>
 
+#include <vector>
+
 namespace osgLego
 {
 
@@ -12,7 +14,10 @@ struct LayoutRegion
     int zEnd = 0;
     int yBegin = 0;
     int yEnd = 0;
-    int margin = 0; //!< layers above and below that may be read
+    int zMargin = 0; //!< layers above and below that may be read
+    int yMargin = 0; //!< rows on both sides that may be read
+    /** Of each anchor of a part that no thread changes, an anchor of its component of such parts; NONE for others. */
+    const std::vector<CellLattice::Index>* fixedComponents = nullptr;
 
     /** Whether a part lies inside. */
     bool contains(const PartMap& map, CellLattice::Index anchor) const
@@ -26,8 +31,9 @@ struct LayoutRegion
     /** Whether the part of a cell may be read. */
     bool isReadable(const CellLattice& lattice, CellLattice::Index cell) const
     {
+        const int y = lattice.getY(cell);
         const int z = lattice.getZ(cell);
-        return z >= zBegin - margin && z < zEnd + margin;
+        return z >= zBegin - zMargin && z < zEnd + zMargin && y >= yBegin - yMargin && y < yEnd + yMargin;
     }
 };
 

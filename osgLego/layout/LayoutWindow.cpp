@@ -1,6 +1,7 @@
 #include <osgLego/layout/LayoutWindow.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace osgLego
@@ -14,7 +15,7 @@ LayoutWindow::LayoutWindow(PartMap& map, const PartSizes& sizes) :
 bool LayoutWindow::improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes,
                            LayoutRandom& random)
 {
-    gather(anchor, numParts, region, random);
+    gather({&anchor, 1}, numParts, region, random);
     _window.build(random);
     if (!_cover.findCheaper(_window.getParts(), _window.getCost(), maximumNodes, _chosen)) return false;
     _connections.start(_window, region);
@@ -23,12 +24,30 @@ bool LayoutWindow::improve(Index anchor, int numParts, const LayoutRegion& regio
     return true;
 }
 
-/** Fill the window with a part and random neighbours, neighbours of these and so on. */
-void LayoutWindow::gather(Index anchor, int numParts, const LayoutRegion& region, LayoutRandom& random)
+bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegion& region, int maximumCost,
+                        LayoutRandom& random)
+{
+    constexpr int MAXIMUM_NODES = 2000;
+    const std::array anchors{_map.getAnchor(cell), _map.getAnchor(other)};
+    gather(anchors, numParts, region, random);
+    _window.build(random);
+    const int cost = _window.getCost();
+    _window.keepTogether(cell, other);
+    if (!_cover.findCheaper(_window.getParts(), cost + maximumCost, MAXIMUM_NODES, _chosen)) return false;
+    _connections.start(_window, region);
+    if (!_connections.joinsComponents(_chosen)) return false;
+    apply();
+    return true;
+}
+
+/** Fill the window with the first parts and random neighbours, neighbours of these and so on. */
+void LayoutWindow::gather(std::span<const Index> first, int numParts, const LayoutRegion& region, LayoutRandom& random)
 {
     _window.clear();
-    _frontier.assign(1, anchor);
-    _seen.assign(1, anchor);
+    _frontier.clear();
+    _seen.assign(first.begin(), first.end());
+    for (const Index anchor : first)
+        if (_window.addPart(anchor)) addFrontier(anchor, region);
     while (!_frontier.empty() && static_cast<int>(_window.getAnchors().size()) < numParts)
     {
         const std::size_t i = random.below(_frontier.size());

@@ -6,6 +6,7 @@
 #include <osgLego/layout/WindowBuilder.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace osgLego
@@ -28,8 +29,13 @@ public:
      * @return whether it changed the layout. */
     bool improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes, LayoutRandom& random);
 
+    /** Lay the parts of two neighbouring cells and some parts near them again, so that one part covers both cells, if
+     * that connects components, separates no parts and costs at most `maximumCost` more.
+     * @return whether it changed the layout. */
+    bool join(Index cell, Index other, int numParts, const LayoutRegion& region, int maximumCost, LayoutRandom& random);
+
 private:
-    void gather(Index anchor, int numParts, const LayoutRegion& region, LayoutRandom& random);
+    void gather(std::span<const Index> first, int numParts, const LayoutRegion& region, LayoutRandom& random);
     void addFrontier(Index anchor, const LayoutRegion& region);
     void apply();
 

@@ -175,6 +175,24 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
     }
 }
 
+void WindowBuilder::keepTogether(Index cell, Index other)
+{
+    const int a = findCell(cell);
+    const int b = findCell(other);
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first + 1 < _parts.starts.size(); ++first)
+    {
+        const auto begin = static_cast<std::size_t>(_parts.starts[first]);
+        const auto end = static_cast<std::size_t>(_parts.starts[first + 1]);
+        _parts.starts[first] = static_cast<int>(kept);
+        for (std::size_t i = begin; i < end; ++i)
+            if (_parts.parts[i].cells.contains(a) == _parts.parts[i].cells.contains(b))
+                _parts.parts[kept++] = _parts.parts[i];
+    }
+    _parts.starts.back() = static_cast<int>(kept);
+    _parts.parts.resize(kept);
+}
+
 int WindowBuilder::computeCost() const
 {
     int cost = 0;

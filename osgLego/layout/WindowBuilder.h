@@ -32,10 +32,13 @@ public:
     /** List the parts that could be laid, once all cells are known. The random numbers decide between equal covers. */
     void build(LayoutRandom& random);
 
+    /** Remove the parts that contain one of two cells and not the other. */
+    void keepTogether(Index cell, Index other);
+
     /** The anchors of the present parts, in the order in which they were added. */
     const std::vector<Index>& getAnchors() const { return _anchors; }
     const WindowParts& getParts() const { return _parts; }
-    /** The cost of the present parts. */
+    /** The cost of the present parts, by build(). */
     int getCost() const { return _cost; }
 
     /** The cells of the window in their order. Valid after build(). */

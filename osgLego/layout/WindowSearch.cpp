@@ -22,7 +22,7 @@ constexpr int LARGE_LAYER = 2500; // cells
 } // namespace
 
 WindowSearch::WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options) :
-    _map(map), _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 1),
+    _map(map), _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 4),
     _windows([&map, &sizes] { return LayoutWindow(map, sizes); })
 {
 }
@@ -36,7 +36,7 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
     const auto offset = static_cast<int>(_round * 5 % static_cast<std::uint32_t>(2 * _thickness));
     for (int z = layerPhase * _thickness - offset; z < numLayers; z += 2 * _thickness)
     {
-        LayoutRegion region{std::max(z, 0), std::min(z + _thickness, numLayers), 0, numRows, _thickness};
+        LayoutRegion region{std::max(z, 0), std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS, &_fixedComponents};
         if (region.zEnd <= region.zBegin) continue;
         const Index numCells = lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin);
         if (numCells == 0) continue;
@@ -56,11 +56,39 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
     return regions;
 }
 
+/** Find the components of the parts that no region contains. */
+void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
+{
+    const CellLattice& lattice = _map.getLattice();
+    const Index numCells = lattice.getNumCells();
+    _fixedComponents.resize(static_cast<std::size_t>(numCells));
+    for (Index cell = 0; cell < numCells; ++cell)
+        _fixedComponents[static_cast<std::size_t>(cell)] = _map.isAnchor(cell) ? cell : CellLattice::NONE;
+    for (const LayoutRegion& region : regions)
+        for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
+            if (_map.isAnchor(cell) && region.contains(_map, cell))
+                _fixedComponents[static_cast<std::size_t>(cell)] = CellLattice::NONE;
+    const auto isFixed = [&](Index anchor)
+    { return _fixedComponents[static_cast<std::size_t>(anchor)] != CellLattice::NONE; };
+    _components.reset(static_cast<std::size_t>(numCells));
+    for (Index cell = 0; cell < numCells; ++cell)
+    {
+        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
+        if (above == CellLattice::NONE) continue;
+        if (isFixed(_map.getAnchor(cell)) && isFixed(_map.getAnchor(above)))
+            _components.join(_map.getAnchor(cell), _map.getAnchor(above));
+    }
+    for (Index cell = 0; cell < numCells; ++cell)
+        if (isFixed(cell)) _fixedComponents[static_cast<std::size_t>(cell)] = _components.find(cell);
+}
+
 bool WindowSearch::runRound(double share, int maximumNodes)
 {
     for (int phase = 0; phase < 4; ++phase)
     {
         const std::vector<LayoutRegion> regions = makeRegions(phase % 2, phase / 2);
+        if (regions.empty()) continue;
+        findFixedComponents(regions);
         std::atomic<bool> isStopped = false;
         oneapi::tbb::parallel_for(std::size_t(0), regions.size(),
                                   [&](std::size_t i)

@@ -35,6 +35,7 @@ public:
 
 private:
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
+    void findFixedComponents(const std::vector<LayoutRegion>& regions);
     void improve(const LayoutRegion& region, double share, int maximumNodes, LayoutRandom& random);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
 
@@ -43,6 +44,8 @@ private:
     int _thickness; //!< of regions, in layers
     std::vector<bool> _isActive;
     std::uint32_t _round = 0;
+    std::vector<Index> _fixedComponents;
+    UnionFind _components;
     oneapi::tbb::enumerable_thread_specific<LayoutWindow> _windows;
 };
 

@@ -1,0 +1,75 @@
+#include <osgLego/layout/ComponentJoiner.h>
+
+#include <osgLego/layout/LayoutCosts.h>
+
+#include <array>
+
+namespace osgLego
+{
+
+ComponentJoiner::ComponentJoiner(PartMap& map, const PartSizes& sizes) : _map(map), _window(map, sizes) {}
+
+void ComponentJoiner::findComponents()
+{
+    const CellLattice& lattice = _map.getLattice();
+    _components.reset(static_cast<std::size_t>(lattice.getNumCells()));
+    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        _components.join(cell, _map.getAnchor(cell));
+        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
+        if (above != CellLattice::NONE) _components.join(cell, above);
+    }
+}
+
+/** The neighbouring cells that are in different components and may be in one part. */
+ComponentJoiner::Pairs ComponentJoiner::findPairs() const
+{
+    const CellLattice& lattice = _map.getLattice();
+    Pairs pairs;
+    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+        for (const auto side : {CellLattice::EAST, CellLattice::NORTH})
+        {
+            const Index other = lattice.getNeighbor(cell, side);
+            if (other == CellLattice::NONE || _components.find(cell) == _components.find(other)) continue;
+            if (PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) pairs.emplace_back(cell, other);
+        }
+    return pairs;
+}
+
+bool ComponentJoiner::join(Index cell, Index other, int numAttempts, LayoutRandom& random)
+{
+    constexpr int FEWEST_PARTS = 2;
+    const CellLattice& lattice = _map.getLattice();
+    const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
+    for (int attempt = 0; attempt < numAttempts; ++attempt)
+    {
+        const int numParts = FEWEST_PARTS + 2 * attempt;
+        if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
+    }
+    return false;
+}
+
+bool ComponentJoiner::joinAll(int numAttempts, LayoutRandom& random, const std::function<bool()>& isCancelled)
+{
+    for (bool hasJoined = true; hasJoined;)
+    {
+        hasJoined = false;
+        findComponents();
+        Pairs pairs = findPairs();
+        for (std::size_t i = pairs.size(); i > 1; --i)
+            std::swap(pairs[i - 1], pairs[random.below(i)]);
+        for (const auto& [cell, other] : pairs)
+        {
+            if (isCancelled && isCancelled()) return false;
+            // Parts that joined others since may have joined these too.
+            if (_components.find(cell) == _components.find(other)) continue;
+            if (_map.getAnchor(cell) == _map.getAnchor(other)) continue;
+            if (!join(cell, other, numAttempts, random)) continue;
+            _components.join(cell, other);
+            hasJoined = true;
+        }
+    }
+    return true;
+}
+
+} // namespace osgLego
