@@ -42,8 +42,8 @@ struct OSGLEGO_EXPORT BrickIntersection
     osg::ref_ptr<LegoNode> node;          //!< null for geometry that is not under a LegoNode
     osg::ref_ptr<const BrickModel> model; //!< all bricks of the node or the geometry, and their grid
     Brick brick;                          //!< the cell, colour (red, green, blue) and open sides of the brick
-    /** The part that the cell belongs to, in the model; null if the cells are not joined to parts. findPartType() names
-     * it. */
+    /** The part that the cell belongs to, in the model; findPartType() names it. Null if the cells are not joined to
+     * parts, and for geometry that createBrickScene() has divided by colours. */
     const Part* part = nullptr;
     BrickSide side = SIDE_LEFT; //!< the side that was hit; for a stud, the upper side
     bool isStud = false;        //!< whether the wall or the top of the stud was hit

@@ -4,6 +4,7 @@
 
 #include <Meshes.h>
 #include <Notices.h>
+#include <PartModels.h>
 #include <TemporaryFolder.h>
 
 #include <algorithm>
@@ -226,6 +227,26 @@ TEST_F(StoredBricks, TheySurviveWritingAgainWithAndWithoutTheOption)
     expectCar(readFile("again.osgt"), "with the option");
     ASSERT_TRUE(osgDB::writeNodeFile(*first, pathOf("again.osgx")));
     expectCar(readFile("again.osgx"), "without the option");
+}
+
+TEST_F(StoredBricks, PartsSurviveEveryVariantOfOsgsFormatAndWritingAgain)
+{
+    PartFilling filling;
+    filling.heights = {1, 3};
+    filling.colors = {{200, 30, 20}, {20, 80, 170}};
+    const osg::ref_ptr<const BrickModel> model = createParts(createPartGrid({12, 9, 6}, 0.4), filling);
+    osg::ref_ptr<LegoNode> lego = createStoredNode(*model, "12");
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("bake");
+    for (const char* name : {"parts.osgt", "parts.osgb", "parts.osgx"})
+    {
+        ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name), options)) << name;
+        const osg::ref_ptr<osg::Node> node = readFile(name);
+        lego = dynamic_cast<LegoNode*>(node.get());
+        ASSERT_TRUE(lego && lego->getStoredBricks()) << name;
+        EXPECT_TRUE(lego->getStoredBricks()->getParts() == model->getParts()) << name;
+        EXPECT_TRUE(lego->getStoredBricks()->getPartIndices() == model->getPartIndices()) << name;
+        EXPECT_TRUE(lego->getStoredBricks()->getBricks() == model->getBricks()) << name;
+    }
 }
 
 TEST_F(StoredBricks, EmptyModelsAndEmptyNodesSurvive)

@@ -1,4 +1,5 @@
 #include <osgLego/CpuLegolizer.h>
+#include <osgLego/data/BrickPoints.h>
 
 #include <GlTest.h>
 #include <Meshes.h>
@@ -117,6 +118,8 @@ protected:
                           static_cast<std::uint16_t>(layer)};
             brick.openSides = part(layer, 16);
             brick.color = {part(color, 0), part(color, 8), part(color, 16)};
+            EXPECT_EQ(layer >> 22, 0u) << "joined sides or lengths of a part";
+            EXPECT_EQ(color >> 24, NO_PART);
             bricks.push_back(brick);
         }
         return bricks;

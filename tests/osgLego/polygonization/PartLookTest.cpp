@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace osgLego::test
 {
@@ -161,6 +163,57 @@ TEST_F(PartLook, OnlyTheLookDependsOnParts)
     EXPECT_GT(countDifferent(*draw(*createStoredNode(*parts, full), WALL_VIEW),
                              *draw(*createStoredNode(*cells, full), WALL_VIEW), 4),
               1000u);
+}
+
+double meanOf(const osg::Image& image)
+{
+    double sum = 0.0;
+    for (int row = 0; row < image.t(); ++row)
+        for (int column = 0; column < image.s(); ++column)
+            sum += brightnessAt(image, column, row);
+    return sum / (image.s() * image.t());
+}
+
+/** A wall of equal parts, as wide and as high as 240 cells. */
+osg::ref_ptr<const BrickModel> createWallOf(const glm::ivec3& size)
+{
+    constexpr int LENGTH = 240;
+    std::vector<Part> parts;
+    for (int z = 0; z < LENGTH; z += size.z)
+        for (int x = 0; x < LENGTH; x += size.x)
+        {
+            Part part;
+            part.cell = {static_cast<std::uint16_t>(x), 0, static_cast<std::uint16_t>(z)};
+            part.size = {static_cast<std::uint8_t>(size.x), 1, static_cast<std::uint8_t>(size.z)};
+            part.color = {150, 150, 150};
+            parts.push_back(part);
+        }
+    return BrickModel::createOfParts(createPartGrid({LENGTH, 1, LENGTH}), parts);
+}
+
+TEST_F(PartLook, FromAfarLargePartsAreBrighterThanSmallOnesAsMuchAsFromNearby)
+{
+    // Large parts have fewer joints, which are dark; from afar, only their mean is drawn.
+    BrickAppearance appearance;
+    appearance.variation = 0.0;
+    const auto meanAt = [&](const glm::ivec3& size, double pixelsPerCell)
+    {
+        const osg::ref_ptr<LegoNode> node = createStoredNode(*createWallOf(size), "240");
+        node->setAppearance(appearance);
+        return meanOf(*draw(*node, {{120, -400, 120}, {120, 0, 120}, {0, 0, 1}, HEIGHT / pixelsPerCell}));
+    };
+    constexpr double NEAR = 12.5;
+    const glm::ivec3 small(1, 1, 1);
+    const double nearby = meanAt(small, NEAR);
+    for (const double far : {0.9, 1.5})
+    {
+        const double distant = meanAt(small, far);
+        for (const glm::ivec3& size :
+             {glm::ivec3(2, 1, 1), glm::ivec3(4, 1, 1), glm::ivec3(3, 1, 3), glm::ivec3(8, 1, 3)})
+            EXPECT_NEAR(meanAt(size, far) / distant, meanAt(size, NEAR) / nearby, 0.006)
+                << size.x << "x" << size.z << " at " << far << " pixels a cell";
+    }
+    EXPECT_GT(meanAt({8, 1, 3}, NEAR) / nearby, 1.02);
 }
 
 TEST_F(PartLook, PartsSmallerThanAPixelDoNotSparkle)
