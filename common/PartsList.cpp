@@ -167,13 +167,13 @@ void PartsList::writeWantedList(std::ostream& stream) const
 std::string PartsList::describeNeverMade() const
 {
     const std::string parts = describe(getRows(), [](const Row& row) { return !row.wasMade; });
-    return parts.empty() ? parts : parts + " were never made in their size and colour";
+    return parts.empty() ? parts : "never made in this size and colour: " + parts;
 }
 
 std::string PartsList::describeWithoutNumber() const
 {
     const std::string parts = describe(getRows(), [](const Row& row) { return row.color.brickLink < 0; });
-    return parts.empty() ? parts : parts + " have a colour without a number of BrickLink";
+    return parts.empty() ? parts : "in a colour without a number of BrickLink: " + parts;
 }
 
 } // namespace osgLego

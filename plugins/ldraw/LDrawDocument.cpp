@@ -16,6 +16,11 @@ std::optional<LDrawDocument> LDrawDocument::parse(std::string_view text, std::st
     return parser.takeDocument();
 }
 
+void LDrawDocument::setDefaultName(const std::string& name)
+{
+    if (_files.front().name.empty()) _files.front().name = name;
+}
+
 std::string LDrawDocument::normalizeName(std::string_view name)
 {
     std::string result(name);

@@ -59,6 +59,8 @@ public:
     /** Read the text of a file.
      * @return nothing, with one sentence in `error` that names the bad line, if it is not LDraw. */
     static std::optional<LDrawDocument> parse(std::string_view text, std::string& error);
+    /** Give the main model a name, if it has none. */
+    void setDefaultName(const std::string& name);
 
     /** The name of a part or a submodel as it is compared: in lower case, with slashes, and without the folder of
      * LDraw's library. */

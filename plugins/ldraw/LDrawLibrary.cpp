@@ -61,7 +61,11 @@ std::unique_ptr<LDrawDocument> LDrawLibrary::read(const std::string& name)
         const std::optional<std::string> text = readText(path, error);
         std::optional<LDrawDocument> document;
         if (text) document = LDrawDocument::parse(*text, error);
-        if (document) return std::make_unique<LDrawDocument>(std::move(*document));
+        if (document)
+        {
+            document->setDefaultName(name);
+            return std::make_unique<LDrawDocument>(std::move(*document));
+        }
         _errors.push_back("can't read '" + path + "': " + error);
         return nullptr;
     }

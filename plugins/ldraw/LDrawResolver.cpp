@@ -48,7 +48,7 @@ std::string LDrawResolver::addSurfaces(const LDrawPart& part, bool& isFound)
 std::string LDrawResolver::visit(const Visit& visit)
 {
     if (std::find(_open.begin(), _open.end(), &visit.file) != _open.end())
-        return "'" + (visit.file.name.empty() ? "the file" : visit.file.name) + "' includes itself";
+        return "'" + visit.file.name + "' includes itself";
     if (_open.size() >= DEEPEST)
         return "files include each other more than " + std::to_string(DEEPEST) + " deep; expected fewer levels";
     if (std::string why = countLines(visit.file.triangles.size()); !why.empty()) return why;

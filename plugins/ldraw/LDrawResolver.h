@@ -25,7 +25,7 @@ class LDrawResolver
 {
 public:
     static constexpr std::size_t DEEPEST = 64;            //!< files within files
-    static constexpr std::size_t MOST_LINES = 20'000'000; //!< references and triangles
+    static constexpr std::size_t MOST_LINES = 10'000'000; //!< references and triangles
 
     /** @param document and library must outlive this object. */
     LDrawResolver(const LDrawDocument& document, LDrawLibrary& library) : _document(document), _library(library) {}
