@@ -48,10 +48,11 @@ class LegoPipeline;
  * Bricks can also be stored in the node, instead of being made from a source: see setStoredBricks().
  *
  * In osgDB's native formats .osgt, .osgb and .osgx, the node is saved as its settings and its source, or its stored
- * bricks; the option "bake" stores bricks in the file instead of the source (see createBakedScene()). In other formats,
- * the bricks are saved as osg::Geometry (see createBrickScene()), by a WriteFileCallback that the first LegoNode puts
- * into osgDB's registry, in front of any existing one. A program that later sets a callback of its own calls the
- * previous one in it, or createBrickScene().
+ * bricks; the option "bake" stores bricks in the file instead of the source (see createBakedScene()). In LDraw's
+ * formats .ldr and .mpd, its parts are saved, by the plugin osgdb_ldraw. In other formats, the bricks are saved as
+ * osg::Geometry (see createBrickScene()), by a WriteFileCallback that the first LegoNode puts into osgDB's registry, in
+ * front of any existing one. A program that later sets a callback of its own calls the previous one in it, or
+ * createBrickScene().
  *
  * Parts of the source that draw something other than triangles, or that act during culling, take effect only where the
  * source itself is drawn: lights and clip planes below the node, cameras that render to textures, and paged levels of

@@ -33,6 +33,11 @@ osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::st
     return nameOrFile == "ldraw" ? getDefaultPalette() : readPaletteFile(nameOrFile, error);
 }
 
+std::span<const PaletteColor> Palette::getKnownColors()
+{
+    return osgLego::getKnownColors();
+}
+
 std::size_t Palette::findNearest(const std::array<std::uint8_t, 3>& color) const
 {
     return _table[tableEntryOf(color)];

@@ -58,6 +58,10 @@ public:
      * @return null, with one sentence in `error` that names the file and the bad line, if it can't be read. */
     static osg::ref_ptr<const Palette> read(const std::string& nameOrFile, std::string& error);
 
+    /** All solid colours of LDraw that the library knows, in the order of their codes; palettes are parts of this list.
+     */
+    static std::span<const PaletteColor> getKnownColors();
+
     std::span<const PaletteColor> getColors() const { return _colors; }
     /** The index of the colour nearest to an sRGB colour. */
     std::size_t findNearest(const std::array<std::uint8_t, 3>& color) const;

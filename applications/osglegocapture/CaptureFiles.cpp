@@ -11,6 +11,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <osgDB/FileNameUtils>
 
 namespace osgLego
 {
@@ -28,6 +29,11 @@ std::string formatOf(const std::string& fileName)
     if (output) return output->format_name();
     OIIO::geterror(); // clear the error, or the next call would get it
     return {};
+}
+
+bool isWantedList(const std::string& fileName)
+{
+    return osgDB::getLowerCaseFileExtension(fileName) == "xml";
 }
 
 CaptureError cannotWrite(const std::string& fileName, const std::string& why)
@@ -54,6 +60,13 @@ void checkPicturePlace(const std::string& fileName, bool isTransparent)
                                     "OpenImageIO supports");
     if (isTransparent && format != "png" && format != "tiff" && format != OPENEXR)
         throw cannotWrite(fileName, "its format can't store a transparent background; expected .png, .tif or .exr");
+}
+
+void checkPartsListPlace(const std::string& fileName)
+{
+    checkPlace(fileName);
+    if (!fileName.empty() && !isWantedList(fileName) && osgDB::getLowerCaseFileExtension(fileName) != "csv")
+        throw cannotWrite(fileName, "its extension is not that of a parts list; expected .csv or .xml");
 }
 
 void checkAreDistinct(const std::vector<std::string>& fileNames)
@@ -108,6 +121,18 @@ OIIO::ImageBuf toMultiplied(const OIIO::ImageBuf& picture)
     OIIO::ImageBuf multiplied = OIIO::ImageBufAlgo::premult(picture.copy(OIIO::TypeDesc::FLOAT));
     multiplied.specmod().erase_attribute(STRAIGHT_ALPHA);
     return multiplied;
+}
+
+void writePartsList(const std::string& fileName, const PartsList& list)
+{
+    writeText(fileName,
+              [&](std::ostream& stream)
+              {
+                  if (isWantedList(fileName))
+                      list.writeWantedList(stream);
+                  else
+                      list.writeCsv(stream);
+              });
 }
 
 void writeCells(const std::string& fileName, const BrickModel& model)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <common/PartsList.h>
 #include <osgLego/BrickModel.h>
 
 #include <functional>
@@ -20,6 +21,9 @@ void checkPlace(const std::string& fileName);
  * which writePicture() can write alpha. */
 void checkPicturePlace(const std::string& fileName, bool isTransparent);
 
+/** Likewise for a parts list, which is .csv or .xml. */
+void checkPartsListPlace(const std::string& fileName);
+
 /** Throws CaptureError if two names refer to the same file. Empty names are ignored. */
 void checkAreDistinct(const std::vector<std::string>& fileNames);
 
@@ -39,6 +43,9 @@ bool hasStraightAlpha(const OIIO::ImageBuf& picture);
 
 /** The picture with colours multiplied by alpha, in single precision if it had straight alpha. */
 OIIO::ImageBuf toMultiplied(const OIIO::ImageBuf& picture);
+
+/** Write a parts list in the format of its extension. Throws CaptureError. */
+void writePartsList(const std::string& fileName, const PartsList& list);
 
 /** Write a line `x,y,z,red,green,blue` for every brick. Throws CaptureError. */
 void writeCells(const std::string& fileName, const BrickModel& model);

@@ -101,10 +101,16 @@ std::string readContext(const std::string& text, ContextKind& kind)
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
-    if (options.output.empty() && options.statistics.empty() && options.cells.empty() && options.reference.empty())
-        throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells and --compare");
+    if (!options.needsContext() && options.partsList.empty())
+        throw CLI::ValidationError(
+            "nothing to do; expected one or more of -o, --stats, --cells, --parts-list and --compare");
     if (options.original && !options.cells.empty())
         throw CLI::ValidationError("--original has no cells; expected --cells without --original");
+    if (options.original && !options.partsList.empty())
+        throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
+    if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
+        throw CLI::ValidationError(
+            "--stats and --parts-list both write to standard output; expected - for one of them");
     if (hasThreshold && options.reference.empty())
         throw CLI::ValidationError("--threshold has nothing to compare; expected --compare with it");
     if (!options.readerOptions.empty() && options.mesh.empty())
@@ -148,6 +154,11 @@ Exit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 
 5 no GL that can make bricks.)";
 
 } // namespace
+
+bool CaptureOptions::needsContext() const
+{
+    return !output.empty() || !statistics.empty() || !cells.empty() || !reference.empty();
+}
 
 std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
 {
@@ -213,6 +224,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "Write counts, the grid and times as JSON; - writes them to standard output")
         ->type_name("FILE.json");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
+    app.add_option("--parts-list", options.partsList,
+                   "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "
+                   "table to standard output")
+        ->type_name("FILE");
     app.add_option("--compare", options.reference,
                    "Compare with a picture: print the differences, write a picture of them beside the output, and exit "
                    "with 1 if more than 0.1 % of the pixels are off or the mean error is more than a quarter of "

@@ -59,10 +59,14 @@ struct CaptureOptions
     ContextKind context = ContextKind::AUTO;
     std::string statistics; //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
+    std::string partsList; //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 
     static constexpr const char* STANDARD_OUTPUT = "-";
+
+    /** Whether an output needs a picture or bricks made by GL. */
+    bool needsContext() const;
 };
 
 /** Read the command line, and print help and error messages.

@@ -244,6 +244,24 @@ osg::ref_ptr<osg::Image> CaptureScene::drawTransparent(const osg::Image& image)
     return makeTransparent(*overBlack, image);
 }
 
+PartsList CaptureScene::createPartsList() const
+{
+    PartsList list;
+    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+    {
+        std::string error;
+        const osg::ref_ptr<const BrickModel> model = lego->getBricks();
+        const std::string name = lego->getSettings().getPalette();
+        const osg::ref_ptr<const Palette> palette = name == "none" ? nullptr : Palette::read(name, error);
+        if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
+        if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
+    }
+    if (list.getRows().empty())
+        throw CaptureError(EXIT_BAD_INPUT,
+                           "'" + _options.mesh + "' has no parts to list; expected parts=bricks among the settings");
+    return list;
+}
+
 double CaptureScene::estimateMemory() const
 {
     const bool hasOcclusion = _occlusion && _occlusion->getEnabled();

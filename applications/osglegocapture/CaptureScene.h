@@ -2,6 +2,7 @@
 
 #include "CaptureOptions.h"
 
+#include <common/PartsList.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
@@ -36,6 +37,8 @@ public:
 
     /** The node that makes the bricks; null if the original mesh is drawn. */
     LegoNode* getLegoNode() const { return _lego.get(); }
+    /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
+    PartsList createPartsList() const;
     /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
     double getReadingTime() const { return _readingTime; }

@@ -74,17 +74,65 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
                options.width, options.height, bytes / GIGABYTE);
 }
 
+/** Draw, and write everything that comes with a picture. */
+int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const StandardOutput* standardOutput,
+                 const OIIO::ImageBuf& reference)
+{
+    const Progress progress;
+    warnOfMemory(scene, options);
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    progress.show(options.original ? "drawing" : "legolizing and drawing");
+    const OIIO::ImageBuf picture = toImageBuf(*scene.draw(*context));
+
+    progress.show("writing");
+    if (!options.output.empty()) writePicture(options.output, picture);
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, *context); };
+    if (options.statistics == CaptureOptions::STANDARD_OUTPUT)
+        standardOutput->write(write);
+    else if (!options.statistics.empty())
+        writeText(options.statistics, write);
+    if (!options.cells.empty())
+        writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
+    progress.clear();
+    if (const LegoNode* lego = scene.getLegoNode())
+        if (const auto layout = lego->getStatistics(context->getState()->getContextID()).layout)
+            fmt::print("{}\n", layout->toString());
+    if (options.reference.empty()) return EXIT_FINE;
+    return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
+                                                                                                  : EXIT_DIFFERENT;
+}
+
+void writePartsList(const CaptureOptions& options, const CaptureScene& scene, const StandardOutput* standardOutput)
+{
+    const PartsList list = scene.createPartsList();
+    if (options.partsList == CaptureOptions::STANDARD_OUTPUT)
+        standardOutput->write([&list](std::ostream& stream) { list.writeCsv(stream); });
+    else
+        writePartsList(options.partsList, list);
+    for (const std::string& warning : {list.describeNeverMade(), list.describeWithoutNumber()})
+        if (!warning.empty()) fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
+}
+
+/** The name of a file; empty if the text is written to standard output. */
+std::string toFileName(const std::string& name)
+{
+    return name == CaptureOptions::STANDARD_OUTPUT ? std::string() : name;
+}
+
 int capture(const CaptureOptions& options)
 {
-    const bool statisticsToOutput = options.statistics == CaptureOptions::STANDARD_OUTPUT;
     std::optional<StandardOutput> standardOutput;
-    if (statisticsToOutput) standardOutput.emplace();
+    if (options.statistics == CaptureOptions::STANDARD_OUTPUT || options.partsList == CaptureOptions::STANDARD_OUTPUT)
+        standardOutput.emplace();
+    const StandardOutput* output = standardOutput ? &*standardOutput : nullptr;
     // Check before the work, which may take long.
-    const std::string statisticsFile = statisticsToOutput ? std::string() : options.statistics;
+    const std::string statisticsFile = toFileName(options.statistics);
+    const std::string partsFile = toFileName(options.partsList);
     checkPicturePlace(options.output, options.transparent);
     checkPlace(statisticsFile);
     checkPlace(options.cells);
-    checkAreDistinct({options.output, statisticsFile, options.cells});
+    checkPartsListPlace(partsFile);
+    checkAreDistinct({options.output, statisticsFile, options.cells, partsFile});
 
     OIIO::ImageBuf reference;
     if (!options.reference.empty())
@@ -101,25 +149,8 @@ int capture(const CaptureOptions& options)
     progress.show("reading");
     CaptureScene scene(options);
     progress.clear();
-    warnOfMemory(scene, options);
-    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-    progress.show(options.original ? "drawing" : "legolizing and drawing");
-    const OIIO::ImageBuf picture = toImageBuf(*scene.draw(*context));
-
-    progress.show("writing");
-    if (!options.output.empty()) writePicture(options.output, picture);
-    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, *context); };
-    if (standardOutput) standardOutput->write(write);
-    if (!statisticsFile.empty()) writeText(statisticsFile, write);
-    if (!options.cells.empty())
-        writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
-    progress.clear();
-    if (const LegoNode* lego = scene.getLegoNode())
-        if (const auto layout = lego->getStatistics(context->getState()->getContextID()).layout)
-            fmt::print("{}\n", layout->toString());
-    if (options.reference.empty()) return EXIT_FINE;
-    return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
-                                                                                                  : EXIT_DIFFERENT;
+    if (!options.partsList.empty()) writePartsList(options, scene, output);
+    return options.needsContext() ? drawAndWrite(options, scene, output, reference) : EXIT_FINE;
 }
 
 #if !defined(OSGLEGO_OSMESA)

@@ -66,6 +66,8 @@ constexpr std::array<std::string_view, 4> COLORS_BY_VERTEX{"flt", "ive", "osg", 
 constexpr std::array<std::string_view, 3> NO_COLORS{"3dc", "sta", "stl"};
 // Formats whose writers ignore osg::Geometry or, like Debian's for .dae, report success without writing any file.
 constexpr std::array<std::string_view, 3> NO_GEOMETRY{"dae", "iv", "wrl"};
+// Formats of this project's plugins, which write the parts of LegoNodes.
+constexpr std::array<std::string_view, 2> PARTS{"ldr", "mpd"};
 
 BrickColors colorsOf(const std::string& format)
 {
@@ -106,7 +108,7 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node,
 {
     const std::string format = formatOf(fileName);
     if (storesNodes(format) && mustBake(options)) return writeBaked(node, fileName, *options, write);
-    if (storesNodes(format)) return write(node, options);
+    if (storesNodes(format) || isOneOf(PARTS, format)) return write(node, options);
     const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));
     if (scene != &node && isOneOf(NO_GEOMETRY, format))
         return WriteResult("osgLego: OpenSceneGraph's writer of ." + format + " leaves bricks out; expected " +

@@ -1,0 +1,166 @@
+#include "LDrawBricks.h"
+
+#include <algorithm>
+#include <bitset>
+#include <limits>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int BRICK_PLATES = 3;
+
+struct PlacedBox
+{
+    const LDrawPart* part;
+    LatticeBox box;
+};
+
+struct Extent
+{
+    glm::ivec3 lowest{std::numeric_limits<int>::max()};
+    glm::ivec3 end{std::numeric_limits<int>::min()};
+    bool areBricks = true; // all of them bricks, in common layers
+
+    explicit Extent(const std::vector<PlacedBox>& boxes)
+    {
+        for (const PlacedBox& placed : boxes)
+        {
+            lowest = glm::min(lowest, placed.box.place);
+            end = glm::max(end, placed.box.place + placed.box.size);
+        }
+        areBricks = std::all_of(boxes.begin(), boxes.end(),
+                                [this](const PlacedBox& placed) {
+                                    return placed.box.size.z == BRICK_PLATES &&
+                                           (placed.box.place.z - lowest.z) % BRICK_PLATES == 0;
+                                });
+    }
+};
+
+/** Notes which cells are taken, in blocks, so that parts far from each other need no memory for the cells between. */
+class TakenCells
+{
+public:
+    /** Take the cells of a box. @return false, and no change, if one of them is taken. */
+    bool take(const glm::ivec3& place, const glm::ivec3& size)
+    {
+        if (!forEach(place, size, [](auto& block, std::size_t bit) { return !block[bit]; })) return false;
+        return forEach(place, size,
+                       [](auto& block, std::size_t bit)
+                       {
+                           block.set(bit);
+                           return true;
+                       });
+    }
+
+private:
+    static constexpr int SIDE = 8;
+    using Block = std::bitset<SIDE * SIDE * SIDE>;
+
+    template <typename Function>
+    bool forEach(const glm::ivec3& place, const glm::ivec3& size, const Function& function)
+    {
+        for (int z = place.z; z < place.z + size.z; ++z)
+            for (int y = place.y; y < place.y + size.y; ++y)
+                for (int x = place.x; x < place.x + size.x; ++x)
+                {
+                    const auto blockOf = [](int cell) { return static_cast<std::uint64_t>(cell / SIDE); };
+                    const int bit = x % SIDE + SIDE * (y % SIDE + SIDE * (z % SIDE));
+                    Block& block = _blocks[blockOf(x) << 40 | blockOf(y) << 20 | blockOf(z)];
+                    if (!function(block, static_cast<std::size_t>(bit))) return false;
+                }
+        return true;
+    }
+
+    std::unordered_map<std::uint64_t, Block> _blocks;
+};
+
+std::string findObstacle(const glm::ivec3& cells)
+{
+    constexpr int WIDEST = static_cast<int>(LegoSettings::MAXIMUM_RESOLUTION);
+    if (cells.x <= WIDEST && cells.y <= WIDEST && cells.z <= LegoSettings::MAXIMUM_LAYERS) return {};
+    const auto textOf = [](int x, int y, int z)
+    { return std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z); };
+    return "its parts reach over " + textOf(cells.x, cells.y, cells.z) + " cells; expected at most " +
+           textOf(WIDEST, WIDEST, LegoSettings::MAXIMUM_LAYERS);
+}
+
+BrickGrid createGrid(const LDrawLattice& lattice, const Extent& extent)
+{
+    const glm::ivec3 divisor(1, 1, extent.areBricks ? BRICK_PLATES : 1);
+    BrickGrid grid;
+    grid.upAxis = UpAxis::Z;
+    grid.dimensions = (extent.end - extent.lowest) / divisor;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double cell = LDrawBricks::MILLIMETRES * LATTICE_CELL[static_cast<std::size_t>(axis)];
+        grid.cellSize[axis] = cell * divisor[axis];
+        grid.origin[axis] = LDrawBricks::MILLIMETRES * lattice.getOrigin()[axis] + cell * extent.lowest[axis];
+    }
+    return grid;
+}
+
+Part toPart(const glm::ivec3& cell, const glm::ivec3& size)
+{
+    Part part;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        part.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(cell[axis]);
+        part.size[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(size[axis]);
+    }
+    return part;
+}
+
+void setColor(Part& part, std::int32_t value, const LDrawColors& colors, std::vector<std::int32_t>& unknown)
+{
+    const std::optional<LDrawColors::Color> color = colors.find(value);
+    part.color = color.value_or(LDrawColors::UNKNOWN);
+    if (LDrawColors::isDirect(value) || value == LDrawDocument::MAIN_COLOR) return;
+    part.colorCode = value; // kept for writers, even if its colour is not known
+    if (!color && std::find(unknown.begin(), unknown.end(), value) == unknown.end()) unknown.push_back(value);
+}
+
+} // namespace
+
+LDrawBricks LDrawBricks::create(std::span<const LDrawPart> parts, const LDrawColors& colors, std::string& error)
+{
+    LDrawBricks result;
+    const LDrawLattice lattice = LDrawLattice::find(parts);
+    std::vector<PlacedBox> boxes;
+    for (const LDrawPart& part : parts)
+    {
+        if (const std::optional<LatticeBox> box = lattice.toBox(part))
+            boxes.push_back({&part, *box});
+        else
+            result.offLattice.push_back(part);
+    }
+    if (boxes.empty()) return result;
+    const Extent extent(boxes);
+    const BrickGrid grid = createGrid(lattice, extent);
+    error = findObstacle(grid.dimensions);
+    if (!error.empty()) return result;
+
+    TakenCells taken;
+    std::vector<Part> laid;
+    const glm::ivec3 divisor(1, 1, extent.areBricks ? BRICK_PLATES : 1);
+    for (const PlacedBox& placed : boxes)
+    {
+        Part part = toPart((placed.box.place - extent.lowest) / divisor, placed.box.size / divisor);
+        if (!taken.take(part.getCell(), part.getSize()))
+        {
+            result.overlapping.push_back(*placed.part);
+            continue;
+        }
+        setColor(part, placed.part->color, colors, result.unknownColors);
+        laid.push_back(part);
+    }
+    result.model = BrickModel::createOfParts(grid, std::move(laid));
+    return result;
+}
+
+} // namespace osgLego

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "LDrawLattice.h"
+
+#include <osgLego/BrickModel.h>
+
+#include <glm/mat4x4.hpp>
+
+namespace osgLego
+{
+
+/** The coordinates of a model in LDraw: those with the origin at the centre of the lowest layer, y downwards. */
+class LDrawFrame
+{
+public:
+    /** @param model has at least one part. */
+    explicit LDrawFrame(const BrickModel& model);
+
+    /** The cells of a part, counted from the lowest that any part covers: x and y horizontal, z upwards, in studs and
+     * plates. */
+    LatticeBox toBox(const Part& part) const;
+    /** A part of the model in its place. */
+    LDrawTransform getTransform(const Part& part) const;
+    /** From these coordinates, in LDU, to those of the model's grid. */
+    glm::dmat4 getModelTransform() const;
+
+private:
+    LatticeBox toGridBox(const Part& part) const;
+
+    const BrickGrid& _grid;
+    int _plates; // the height of a cell
+    glm::ivec3 _lowest;
+    glm::ivec3 _end;
+};
+
+} // namespace osgLego

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "LDrawDocument.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace osgLego
+{
+
+/** The files that a document may refer to: those in its own folder, and those of LDraw's part library. Each file is
+ * read once. One thread. */
+class LDrawLibrary
+{
+public:
+    /** @param modelFolder the folder of the document; empty: the current one.
+     * @param libraryFolder that of the library, with the folders parts, p and models in it; empty if there is none. */
+    LDrawLibrary(const std::string& modelFolder, const std::string& libraryFolder);
+
+    bool hasParts() const { return _hasParts; }
+    /** A file by its normalized name; null if there is none, or if it can't be read. */
+    const LDrawDocument* find(const std::string& name);
+    /** The definitions of colours in the library's LDConfig.ldr. */
+    std::vector<LDrawColorDefinition> readColors() const;
+    /** For each file that exists and can't be read, one sentence that names it. */
+    const std::vector<std::string>& getErrors() const { return _errors; }
+
+private:
+    std::unique_ptr<LDrawDocument> read(const std::string& name);
+
+    std::vector<std::string> _folders;
+    std::string _libraryFolder;
+    bool _hasParts;
+    std::map<std::string, std::unique_ptr<LDrawDocument>> _documents;
+    std::vector<std::string> _errors;
+};
+
+/** The content of a file. @return nothing, with the reason in `error`, if it can't be read. */
+std::optional<std::string> readText(const std::string& path, std::string& error);
+
+} // namespace osgLego

@@ -1,0 +1,114 @@
+#include "LDrawReader.h"
+
+#include "LDrawGeometry.h"
+
+#include <osgLego/AmbientOcclusionScene.h>
+#include <osgLego/LegoNode.h>
+
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using Counts = std::map<std::string, std::size_t>;
+
+Counts countByName(const std::vector<LDrawPart>& parts)
+{
+    Counts counts;
+    for (const LDrawPart& part : parts)
+        ++counts[std::string(part.type->number) + ".dat"];
+    return counts;
+}
+
+std::string join(const Counts& counts)
+{
+    std::string list;
+    for (const auto& [name, count] : counts)
+        list += (list.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    return list;
+}
+
+osg::ref_ptr<osg::Node> createLegoNode(const std::string& name, const BrickModel& model)
+{
+    LegoSettings settings;
+    settings.proportions = getCellPlates(model.getGrid()) == 1 ? Proportions::PLATE : Proportions::BRICK;
+    settings.parts = PartSet::BRICKS;
+    osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+    lego->setName(name);
+    lego->setStoredBricks(&model);
+    return lego;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Node> LDrawReader::read(const std::string& text, std::string& error)
+{
+    const std::optional<LDrawDocument> document = LDrawDocument::parse(text, error);
+    if (!document) return nullptr;
+    LDrawResolver resolver(*document, _library);
+    error = resolver.resolve();
+    if (!error.empty()) return nullptr;
+    LDrawColors colors;
+    colors.add(_library.readColors());
+    colors.add(document->getColors());
+    LDrawBricks bricks = LDrawBricks::create(resolver.getParts(), colors, error);
+    if (error.empty()) error = addSurfaces(bricks.offLattice, resolver);
+    if (!error.empty()) return nullptr;
+    addWarnings(bricks, resolver);
+    if (bricks.model || !resolver.getTriangles().empty()) return createScene(bricks, resolver, colors);
+    error = "it has no bricks or plates; expected parts such as 3001.dat";
+    if (!_library.hasParts() && !resolver.getMissing().empty())
+        error += ", or LDRAWDIR as the folder of a part library";
+    _warnings.clear(); // the error says the same
+    return nullptr;
+}
+
+std::string LDrawReader::addSurfaces(const std::vector<LDrawPart>& parts, LDrawResolver& resolver)
+{
+    std::vector<LDrawPart> drawn;
+    std::vector<LDrawPart> leftOut;
+    for (const LDrawPart& part : parts)
+    {
+        bool isFound = false;
+        if (std::string why = resolver.addSurfaces(part, isFound); !why.empty()) return why;
+        (isFound ? drawn : leftOut).push_back(part);
+    }
+    constexpr const char* WHY = "are inclined or between the studs of the others";
+    if (!drawn.empty())
+        _warnings.push_back("these parts " + std::string(WHY) +
+                            " and are drawn as surfaces: " + join(countByName(drawn)));
+    if (!leftOut.empty())
+        _warnings.push_back("these parts " + std::string(WHY) + " and are left out: " + join(countByName(leftOut)));
+    return {};
+}
+
+void LDrawReader::addWarnings(const LDrawBricks& bricks, const LDrawResolver& resolver)
+{
+    if (!bricks.overlapping.empty())
+        _warnings.push_back("these parts overlap others and are left out: " + join(countByName(bricks.overlapping)));
+    for (const std::string& why : _library.getErrors())
+        _warnings.push_back(why);
+    if (!resolver.getMissing().empty())
+        _warnings.push_back("these parts are not known and are left out: " + join(resolver.getMissing()) +
+                            (_library.hasParts() ? "" : "; LDRAWDIR may name the folder of a part library"));
+    if (bricks.unknownColors.empty()) return;
+    std::string list;
+    for (const std::int32_t color : bricks.unknownColors)
+        list += (list.empty() ? "" : ", ") + std::to_string(color);
+    _warnings.push_back("these colours are not known and are shown in grey: " + list);
+}
+
+osg::ref_ptr<osg::Node> LDrawReader::createScene(const LDrawBricks& bricks, const LDrawResolver& resolver,
+                                                 const LDrawColors& colors) const
+{
+    osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
+    scene->setName(_name);
+    if (bricks.model) scene->addChild(createLegoNode(_name, *bricks.model));
+    if (!resolver.getTriangles().empty()) scene->addChild(createLDrawGeometry(resolver.getTriangles(), colors));
+    return scene;
+}
+
+} // namespace osgLego

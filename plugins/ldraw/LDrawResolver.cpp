@@ -1,0 +1,106 @@
+#include "LDrawResolver.h"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The type of a part with a normalized name; null if it is not one of the known types. */
+const PartType* findTypeOf(const std::string& name)
+{
+    constexpr std::string_view EXTENSION = ".dat";
+    static const std::unordered_map<std::string_view, const PartType*> types = []
+    {
+        std::unordered_map<std::string_view, const PartType*> result;
+        for (const PartType& type : getPartTypes())
+            result[type.number] = &type;
+        return result;
+    }();
+    if (!name.ends_with(EXTENSION)) return nullptr;
+    const auto found = types.find(std::string_view(name).substr(0, name.size() - EXTENSION.size()));
+    return found == types.end() ? nullptr : found->second;
+}
+
+std::int32_t inherit(std::int32_t color, std::int32_t outer)
+{
+    return color == LDrawDocument::MAIN_COLOR || color == LDrawDocument::EDGE_COLOR ? outer : color;
+}
+
+} // namespace
+
+std::string LDrawResolver::resolve()
+{
+    return visit({_document, _document.getMain(), {}, LDrawDocument::MAIN_COLOR});
+}
+
+std::string LDrawResolver::addSurfaces(const LDrawPart& part, bool& isFound)
+{
+    const LDrawDocument* document = _library.find(std::string(part.type->number) + ".dat");
+    isFound = document != nullptr;
+    return document ? visit({*document, document->getMain(), part.transform, part.color}) : std::string();
+}
+
+std::string LDrawResolver::visit(const Visit& visit)
+{
+    if (std::find(_open.begin(), _open.end(), &visit.file) != _open.end())
+        return "'" + visit.file.name + "' includes itself";
+    if (_open.size() >= DEEPEST)
+        return "files include each other more than " + std::to_string(DEEPEST) + " deep; expected fewer levels";
+    if (std::string why = countLines(visit.file.triangles.size()); !why.empty()) return why;
+    _open.push_back(&visit.file);
+    addTriangles(visit);
+    for (const LDrawReference& reference : visit.file.references)
+        if (std::string why = visitReference(visit, reference); !why.empty()) return why;
+    _open.pop_back();
+    return {};
+}
+
+std::string LDrawResolver::visitReference(const Visit& visit, const LDrawReference& reference)
+{
+    if (std::string why = countLines(1); !why.empty()) return why;
+    const std::string& name = visit.document.getName(reference);
+    const LDrawTransform transform = visit.transform * reference.transform;
+    const std::int32_t color = inherit(reference.color, visit.color);
+    if (const PartType* type = findTypeOf(name))
+    {
+        _parts.push_back({type, transform, color});
+        return {};
+    }
+    return visitFile({visit.document, visit.file, transform, color}, name);
+}
+
+/** Visit a file that is referred to from another one, of which `outer` has the document. */
+std::string LDrawResolver::visitFile(const Visit& outer, const std::string& name)
+{
+    if (const LDrawFile* file = outer.document.find(name))
+        return visit({outer.document, *file, outer.transform, outer.color});
+    if (const LDrawDocument* document = _library.find(name))
+        return visit({*document, document->getMain(), outer.transform, outer.color});
+    ++_missing[name];
+    return {};
+}
+
+void LDrawResolver::addTriangles(const Visit& visit)
+{
+    for (const LDrawTriangle& triangle : visit.file.triangles)
+    {
+        LDrawTriangle& added = _triangles.emplace_back(triangle);
+        added.color = inherit(triangle.color, visit.color);
+        for (glm::dvec3& corner : added.corners)
+            corner = visit.transform * corner;
+    }
+}
+
+std::string LDrawResolver::countLines(std::size_t lines)
+{
+    _numLines += lines;
+    if (_numLines <= MOST_LINES) return {};
+    return "its submodels add up to more than " + std::to_string(MOST_LINES) + " lines; expected fewer";
+}
+
+} // namespace osgLego

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "LDrawTransform.h"
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Palette.h>
+
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <osg/Node>
+
+namespace osgLego
+{
+
+/** The parts of a LegoNode, to be written. */
+struct LDrawModel
+{
+    osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
+    std::string title;                     //!< the node's name; may be empty
+    std::string settings;
+    osg::ref_ptr<const Palette> palette; //!< null if any colour was allowed
+};
+
+/** A model in its place. */
+struct LDrawPlacement
+{
+    std::size_t model = 0; //!< an index into LDrawScene::models
+    /** From LDraw's coordinates of the model, with the origin at the centre of its lowest layer, to those of the first
+     * placement's. */
+    LDrawTransform transform;
+};
+
+/** The visible LegoNodes of a scene, for a file of LDraw. The first of them determines the axes and the scale of the
+ * file, so that its studs point upwards whatever transforms are above it. */
+struct LDrawScene
+{
+    std::vector<LDrawModel> models;
+    std::vector<LDrawPlacement> placements;
+    std::vector<std::string> warnings; //!< for each loss, one sentence
+
+    /** @return false, with one sentence in `error`, if there are no bricks, or if parts can't represent them. */
+    static bool create(const osg::Node& node, LDrawScene& scene, std::string& error);
+};
+
+} // namespace osgLego

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "LDrawScene.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace osgLego
+{
+
+/** Writes the models of a scene in LDraw's format. One thread. */
+class LDrawWriter
+{
+public:
+    /** @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
+     * models are submodels of a main model. The scene must outlive this object. */
+    LDrawWriter(const LDrawScene& scene, const std::string& fileName);
+
+    void write(std::ostream& stream) const;
+
+    /** Whether a text that write() has written, or the file with it, contains all parts, each in its cells and colour.
+     * @return one sentence on the first difference; empty if there is none. */
+    std::string check(std::string_view text) const;
+
+private:
+    void writeMainOfMany(std::ostream& stream) const;
+    void writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model) const;
+    std::string nameOf(std::size_t model) const;
+
+    const LDrawScene& _scene;
+    std::string _stem;
+    std::string _extension;
+};
+
+} // namespace osgLego

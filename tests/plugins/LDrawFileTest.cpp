@@ -1,0 +1,99 @@
+#include <osgLego/LegoNode.h>
+
+#include <Notices.h>
+#include <PartModels.h>
+#include <TemporaryFolder.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Reads and writes files through osgDB. */
+class LDrawFile : public TemporaryFolderTest
+{
+protected:
+    static osg::ref_ptr<LegoNode> createModel()
+    {
+        PartFilling filling;
+        filling.heights = {1, 3};
+        const osg::ref_ptr<const BrickModel> model = createParts(createPartGrid({9, 8, 7}, 0.4), filling);
+        return createStoredNode(*model, "parts=bricks,proportions=plate");
+    }
+
+    static osg::ref_ptr<const BrickModel> bricksOf(const osg::ref_ptr<osg::Node>& node)
+    {
+        const auto* lego = node ? dynamic_cast<const LegoNode*>(node->asGroup()->getChild(0)) : nullptr;
+        return lego ? lego->getStoredBricks() : nullptr;
+    }
+};
+
+TEST_F(LDrawFile, PartsSurviveBothFormats)
+{
+    const osg::ref_ptr<LegoNode> lego = createModel();
+    for (const char* name : {"a.ldr", "b.mpd", "C D.LDR"})
+    {
+        ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name))) << name;
+        const osg::ref_ptr<const BrickModel> back = bricksOf(osgDB::readRefNodeFile(pathOf(name)));
+        ASSERT_TRUE(back) << name;
+        const std::vector<Part>& parts = lego->getBricks()->getParts();
+        ASSERT_EQ(back->getParts().size(), parts.size());
+        for (std::size_t index = 0; index < parts.size(); ++index)
+        {
+            EXPECT_EQ(back->getParts()[index].cell, parts[index].cell);
+            EXPECT_EQ(back->getParts()[index].size, parts[index].size);
+            EXPECT_EQ(back->getParts()[index].colorCode, parts[index].colorCode);
+        }
+    }
+    EXPECT_EQ(countFiles(), 3u) << "no temporary file is left";
+}
+
+TEST_F(LDrawFile, AModelThatCannotBeWrittenLeavesTheOldFile)
+{
+    ASSERT_TRUE(osgDB::writeNodeFile(*createModel(), pathOf("a.ldr")));
+    const std::string before = contentsOf(pathOf("a.ldr"));
+    const auto cubes = BrickModel::create(createPartGrid({1, 1, 1}), {{{0, 0, 0}, {1, 2, 3}}});
+    bool isWritten = true;
+    const std::string said =
+        noticesOf([&] { isWritten = osgDB::writeNodeFile(*createStoredNode(*cubes, "8"), pathOf("a.ldr")); });
+    EXPECT_FALSE(isWritten);
+    EXPECT_NE(said.find("expected proportions=brick or plate"), std::string::npos) << said;
+    EXPECT_EQ(contentsOf(pathOf("a.ldr")), before);
+    EXPECT_EQ(countFiles(), 1u);
+}
+
+TEST_F(LDrawFile, AFolderThatDoesNotExistIsAnError)
+{
+    const std::string said = noticesOf([&] { osgDB::writeNodeFile(*createModel(), pathOf("none/a.ldr")); });
+    EXPECT_NE(said.find("there is no folder"), std::string::npos) << said;
+}
+
+TEST_F(LDrawFile, FilesThatAreNotLDrawGiveOneMessageAndNoNode)
+{
+    std::ofstream(pathOf("solid.ldr")) << "solid cube\nfacet normal 0 0 1\n";
+    osg::ref_ptr<osg::Node> node;
+    const std::string said = noticesOf([&] { node = osgDB::readRefNodeFile(pathOf("solid.ldr")); });
+    EXPECT_FALSE(node);
+    EXPECT_NE(said.find("solid.ldr': line 1: it begins with 'solid'"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+TEST_F(LDrawFile, WarningsNameTheFile)
+{
+    std::ofstream(pathOf("odd.ldr")) << "1 4 0 0 0 1 0 0 0 1 0 0 0 1 3005.dat\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 wheel.dat\n";
+    osg::ref_ptr<osg::Node> node;
+    const std::string said = noticesOf([&] { node = osgDB::readRefNodeFile(pathOf("odd.ldr")); });
+    EXPECT_TRUE(bricksOf(node));
+    EXPECT_NE(said.find("odd.ldr': these parts are not known and are left out: wheel.dat"), std::string::npos) << said;
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,277 @@
+#include <ldraw/LDrawWriter.h>
+
+#include <osgLego/LegoNode.h>
+#include <osgLego/PartType.h>
+
+#include <PartModels.h>
+
+#include <cmath>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <osg/MatrixTransform>
+#include <osg/Switch>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+Part makePart(const std::array<std::uint16_t, 3>& cell, const std::array<std::uint8_t, 3>& size, std::int32_t code)
+{
+    return {cell, size, {200, 30, 20}, code};
+}
+
+/** A node of parts. @param height of a cell; a brick's or a plate's. */
+osg::ref_ptr<LegoNode> createNode(const glm::ivec3& dimensions, std::vector<Part> parts, double height = 1.2,
+                                  UpAxis up = UpAxis::Z)
+{
+    const auto model = BrickModel::createOfParts(createPartGrid(dimensions, height, up), std::move(parts));
+    return createStoredNode(*model, "parts=bricks");
+}
+
+struct Written
+{
+    LDrawScene scene;
+    std::string text;
+
+    /** The lines that place parts, without ends of lines. */
+    std::vector<std::string> getReferences() const { return getLines('1'); }
+
+    std::vector<std::string> getLines(char type) const
+    {
+        std::vector<std::string> lines;
+        std::istringstream stream(text);
+        for (std::string line; std::getline(stream, line);)
+            if (line.front() == type) lines.push_back(line.substr(0, line.find_last_not_of('\r') + 1));
+        return lines;
+    }
+};
+
+Written write(const osg::Node& node, const std::string& name = "a.ldr")
+{
+    Written written;
+    std::string error;
+    EXPECT_TRUE(LDrawScene::create(node, written.scene, error)) << error;
+    std::ostringstream stream;
+    const LDrawWriter writer(written.scene, name);
+    writer.write(stream);
+    written.text = stream.str();
+    EXPECT_EQ(writer.check(written.text), "");
+    return written;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(LDrawWriter, PlacesTheTopOfEachPartWithItsLongSideAlongItsAxis)
+{
+    // A 2 x 4 brick along x on the floor, and above its left end a 2 x 3 along y.
+    const auto node = createNode({4, 3, 2}, {makePart({0, 0, 0}, {4, 2, 1}, 4), makePart({0, 0, 1}, {2, 3, 1}, 14)});
+    EXPECT_EQ(write(*node).getReferences(),
+              (Lines{"1 4 0 -24 -10 1 0 0 0 1 0 0 0 1 3001.dat", "1 14 -20 -48 0 0 0 1 0 1 0 -1 0 0 3002.dat"}));
+}
+
+TEST(LDrawWriter, WritesTheSameFileForModelsWithYUpwards)
+{
+    // The brick above, turned so that the model's y is up and z towards the viewer: depth y becomes -z.
+    const auto node =
+        createNode({4, 2, 3}, {makePart({0, 0, 1}, {4, 1, 2}, 4), makePart({0, 1, 0}, {2, 1, 3}, 14)}, 1.2, UpAxis::Y);
+    EXPECT_EQ(write(*node).getReferences(),
+              (Lines{"1 4 0 -24 -10 1 0 0 0 1 0 0 0 1 3001.dat", "1 14 -20 -48 0 0 0 1 0 1 0 -1 0 0 3002.dat"}));
+}
+
+TEST(LDrawWriter, TheOriginIsTheCentreOfTheLowestPartsWhereverTheyAreInTheGrid)
+{
+    const auto node = createNode({40, 30, 20}, {makePart({21, 11, 7}, {1, 2, 1}, 0)});
+    EXPECT_EQ(write(*node).getReferences(), (Lines{"1 0 0 -24 0 0 0 1 0 1 0 -1 0 0 3004.dat"}));
+}
+
+TEST(LDrawWriter, CountsHeightsInPlates)
+{
+    const auto node = createNode(
+        {1, 1, 5},
+        {makePart({0, 0, 0}, {1, 1, 1}, 1), makePart({0, 0, 1}, {1, 1, 3}, 2), makePart({0, 0, 4}, {1, 1, 1}, 1)}, 0.4);
+    EXPECT_EQ(write(*node).getReferences(),
+              (Lines{"1 1 0 -8 0 1 0 0 0 1 0 0 0 1 3024.dat", "1 2 0 -32 0 1 0 0 0 1 0 0 0 1 3005.dat",
+                     "1 1 0 -40 0 1 0 0 0 1 0 0 0 1 3024.dat"}));
+}
+
+TEST(LDrawWriter, EndsAStepAfterEachLayer)
+{
+    const auto node = createNode({3, 1, 4}, {makePart({0, 0, 0}, {1, 1, 1}, 1), makePart({0, 0, 3}, {1, 1, 1}, 1),
+                                             makePart({2, 0, 0}, {1, 1, 1}, 1), makePart({1, 0, 1}, {1, 1, 1}, 1)});
+    std::string order;
+    std::istringstream stream(write(*node).text);
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with("1 "))
+            order += "p";
+        else if (line == "0 STEP\r")
+            order += "|";
+    EXPECT_EQ(order, "pp|p|p|");
+}
+
+TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
+{
+    Part part = makePart({0, 0, 0}, {1, 1, 1}, Part::NO_CODE);
+    part.color = {1, 171, 255};
+    const Written written = write(*createNode({1, 1, 1}, {part}));
+    EXPECT_EQ(written.getReferences(), (Lines{"1 0x201abff 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat"}));
+    EXPECT_EQ(written.scene.warnings, (Lines{"never made in this size and colour: 1 part (Brick 1 x 1 in #01ABFF)"}));
+}
+
+TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorLicenceAndSettings)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
+    node->setName("two\nlines");
+    const Lines lines = write(*node, "/some/where/My Car.LDR").getLines('0');
+    ASSERT_GE(lines.size(), 6u);
+    EXPECT_EQ(lines[0], "0 two lines");
+    EXPECT_EQ(lines[1], "0 Name: My Car.ldr");
+    EXPECT_EQ(lines[2], "0 Author: osgLego");
+    EXPECT_TRUE(lines[4].starts_with("0 !LICENSE "));
+    EXPECT_EQ(lines[5], "0 // Settings of osgLego: " + node->getSettings().toString());
+}
+
+TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
+{
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+        for (std::uint32_t seed = 1; seed < 6; ++seed)
+        {
+            PartFilling filling;
+            filling.heights = {1, 3};
+            filling.colors = {{0x1b, 0x2a, 0x34}, {0x1e, 0x5a, 0xa8}, {0x00, 0x85, 0x2b}};
+            filling.seed = seed;
+            filling.isCovered = [](const glm::ivec3& cell) { return (cell.x + cell.y) % 11 != 0; };
+            const auto model = createParts(createPartGrid({17, 14, 15}, 0.4, up), filling);
+            const Written written = write(*createStoredNode(*model, "parts=bricks,proportions=plate"));
+            EXPECT_EQ(written.getReferences().size(), model->getParts().size());
+        }
+}
+
+TEST(LDrawWriter, CheckNoticesEveryKindOfDifference)
+{
+    const auto node = createNode({4, 3, 2}, {makePart({0, 0, 0}, {4, 2, 1}, 4), makePart({0, 0, 1}, {2, 3, 1}, 14)});
+    const Written written = write(*node);
+    const LDrawWriter writer(written.scene, "a.ldr");
+    const auto isNoticed = [&](const std::string& from, const std::string& to)
+    {
+        std::string text = written.text;
+        const auto place = text.find(from);
+        EXPECT_NE(place, std::string::npos) << from;
+        return !writer.check(text.replace(place, from.size(), to)).empty();
+    };
+    EXPECT_TRUE(isNoticed("1 14 ", "1 15 ")) << "a colour";
+    EXPECT_TRUE(isNoticed("-20 -48 0", "0 -48 0")) << "a place";
+    EXPECT_TRUE(isNoticed("-20 -48 0", "-20 -72 0")) << "a height";
+    EXPECT_TRUE(isNoticed("0 0 1 0 1 0 -1 0 0 3002", "1 0 0 0 1 0 0 0 1 3002")) << "a direction";
+    EXPECT_TRUE(isNoticed("3001.dat", "3002.dat")) << "a part";
+    EXPECT_TRUE(isNoticed("3001.dat", "3024x.dat")) << "an unknown part";
+    EXPECT_TRUE(isNoticed("1 4 0", "0 4 0")) << "a missing part";
+    EXPECT_TRUE(isNoticed("0 STEP", "1 4 80 -24 0 1 0 0 0 1 0 0 0 1 3005.dat\r\n0 STEP")) << "another part";
+    EXPECT_TRUE(isNoticed("1 4 0", "x 4 0")) << "a damaged line";
+}
+
+osg::ref_ptr<osg::Group> createPair(const osg::ref_ptr<LegoNode>& node, const osg::Matrixd& second)
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(node);
+    osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(second);
+    transform->addChild(node);
+    group->addChild(transform);
+    return group;
+}
+
+TEST(LDrawWriter, MpdHasOneSubmodelForANodeInTwoPlaces)
+{
+    const auto node = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
+    // Five studs to the right, two behind and one brick up, and turned by 90 degrees to the left, seen from above.
+    const auto group =
+        createPair(node, osg::Matrixd::rotate(osg::PI_2, 0, 0, 1) * osg::Matrixd::translate(5.0, 2.0, 1.2));
+    const Written written = write(*group, "pair.mpd");
+    // The centre (1, 0.5) of the node goes to (4.5, 3): from (1, 0.5), 3.5 to the right and 2.5 behind.
+    EXPECT_EQ(written.getReferences(),
+              (Lines{"1 16 0 0 0 1 0 0 0 1 0 0 0 1 pair-1.ldr", "1 16 70 -24 50 0 0 -1 0 1 0 1 0 0 pair-1.ldr",
+                     "1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
+    EXPECT_NE(written.text.find("0 FILE pair.ldr\r\n"), std::string::npos);
+    EXPECT_NE(written.text.find("0 FILE pair-1.ldr\r\n"), std::string::npos);
+}
+
+TEST(LDrawWriter, LdrHasThePartsOfAllPlacesAndInclinedNodesKeepTheirMatrix)
+{
+    const auto node = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
+    const auto group =
+        createPair(node, osg::Matrixd::rotate(std::atan2(3.0, 4.0), 0, 0, 1) * osg::Matrixd::translate(10.0, 0.0, 0.0));
+    const Lines lines = write(*group).getReferences();
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0], "1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat");
+    // (1, 0.5) turned is (0.5, 1); 9.5 to the right of the first centre, and 0.5 behind.
+    EXPECT_EQ(lines[1], "1 4 190 -24 10 0.8 0 -0.6 0 1 0 0.6 0 0.8 3004.dat");
+}
+
+TEST(LDrawWriter, ATransformAboveTheOnlyNodeDoesNotTurnItsStuds)
+{
+    osg::ref_ptr<osg::MatrixTransform> transform =
+        new osg::MatrixTransform(osg::Matrixd::rotate(1.0, 1, 1, 0) * osg::Matrixd::scale(3, 3, 3));
+    transform->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)}));
+    EXPECT_EQ(write(*transform).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
+}
+
+TEST(LDrawWriter, HiddenNodesAreNotWritten)
+{
+    osg::ref_ptr<osg::Switch> choice = new osg::Switch;
+    choice->addChild(createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)}), false);
+    choice->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)}), true);
+    EXPECT_EQ(write(*choice).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
+}
+
+TEST(LDrawWriter, CellsBecomeSingleBricksOfThePaletteWithAWarning)
+{
+    const auto model =
+        BrickModel::create(createPartGrid({2, 1, 1}, 1.2), {{{0, 0, 0}, {0x1e, 0x5a, 0xa8}}, {{1, 0, 0}, {1, 2, 3}}});
+    const Written written = write(*createStoredNode(*model, "proportions=brick,palette=ldraw"));
+    EXPECT_EQ(written.getReferences(),
+              (Lines{"1 1 -10 -24 0 1 0 0 0 1 0 0 0 1 3005.dat", "1 0x2010203 10 -24 0 1 0 0 0 1 0 0 0 1 3005.dat"}));
+    ASSERT_EQ(written.scene.warnings.size(), 2u);
+    EXPECT_EQ(written.scene.warnings[0],
+              "the model has cells instead of parts, and each of them is written as a part of "
+              "1 x 1; expected parts=bricks");
+}
+
+TEST(LDrawWriter, SizesThatWereNeverMadeInAColourAreReported)
+{
+    // 3, Dark_Turquoise: no brick of 2 x 3 and of 2 x 8.
+    const auto node = createNode({8, 2, 3}, {makePart({0, 0, 0}, {8, 2, 1}, 3), makePart({0, 0, 1}, {8, 2, 1}, 3),
+                                             makePart({0, 0, 2}, {2, 2, 1}, 3)});
+    const Written written = write(*node);
+    ASSERT_EQ(written.scene.warnings.size(), 1u);
+    EXPECT_EQ(written.scene.warnings[0], "never made in this size and colour: 2 parts (Brick 2 x 8 in Dark_Turquoise)");
+}
+
+std::string errorOf(const osg::Node& node)
+{
+    LDrawScene scene;
+    std::string error;
+    EXPECT_FALSE(LDrawScene::create(node, scene, error));
+    return error;
+}
+
+TEST(LDrawWriter, ModelsThatPartsCannotRepresentAreRefused)
+{
+    EXPECT_EQ(errorOf(*osg::ref_ptr<osg::Group>(new osg::Group)),
+              "there are no bricks in it; expected a LegoNode, as from MESH.legolize");
+    EXPECT_EQ(errorOf(*osg::ref_ptr<LegoNode>(new LegoNode)), "the model has no bricks");
+    const auto cubes = BrickModel::create(createPartGrid({1, 1, 1}), {{{0, 0, 0}, {1, 2, 3}}});
+    EXPECT_EQ(errorOf(*createStoredNode(*cubes, "8")),
+              "the model consists of cells that no real part has the shape of; expected proportions=brick or plate, or "
+              "parts=bricks");
+    EXPECT_EQ(errorOf(*createNode({5, 1, 1}, {makePart({0, 0, 0}, {5, 1, 1}, 4)})),
+              "the model has a part of 5 x 1 x 1 cells, which does not exist; expected sizes from 1x1 to 2x8");
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)});
+    EXPECT_EQ(errorOf(*createPair(node, osg::Matrixd::scale(1, 1, 0))),
+              "the model is below a transform without an inverse; expected one that keeps volumes");
+}
+
+} // namespace
+
+} // namespace osgLego::test
