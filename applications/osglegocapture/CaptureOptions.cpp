@@ -223,6 +223,9 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--stats", options.statistics,
                    "Write counts, the grid and times as JSON; - writes them to standard output")
         ->type_name("FILE.json");
+    app.add_flag("--bound", options.bound,
+                 "Also compute the fewest parts that can cover each layer by itself, for the report on parts and for "
+                 "--stats; takes seconds to minutes");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--parts-list", options.partsList,
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "

@@ -57,6 +57,7 @@ struct CaptureOptions
     bool original = false;
     bool transparent = false; //!< whether the background is transparent
     ContextKind context = ContextKind::AUTO;
+    bool bound = false;     //!< whether the statistics have the fewest parts possible
     std::string statistics; //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
     std::string partsList; //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output

@@ -55,7 +55,8 @@ nlohmann::ordered_json toJson(const LayoutStatistics& layout)
 
 } // namespace
 
-void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::GraphicsContext& context)
+void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std::optional<LayoutStatistics>& layout,
+                     osg::GraphicsContext& context)
 {
     context.makeCurrent();
     nlohmann::ordered_json json{
@@ -77,7 +78,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::Graph
         json["grid"] = {{"origin", toJson(grid.origin)},
                         {"cellSize", toJson(grid.cellSize)},
                         {"dimensions", toJson(grid.dimensions)}};
-        if (statistics.layout) json["layout"] = toJson(*statistics.layout);
+        if (layout) json["layout"] = toJson(*layout);
         milliseconds["flattening"] = rounded(statistics.flattening);
         milliseconds["subdivision"] = rounded(statistics.subdivision);
         milliseconds["voxelization"] = rounded(statistics.voxelization);

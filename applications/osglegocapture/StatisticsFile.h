@@ -2,6 +2,9 @@
 
 #include "CaptureScene.h"
 
+#include <osgLego/LayoutStatistics.h>
+
+#include <optional>
 #include <ostream>
 
 #include <osg/GraphicsContext>
@@ -10,7 +13,8 @@ namespace osgLego
 {
 
 /** Write the statistics of a capture as JSON: the GL renderer, counts, the grid in model units, times of stages in
- * milliseconds. Makes the context current. */
-void writeStatistics(std::ostream& stream, const CaptureScene& scene, osg::GraphicsContext& context);
+ * milliseconds. Makes the context current. @param layout the figures of parts. */
+void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std::optional<LayoutStatistics>& layout,
+                     osg::GraphicsContext& context);
 
 } // namespace osgLego

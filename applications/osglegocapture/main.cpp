@@ -3,6 +3,7 @@
 #include "CaptureScene.h"
 #include "Comparison.h"
 #include "ExitCode.h"
+#include "ModelBound.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
 
@@ -74,6 +75,24 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
                options.width, options.height, bytes / GIGABYTE);
 }
 
+/** Print the figures of parts. @return nothing if there are no parts. */
+std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, const CaptureScene& scene,
+                                             osg::GraphicsContext& context, const Progress& progress)
+{
+    const LegoNode* lego = scene.getLegoNode();
+    if (!lego) return std::nullopt;
+    std::optional<LayoutStatistics> layout = lego->getStatistics(context.getState()->getContextID()).layout;
+    if (!layout) return std::nullopt;
+    if (options.bound)
+    {
+        progress.show("computing the fewest parts");
+        if (const std::size_t bound = computeModelBound(*lego); bound > 0) layout->lowerBound = bound;
+    }
+    progress.clear();
+    fmt::print("{}\n", layout->toString());
+    return layout;
+}
+
 /** Draw, and write everything that comes with a picture. */
 int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const StandardOutput* standardOutput,
                  const OIIO::ImageBuf& reference)
@@ -86,7 +105,8 @@ int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const Stand
 
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, picture);
-    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, *context); };
+    const std::optional<LayoutStatistics> layout = reportLayout(options, scene, *context, progress);
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, *context); };
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT)
         standardOutput->write(write);
     else if (!options.statistics.empty())
@@ -94,9 +114,6 @@ int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const Stand
     if (!options.cells.empty())
         writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
     progress.clear();
-    if (const LegoNode* lego = scene.getLegoNode())
-        if (const auto layout = lego->getStatistics(context->getState()->getContextID()).layout)
-            fmt::print("{}\n", layout->toString());
     if (options.reference.empty()) return EXIT_FINE;
     return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
                                                                                                   : EXIT_DIFFERENT;
