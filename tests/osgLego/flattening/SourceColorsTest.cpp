@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <osg/Geode>
+#include <osg/MatrixTransform>
 #include <osg/Shape>
 #include <osg/ShapeDrawable>
 #include <osg/Texture2D>
@@ -143,7 +144,7 @@ TEST(SourceColors, AreThoseInsideTheGrid)
 {
     // Most of the red ground is outside; in the grid, it has the size of the green square.
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(osg::createTexturedQuadGeometry({-40000, -40000, 0.5}, {80000, 0, 0}, {0, 80000, 0}));
+    geode->addDrawable(osg::createTexturedQuadGeometry({-2000, -2000, 0.5}, {4000, 0, 0}, {0, 4000, 0}));
     paint(*geode->getDrawable(0)->asGeometry(), {1, 0, 0, 1});
     geode->addDrawable(createRectangle(0, 16, 16, 8.5, {0, 1, 0, 1}));
     const ColorHistogram histogram = histogramOf(*createTriangles(*geode, "cell=1,origin=0:0:0,size=16:16:16"));
@@ -153,8 +154,18 @@ TEST(SourceColors, AreThoseInsideTheGrid)
 
 TEST(SourceColors, SurfacesWithoutAreaCountToo)
 {
-    // Two corners of each triangle coincide.
-    EXPECT_EQ(shareOf(histogramOf(*createTriangles(*createCoincidingCorners(), "16")), {255, 255, 255}), 1.0);
+    // Two triangles so narrow that the corners of the blue one coincide in single precision.
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (const double x : {0.0, 8.0})
+    {
+        const osg::ref_ptr<osg::Geometry> triangle = createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 4});
+        paint(*triangle, {0, 0, x > 0.0 ? 1.0f : 0.0f, 1});
+        osg::ref_ptr<osg::MatrixTransform> transform =
+            new osg::MatrixTransform(osg::Matrixd::scale(1e-9, 1, 1) * osg::Matrixd::translate(x, 0, 0));
+        transform->addChild(triangle);
+        group->addChild(transform);
+    }
+    EXPECT_NEAR(shareOf(histogramOf(*createTriangles(*group, "16")), BLUE), 0.5, 0.1);
     EXPECT_TRUE(histogramOf(*createTriangles(*new osg::Group, "8")).getShares().empty());
 }
 

@@ -64,6 +64,7 @@ protected:
 TEST_F(PaletteFile, ReadsTheColumnsOfATable)
 {
     const osg::ref_ptr<const Palette> palette = read("a.csv", std::string(HEADER) + BLACK + SALMON);
+    ASSERT_TRUE(palette);
     ASSERT_EQ(palette->getColors().size(), 2u);
     const PaletteColor& black = palette->getColors()[0];
     EXPECT_EQ(black.code, 0);
@@ -83,6 +84,7 @@ TEST_F(PaletteFile, AcceptsByteOrderMarkCarriageReturnsSpacesCommentsAndAMissing
         read("a.CSV", "\xef\xbb\xbf# My colours\r\ncode,\tname, rgb,edge,bricklink,bricks,plates\r\n\r\n"
                       " 4 ,\tRed\t, #b40000,#333333, 5,11111111111,11111111111 \r\n#end\r\n"
                       "14,Yellow,#FAC80A,#333333,3,11111111111,11111111111");
+    ASSERT_TRUE(palette);
     ASSERT_EQ(palette->getColors().size(), 2u);
     EXPECT_EQ(palette->getColors()[0].name, "Red");
     EXPECT_EQ(palette->getColors()[0].color, (Color{0xb4, 0, 0}));
@@ -119,6 +121,7 @@ TEST_F(PaletteFile, NamesTheBadLineOfATableAndTheExpectedValue)
                                           "characters, found 'Bl?ue'"},
         {row("1", std::string(101, 'B'), "#1E5AA8"), "a name of 1 to 100 bytes"},
         {row("1", "Blue", "1E5AA8"), "#RRGGBB as rgb, found '1E5AA8'"},
+        {row("1", "Blue", "11E5AA8"), "#RRGGBB as rgb, found '11E5AA8'"},
         {row("1", "Blue", "#1E5AA"), "#RRGGBB as rgb"},
         {row("1", "Blue", "#1E5AA8F"), "#RRGGBB as rgb"},
         {row("1", "Blue", "#1E5AG8"), "#RRGGBB as rgb"},
@@ -153,7 +156,9 @@ TEST_F(PaletteFile, ATableHasAtMost255Colours)
     std::string text = HEADER;
     for (int code = 100; code < 355; ++code)
         text += row(std::to_string(code), "Colour", "#1E5AA8");
-    EXPECT_EQ(read("a.csv", text)->getColors().size(), 255u);
+    const osg::ref_ptr<const Palette> palette = read("a.csv", text);
+    ASSERT_TRUE(palette);
+    EXPECT_EQ(palette->getColors().size(), 255u);
     EXPECT_EQ(errorOf("a.csv", text + row("355", "Last", "#1E5AA8")),
               ", line 257: expected at most 255 colours, found 'Last'");
 }
@@ -177,6 +182,7 @@ TEST_F(PaletteFile, ReadsTheSolidColoursOfAConfiguration)
              "0 !COLOUR Metallic CODE 80 VALUE #767676 EDGE #333333 METAL\r\n"
              "0 !COLOUR Speckle CODE 132 VALUE #000000 EDGE #898788 MATERIAL SPECKLE VALUE #898788 FRACTION 0.4\r\n"
              "0 !COLOUR New CODE 100001 VALUE #010203 EDGE #333333");
+    ASSERT_TRUE(palette);
     ASSERT_EQ(palette->getColors().size(), 3u);
     const auto colors = palette->getColors();
     EXPECT_EQ(colors[0].name, "Red");
