@@ -3,7 +3,7 @@
 #include <osgLego/palette/Oklab.h>
 
 #include <array>
-#include <set>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -69,6 +69,42 @@ TEST(Dither, OffsetsAreOfBothSignsUpToHalfTheAmplitudeAndStayInRange)
     EXPECT_EQ(Dither::offsetChannel(0, 255, 0), 0);
     EXPECT_EQ(Dither::offsetChannel(255, 255, 255), 255);
     EXPECT_EQ(Dither::offsetChannel(0, 255, 255), 127);
+}
+
+TEST(Dither, OffsetsAreAtMostFourTimesTheDistanceToTheNearestColour)
+{
+    EXPECT_EQ(Dither::limitOffset(64, 3), 12);
+    EXPECT_EQ(Dither::limitOffset(64, 16), 64);
+    EXPECT_EQ(Dither::limitOffset(64, 200), 64);
+    // The channel with the largest distance counts: 4 x 5 levels limit the offset to 10 on each side.
+    for (int cell = 0; cell < 256; ++cell)
+        for (const std::uint8_t channel :
+             Dither::dithered({100, 100, 100}, {100, 98, 105}, cellOn(0, cell % 16, cell / 16), 255))
+            EXPECT_NEAR(channel, 100, 10);
+}
+
+TEST(Dither, EachChannelFollowsTheSequenceAlongOtherAxes)
+{
+    // The sequence R3 in its closed form: the fractions of multiples of the inverse powers of a number g.
+    double g = 1.0;
+    for (int iteration = 0; iteration < 100; ++iteration)
+        g = std::pow(g + 1.0, 0.25);
+    for (int x = 0; x < 2560; x += 97)
+        for (int y = 0; y < 2560; y += 101)
+            for (int z = 0; z < 2560; z += 103)
+            {
+                const std::array<int, 3> cell{x, y, z};
+                const Color color = Dither::dithered(
+                    {128, 128, 128}, {0, 0, 0},
+                    {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)}, 250);
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                {
+                    const double value =
+                        cell[channel] / g + cell[(channel + 1) % 3] / (g * g) + cell[(channel + 2) % 3] / (g * g * g);
+                    ASSERT_NEAR(color[channel], 128.0 + 250.0 * (value - std::floor(value) - 0.5), 1.5)
+                        << x << ' ' << y << ' ' << z;
+                }
+            }
 }
 
 TEST(Dither, ColoursOfThePaletteStayPlain)
