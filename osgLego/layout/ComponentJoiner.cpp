@@ -22,26 +22,46 @@ void ComponentJoiner::findComponents()
 }
 
 /** The neighbouring cells that are in different components and may be in one part. */
-ComponentJoiner::Pairs ComponentJoiner::findPairs() const
+ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isActive)
 {
     const CellLattice& lattice = _map.getLattice();
     Pairs pairs;
     for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        if (!isActive.empty() && !isActive[static_cast<std::size_t>(cell)]) continue;
         for (const auto side : {CellLattice::EAST, CellLattice::NORTH})
         {
             const Index other = lattice.getNeighbor(cell, side);
             if (other == CellLattice::NONE || _components.find(cell) == _components.find(other)) continue;
             if (PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) pairs.emplace_back(cell, other);
         }
+    }
     return pairs;
 }
 
-bool ComponentJoiner::join(Index cell, Index other, int numAttempts, LayoutRandom& random)
+/** Whether nothing is above or below a part. */
+bool ComponentJoiner::isAlone(Index anchor) const
+{
+    const CellLattice& lattice = _map.getLattice();
+    bool isAlone = true;
+    _map.visitPart(anchor,
+                   [&](Index cell)
+                   {
+                       for (const auto side : {CellLattice::ABOVE, CellLattice::BELOW})
+                       {
+                           const Index other = lattice.getNeighbor(cell, side);
+                           isAlone &= other == CellLattice::NONE || _map.getAnchor(other) == anchor;
+                       }
+                   });
+    return isAlone;
+}
+
+bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, LayoutRandom& random)
 {
     constexpr int FEWEST_PARTS = 2;
     const CellLattice& lattice = _map.getLattice();
     const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
-    for (int attempt = 0; attempt < numAttempts; ++attempt)
+    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt, ++_numAttempts)
     {
         const int numParts = FEWEST_PARTS + 2 * attempt;
         if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
@@ -49,13 +69,15 @@ bool ComponentJoiner::join(Index cell, Index other, int numAttempts, LayoutRando
     return false;
 }
 
-bool ComponentJoiner::joinAll(int numAttempts, LayoutRandom& random, const std::function<bool()>& isCancelled)
+bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
+                              const std::function<bool()>& isCancelled)
 {
+    _numAttempts = 0;
     for (bool hasJoined = true; hasJoined;)
     {
         hasJoined = false;
         findComponents();
-        Pairs pairs = findPairs();
+        Pairs pairs = findPairs(isActive);
         for (std::size_t i = pairs.size(); i > 1; --i)
             std::swap(pairs[i - 1], pairs[random.below(i)]);
         for (const auto& [cell, other] : pairs)
@@ -63,8 +85,11 @@ bool ComponentJoiner::joinAll(int numAttempts, LayoutRandom& random, const std::
             if (isCancelled && isCancelled()) return false;
             // Parts that joined others since may have joined these too.
             if (_components.find(cell) == _components.find(other)) continue;
-            if (_map.getAnchor(cell) == _map.getAnchor(other)) continue;
-            if (!join(cell, other, numAttempts, random)) continue;
+            const Index anchor = _map.getAnchor(cell);
+            const Index otherAnchor = _map.getAnchor(other);
+            // The cost of windows already unites parts that can't be connected to anything else.
+            if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
+            if (!join(cell, other, limits, random)) continue;
             _components.join(cell, other);
             hasJoined = true;
         }

@@ -22,21 +22,31 @@ public:
 
     ComponentJoiner(PartMap& map, const PartSizes& sizes);
 
+    /** The most attempts. */
+    struct Limits
+    {
+        int perPair = 0; //!< of neighbouring cells
+        int total = 0;
+    };
+
     /** Join as many components as possible.
-     * @param numAttempts for each pair of neighbouring cells.
+     * @param isActive whether a cell may be one of a pair; empty: all cells.
      * @return false if it was cancelled. */
-    bool joinAll(int numAttempts, LayoutRandom& random, const std::function<bool()>& isCancelled);
+    bool joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
+                 const std::function<bool()>& isCancelled);
 
 private:
     using Pairs = std::vector<std::pair<Index, Index>>;
 
     void findComponents();
-    Pairs findPairs() const;
-    bool join(Index cell, Index other, int numAttempts, LayoutRandom& random);
+    Pairs findPairs(const std::vector<bool>& isActive);
+    bool isAlone(Index anchor) const;
+    bool join(Index cell, Index other, const Limits& limits, LayoutRandom& random);
 
     PartMap& _map;
     LayoutWindow _window;
-    mutable UnionFind _components; //!< of cells
+    UnionFind _components; //!< of cells
+    int _numAttempts = 0;
 };
 
 } // namespace osgLego

@@ -13,6 +13,7 @@ namespace
 constexpr std::array VERTICAL{CellLattice::ABOVE, CellLattice::BELOW};
 constexpr std::int32_t UNKNOWN = -1;
 constexpr std::size_t MAXIMUM_PARTS = 600;
+constexpr std::size_t COMPLETE_VIEW = 20000;
 
 } // namespace
 
@@ -83,8 +84,8 @@ void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& reg
     int numOwners = 0;
     for (const Index anchor : window.getAnchors())
     {
-        _map.visitPart(anchor,
-                       [&](Index cell) { _presentOwners[static_cast<std::size_t>(window.findCell(cell))] = numOwners; });
+        _map.visitPart(anchor, [&](Index cell)
+                       { _presentOwners[static_cast<std::size_t>(window.findCell(cell))] = numOwners; });
         ++numOwners;
     }
 }
@@ -130,7 +131,13 @@ bool ConnectionCheck::keepsConnections(const std::vector<int>& chosen)
 
 bool ConnectionCheck::joinsComponents(const std::vector<int>& chosen)
 {
-    return keepsConnections(chosen) && _after.numComponents < _before.numComponents;
+    if (keepsConnections(chosen)) return _after.numComponents < _before.numComponents;
+    // Parts may be separated from one component to join another, which needs a view of all of these components.
+    while (_numConnected < std::min(_outside.size(), COMPLETE_VIEW))
+        connectOutside(std::min(_outside.size(), COMPLETE_VIEW));
+    if (_numConnected < _outside.size()) return false;
+    isCoarser(chosen);
+    return _after.numComponents < _before.numComponents;
 }
 
 /** Whether the chosen parts connect all parts that the present ones connect. */

@@ -50,7 +50,7 @@ private:
     const LayoutRegion* _region = nullptr;
     std::vector<std::int32_t> _numbers; //!< of the anchors of parts outside; -1 for others
     std::vector<Index> _outside;
-    std::size_t _numConnected = 0; //!< parts outside whose neighbours are known
+    std::size_t _numConnected = 0;                       //!< parts outside whose neighbours are known
     std::vector<std::pair<int, std::int32_t>> _contacts; //!< a cell of the window, and a part outside
     UnionFind _base;                                     //!< the parts outside
     std::vector<int> _presentOwners;

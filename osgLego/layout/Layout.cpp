@@ -2,40 +2,84 @@
 
 #include <osgLego/layout/ComponentJoiner.h>
 #include <osgLego/layout/GreedyLayout.h>
+#include <osgLego/layout/KeptParts.h>
+#include <osgLego/layout/PartColors.h>
 #include <osgLego/layout/WindowSearch.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <cstddef>
 
 namespace osgLego
 {
 
-LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts&)
+namespace
 {
+
+/** The work for an effort. Only counts bound it, not time, so that the same parts are laid on any machine. */
+struct Work
+{
+    int numWindows = 0; //!< altogether, for models of which each part gets between the fewest and the most
+    int fewest = 0;
+    int most = 0;
+    int maximumNodes = 0; //!< steps of the search for a window
+    ComponentJoiner::Limits joins;
+};
+
+constexpr std::array<Work, 3> WORK{
+    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 4000}}, {1500000, 12, 300, 2000, {8, 40000}}}};
+constexpr int NEIGHBORHOOD = 8; // cells around changed ones whose parts may change too
+
+LaidParts getParts(const PartMap& map, const PartSizes& sizes)
+{
+    const CellLattice& lattice = map.getLattice();
+    const std::vector<std::uint16_t> colors = choosePartColors(map, sizes);
+    LaidParts parts;
+    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        if (!map.isAnchor(cell)) continue;
+        const auto index = static_cast<std::size_t>(cell);
+        const PartShape& shape = map.getShape(cell);
+        parts.push_back(
+            {lattice.getProblem().cells[index].place, {shape.width, shape.depth, shape.height}, colors[index]});
+    }
+    return parts;
+}
+
+/** Improve a layout of all cells.
+ * @return false if it was cancelled. */
+bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+{
+    const Work& work = WORK[static_cast<std::size_t>(options.effort)];
+    LayoutRandom random(options.seed);
+    ComponentJoiner joiner(map, sizes);
+    const auto join = [&] { return joiner.joinAll(work.joins, isActive, random, options.isCancelled); };
+    if (!join()) return false;
+    WindowSearch search(map, sizes, options, isActive);
+    const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
+    for (int round = 0; round < numRounds; ++round)
+    {
+        if (!search.runRound(work.maximumNodes)) return false;
+        if (options.progress) options.progress(static_cast<double>(round + 1) / (numRounds + 1));
+    }
+    return join();
+}
+
+} // namespace
+
+LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts& previous)
+{
+    const auto isCancelled = [&] { return options.isCancelled && options.isCancelled(); };
+    if (isCancelled()) return {};
     const CellLattice lattice(problem);
     const PartSizes sizes(problem);
     PartMap map(lattice);
+    keepParts(map, sizes, previous);
+    std::vector<bool> isActive;
+    if (!previous.empty()) isActive = findChangedCells(map, NEIGHBORHOOD);
     layGreedily(map, sizes);
-    LayoutRandom random(options.seed);
-    ComponentJoiner joiner(map, sizes);
-    const int att = getenv("ATT") ? atoi(getenv("ATT")) : 4;
-    if (!joiner.joinAll(att, random, options.isCancelled)) return {};
-    WindowSearch search(map, sizes, options);
-    const int rounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : 10;
-    const int nodes = getenv("NODES") ? atoi(getenv("NODES")) : 300;
-    for (int round = 0; round < rounds; ++round)
-        if (!search.runRound(1.0, nodes)) return {};
-    if (!joiner.joinAll(att, random, options.isCancelled)) return {};
-    LaidParts parts;
-    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
-        if (map.isAnchor(cell))
-        {
-            const PartShape& shape = map.getShape(cell);
-            const std::uint16_t color = map.getColor(cell);
-            parts.push_back({problem.cells[static_cast<std::size_t>(cell)].place,
-                             {shape.width, shape.depth, shape.height},
-                             color == LayoutCell::ANY_COLOR ? std::uint16_t{0} : color});
-        }
-    return parts;
+    if (!improve(map, sizes, options, isActive) || isCancelled()) return {};
+    if (options.progress) options.progress(1.0);
+    return getParts(map, sizes);
 }
 
 } // namespace osgLego

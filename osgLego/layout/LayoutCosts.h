@@ -7,7 +7,7 @@ namespace osgLego
 struct LayoutCosts
 {
     static constexpr int PART = 10000;
-    static constexpr int HALF_SEAM = 1000;   //!< half a unit of stacked seams: each of its two parts bears a half
+    static constexpr int HALF_SEAM = 1000; //!< half a unit of stacked seams: each of its two parts bears a half
     static constexpr int COMPONENT = 10 * PART;
     static constexpr int UNMADE = 3 * PART;  //!< a single cell in a colour in which that part was never made
     static constexpr int LARGEST_CHANCE = 8; //!< the random cost of a joint

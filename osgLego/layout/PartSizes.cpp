@@ -51,6 +51,7 @@ bool PartSizes::isMade(const PartShape& shape, std::uint16_t color) const
 {
     const std::int8_t size = SIZE_INDICES[shape.width][shape.depth];
     if (size == NO_SIZE) return false;
+    if (shape.height != 1 && shape.height != _heights.back()) return false;
     const std::size_t index = std::min<std::size_t>(color, _masks.size() - 1);
     return (_masks[index][shape.height == 1 ? 0 : 1] >> size & 1) != 0;
 }

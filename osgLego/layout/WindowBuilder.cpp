@@ -69,7 +69,7 @@ int WindowBuilder::computeSeam(Index cell, CellLattice::Side side, LayoutRandom&
 {
     const CellLattice& lattice = _map.getLattice();
     const Index other = lattice.getNeighbor(cell, side);
-    int cost = static_cast<int>(random.below(LayoutCosts::LARGEST_CHANCE));
+    int cost = static_cast<int>(random.below(std::size_t(LayoutCosts::LARGEST_CHANCE)));
     for (const auto vertical : {CellLattice::ABOVE, CellLattice::BELOW})
     {
         const Index near = lattice.getNeighbor(cell, vertical);
@@ -97,11 +97,14 @@ WindowBuilder::Column WindowBuilder::makeColumn(int cell, int height) const
 {
     Column column;
     column.color = LayoutCell::ANY_COLOR;
+    const CellLattice& lattice = _map.getLattice();
+    column.hasContact =
+        lattice.getNeighbor(_cells[static_cast<std::size_t>(cell)], CellLattice::BELOW) != CellLattice::NONE;
     for (int z = 0; z < height; ++z)
     {
         const auto index = static_cast<std::size_t>(cell);
-        const auto color = PartSizes::join(column.color, _map.getLattice().getColor(_cells[index]));
-        if (!color) return column;
+        const auto color = PartSizes::join(column.color, lattice.getColor(_cells[index]));
+        if (!color) break;
         column.color = *color;
         column.cells.add(cell);
         const int west = _neighbors[index][CellLattice::WEST];
@@ -111,11 +114,15 @@ WindowBuilder::Column WindowBuilder::makeColumn(int cell, int height) const
         column.sum += _seams[index][0] + _seams[index][1];
         if (west != NO_CELL) column.sum += _seams[static_cast<std::size_t>(west)][0];
         if (south != NO_CELL) column.sum += _seams[static_cast<std::size_t>(south)][1];
-        if (z + 1 == height) break;
+        if (z + 1 == height)
+        {
+            column.exists = true;
+            column.hasContact |= lattice.getNeighbor(_cells[index], CellLattice::ABOVE) != CellLattice::NONE;
+            break;
+        }
         cell = _neighbors[index][CellLattice::ABOVE];
-        if (cell == NO_CELL) return column;
+        if (cell == NO_CELL) break;
     }
-    column.exists = true;
     return column;
 }
 
@@ -137,6 +144,7 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
     WindowPart part;
     std::uint16_t color = LayoutCell::ANY_COLOR;
     int seams = 0;
+    bool hasContact = false;
     int next = cell;
     for (int length = 1; length <= PartSizes::LONGEST && next != NO_CELL; ++length)
     {
@@ -150,6 +158,7 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
             color = *joint;
             part.cells |= column.cells;
             seams += column.sum;
+            hasContact |= column.hasContact;
             if (i + 1 == breadth) break;
             seams -= 2 * (isAlongX ? column.northSeam : column.eastSeam);
             beside = _neighbors[static_cast<std::size_t>(beside)][across];
@@ -160,7 +169,8 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
                       static_cast<std::uint8_t>(height)};
         if (length >= shortest && _sizes.isAllowed(part.shape, color))
         {
-            part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE);
+            part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE) +
+                        (hasContact ? 0 : LayoutCosts::COMPONENT);
             _parts.parts.push_back(part);
         }
         // The next columns join these: no seams between them.

@@ -58,6 +58,7 @@ private:
         int northSeam = 0;
         std::uint16_t color = 0;
         bool exists = false;
+        bool hasContact = false; //!< with cells above or below
     };
 
     int computeSeam(Index cell, CellLattice::Side side, LayoutRandom& random) const;

@@ -17,12 +17,15 @@ constexpr int LARGEST_WINDOW = 14;
 /** Rows of a region in a large layer: more than parts near a window reach, so that rows between regions separate them.
  */
 constexpr int NUM_ROWS = 48;
+constexpr std::size_t WINDOWS_PER_CHECK = 16;
 constexpr int LARGE_LAYER = 2500; // cells
 
 } // namespace
 
-WindowSearch::WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options) :
-    _map(map), _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 4),
+WindowSearch::WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
+                           const std::vector<bool>& isActive) :
+    _map(map),
+    _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 4), _isActive(isActive),
     _windows([&map, &sizes] { return LayoutWindow(map, sizes); })
 {
 }
@@ -36,7 +39,8 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
     const auto offset = static_cast<int>(_round * 5 % static_cast<std::uint32_t>(2 * _thickness));
     for (int z = layerPhase * _thickness - offset; z < numLayers; z += 2 * _thickness)
     {
-        LayoutRegion region{std::max(z, 0), std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS, &_fixedComponents};
+        LayoutRegion region{std::max(z, 0),   std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS,
+                            &_fixedComponents};
         if (region.zEnd <= region.zBegin) continue;
         const Index numCells = lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin);
         if (numCells == 0) continue;
@@ -82,7 +86,7 @@ void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
         if (isFixed(cell)) _fixedComponents[static_cast<std::size_t>(cell)] = _components.find(cell);
 }
 
-bool WindowSearch::runRound(double share, int maximumNodes)
+bool WindowSearch::runRound(int maximumNodes)
 {
     for (int phase = 0; phase < 4; ++phase)
     {
@@ -103,7 +107,7 @@ bool WindowSearch::runRound(double share, int maximumNodes)
                                           static_cast<std::uint64_t>(regions[i].yBegin) << 16;
                                       LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
                                       LayoutRandom random(seeds.next() ^ _options.seed);
-                                      improve(regions[i], share, maximumNodes, random);
+                                      improve(regions[i], maximumNodes, random);
                                   });
         if (isStopped) return false;
     }
@@ -111,7 +115,7 @@ bool WindowSearch::runRound(double share, int maximumNodes)
     return true;
 }
 
-void WindowSearch::improve(const LayoutRegion& region, double share, int maximumNodes, LayoutRandom& random)
+void WindowSearch::improve(const LayoutRegion& region, int maximumNodes, LayoutRandom& random)
 {
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
@@ -119,13 +123,14 @@ void WindowSearch::improve(const LayoutRegion& region, double share, int maximum
         if (_map.isAnchor(cell) && (_isActive.empty() || _isActive[static_cast<std::size_t>(cell)]) &&
             region.contains(_map, cell))
             seeds.push_back(cell);
-    const auto numSeeds = static_cast<std::size_t>(static_cast<double>(seeds.size()) * share + 0.5);
     LayoutWindow& window = _windows.local();
-    for (std::size_t i = 0; i < numSeeds; ++i)
+    for (std::size_t i = 0; i < seeds.size(); ++i)
     {
+        if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
         // The part that began here may have changed since.
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
-        const int numParts = SMALLEST_WINDOW + static_cast<int>(random.below(LARGEST_WINDOW - SMALLEST_WINDOW + 1));
+        const int numParts =
+            SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));
         if (region.contains(_map, anchor)) window.improve(anchor, numParts, region, maximumNodes, random);
     }
 }

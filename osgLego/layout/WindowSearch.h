@@ -16,33 +16,31 @@ namespace osgLego
 
 /** Improves a layout window by window, in several threads.
  *
- * A round visits every part of the layout about once. It has phases, in each of which threads work on regions with
+ * A round has phases, in each of which threads work on regions with
  * layers or rows between them that nobody changes, so that the result does not depend on the number of threads. */
 class WindowSearch
 {
 public:
     using Index = CellLattice::Index;
 
-    WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options);
+    /** @param isActive whether windows may begin at a cell; empty: at all cells. */
+    WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive);
 
-    /** Whether windows may begin at the cells; empty: at all. */
-    void setActive(std::vector<bool> isActive) { _isActive = std::move(isActive); }
-
-    /** Visit parts, `share` of them.
+    /** Lay as many windows as there are parts.
      * @param maximumNodes steps of the search for one window.
      * @return false if it was cancelled. */
-    bool runRound(double share, int maximumNodes);
+    bool runRound(int maximumNodes);
 
 private:
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
     void findFixedComponents(const std::vector<LayoutRegion>& regions);
-    void improve(const LayoutRegion& region, double share, int maximumNodes, LayoutRandom& random);
+    void improve(const LayoutRegion& region, int maximumNodes, LayoutRandom& random);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
 
     PartMap& _map;
     const LayoutOptions& _options;
     int _thickness; //!< of regions, in layers
-    std::vector<bool> _isActive;
+    const std::vector<bool>& _isActive;
     std::uint32_t _round = 0;
     std::vector<Index> _fixedComponents;
     UnionFind _components;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <osgLego/layout/PartMap.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Choose the colour of each part: that of its cells, and for parts of interior cells the commonest of their neighbours
+ * in which their size exists.
+ * @return the colours of anchors; other entries are meaningless. */
+std::vector<std::uint16_t> choosePartColors(const PartMap& map, const PartSizes& sizes);
+
+} // namespace osgLego
