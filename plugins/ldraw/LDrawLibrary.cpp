@@ -33,10 +33,14 @@ std::string findBelow(const std::string& folder, const std::string& name)
 } // namespace
 
 LDrawLibrary::LDrawLibrary(const std::string& modelFolder, const std::string& libraryFolder) :
-    _libraryFolder(libraryFolder), _hasParts(!libraryFolder.empty())
+    _libraryFolder(libraryFolder)
 {
     _folders.push_back(modelFolder.empty() ? "." : modelFolder);
-    if (!_hasParts) return;
+    if (libraryFolder.empty()) return;
+    _hasParts = !osgDB::findFileInDirectory("parts", libraryFolder, osgDB::CASE_INSENSITIVE).empty();
+    if (!_hasParts)
+        _errors.push_back("there is no folder 'parts' in '" + libraryFolder +
+                          "'; expected LDRAWDIR as the folder of a part library");
     for (const char* name : {"parts", "p", "models"})
     {
         const std::string folder = osgDB::findFileInDirectory(name, libraryFolder, osgDB::CASE_INSENSITIVE);

@@ -19,12 +19,13 @@ public:
      * @param libraryFolder that of the library, with the folders parts, p and models in it; empty if there is none. */
     LDrawLibrary(const std::string& modelFolder, const std::string& libraryFolder);
 
+    /** Whether there is a library. */
     bool hasParts() const { return _hasParts; }
     /** A file by its normalized name; null if there is none, or if it can't be read. */
     const LDrawDocument* find(const std::string& name);
     /** The definitions of colours in the library's LDConfig.ldr. */
     std::vector<LDrawColorDefinition> readColors() const;
-    /** For each file that exists and can't be read, one sentence that names it. */
+    /** For each file or folder that can't be read, one sentence that names it. */
     const std::vector<std::string>& getErrors() const { return _errors; }
 
 private:
@@ -32,7 +33,7 @@ private:
 
     std::vector<std::string> _folders;
     std::string _libraryFolder;
-    bool _hasParts;
+    bool _hasParts = false;
     std::map<std::string, std::unique_ptr<LDrawDocument>> _documents;
     std::vector<std::string> _errors;
 };

@@ -1,6 +1,7 @@
 #include "LDrawResolver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <unordered_map>
 
@@ -29,6 +30,19 @@ const PartType* findTypeOf(const std::string& name)
 std::int32_t inherit(std::int32_t color, std::int32_t outer)
 {
     return color == LDrawDocument::MAIN_COLOR || color == LDrawDocument::EDGE_COLOR ? outer : color;
+}
+
+/** Whether transforms within each other have led too far, or to no number at all. */
+bool isTooFar(const LDrawTransform& transform)
+{
+    const auto isWithin = [](const glm::dvec3& vector)
+    {
+        // Written so that NaN is too far.
+        return std::abs(vector.x) <= LDrawResolver::FARTHEST && std::abs(vector.y) <= LDrawResolver::FARTHEST &&
+               std::abs(vector.z) <= LDrawResolver::FARTHEST;
+    };
+    const glm::dmat3& axes = transform.axes;
+    return !isWithin(transform.place) || !isWithin(axes[0]) || !isWithin(axes[1]) || !isWithin(axes[2]);
 }
 
 } // namespace
@@ -65,6 +79,7 @@ std::string LDrawResolver::visitReference(const Visit& visit, const LDrawReferen
     if (std::string why = countLines(1); !why.empty()) return why;
     const std::string& name = visit.document.getName(reference);
     const LDrawTransform transform = visit.transform * reference.transform;
+    if (isTooFar(transform)) return "'" + name + "' is too far away or too large; expected at most 1e+09 LDU";
     const std::int32_t color = inherit(reference.color, visit.color);
     if (const PartType* type = findTypeOf(name))
     {

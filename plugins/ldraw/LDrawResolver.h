@@ -25,6 +25,7 @@ class LDrawResolver
 {
 public:
     static constexpr std::size_t DEEPEST = 64;            //!< files within files
+    static constexpr double FARTHEST = 1e9;               //!< of a part from the origin, in LDU
     static constexpr std::size_t MOST_LINES = 10'000'000; //!< references and triangles
 
     /** @param document and library must outlive this object. */

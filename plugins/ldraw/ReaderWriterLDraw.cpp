@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <iterator>
+#include <sstream>
 
 #include <osg/Notify>
 #include <osgDB/FileNameUtils>
@@ -46,14 +49,19 @@ public:
         if (path.empty()) return ReadResult::FILE_NOT_FOUND;
         std::string error;
         const std::optional<std::string> text = readText(path, error);
-        const char* libraryFolder = std::getenv("LDRAWDIR");
-        LDrawLibrary library(osgDB::getFilePath(path), libraryFolder ? libraryFolder : "");
-        LDrawReader reader(name, library);
-        osg::ref_ptr<osg::Node> node;
-        if (text) node = reader.read(*text, error);
-        if (!node) return ReadResult("osgLego: can't read '" + name + "': " + error);
-        warn(name, reader.getWarnings());
-        return node.get();
+        if (!text) return ReadResult("osgLego: can't read '" + name + "': " + error);
+        return createNode(*text, name, osgDB::getFilePath(path));
+    }
+
+    // Streams are the content of compressed files, among others.
+    ReadResult readObject(std::istream& stream, const Options* options) const override
+    {
+        return readNode(stream, options);
+    }
+
+    ReadResult readNode(std::istream& stream, const Options*) const override
+    {
+        return createNode(std::string((std::istreambuf_iterator<char>(stream)), {}), STREAM_NAME, {});
     }
 
     WriteResult writeObject(const osg::Object& object, const std::string& fileName,
@@ -63,23 +71,63 @@ public:
         return node ? writeNode(*node, fileName, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
     }
 
+    WriteResult writeObject(const osg::Object& object, std::ostream& stream, const Options* options) const override
+    {
+        const auto* node = dynamic_cast<const osg::Node*>(&object);
+        return node ? writeNode(*node, stream, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
     WriteResult writeNode(const osg::Node& node, const std::string& fileName, const Options*) const override
     {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(fileName))) return WriteResult::FILE_NOT_HANDLED;
-        LDrawScene scene;
-        std::string why;
-        if (LDrawScene::create(node, scene, why))
-        {
-            const LDrawWriter writer(scene, fileName);
-            why = writeCompleteFile(fileName,
-                                    [&writer](const std::string& temporary) { return writeFile(writer, temporary); });
-        }
-        if (!why.empty()) return WriteResult("osgLego: can't write '" + fileName + "': " + why);
-        warn(fileName, scene.warnings);
-        return WriteResult::FILE_SAVED;
+        return writeScene(node, fileName,
+                          [&fileName](const LDrawWriter& writer)
+                          {
+                              return writeCompleteFile(fileName, [&writer](const std::string& temporary)
+                                                       { return writeFile(writer, temporary); });
+                          });
+    }
+
+    WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options*) const override
+    {
+        return writeScene(node, STREAM_NAME,
+                          [&stream](const LDrawWriter& writer)
+                          {
+                              std::ostringstream text;
+                              writer.write(text);
+                              std::string why = writer.check(text.str());
+                              if (why.empty() && !(stream << text.str())) why = "the stream can't be written to";
+                              return why;
+                          });
     }
 
 private:
+    static constexpr const char* STREAM_NAME = "model.ldr";
+
+    static ReadResult createNode(const std::string& text, const std::string& name, const std::string& folder)
+    {
+        const char* libraryFolder = std::getenv("LDRAWDIR");
+        LDrawLibrary library(folder, libraryFolder ? libraryFolder : "");
+        LDrawReader reader(name, library);
+        std::string error;
+        const osg::ref_ptr<osg::Node> node = reader.read(text, error);
+        if (!node) return ReadResult("osgLego: can't read '" + name + "': " + error);
+        warn(name, reader.getWarnings());
+        return node.get();
+    }
+
+    /** Write a node by a function that returns the reason if it fails. */
+    static WriteResult writeScene(const osg::Node& node, const std::string& name,
+                                  const std::function<std::string(const LDrawWriter&)>& write)
+    {
+        LDrawScene scene;
+        std::string why;
+        if (LDrawScene::create(node, scene, why)) why = write(LDrawWriter(scene, name));
+        if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);
+        warn(name, scene.warnings);
+        return WriteResult::FILE_SAVED;
+    }
+
     static void warn(const std::string& name, const std::vector<std::string>& warnings)
     {
         for (const std::string& warning : warnings)

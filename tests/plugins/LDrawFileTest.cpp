@@ -35,10 +35,10 @@ protected:
     }
 };
 
-TEST_F(LDrawFile, PartsSurviveBothFormats)
+TEST_F(LDrawFile, PartsSurviveInFilesOfEveryName)
 {
     const osg::ref_ptr<LegoNode> lego = createModel();
-    for (const char* name : {"a.ldr", "b.mpd", "C D.LDR"})
+    for (const char* name : {"a.ldr", "b.mpd", "C D.LDR", "e.ldr.gz"})
     {
         ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name))) << name;
         const osg::ref_ptr<const BrickModel> back = bricksOf(osgDB::readRefNodeFile(pathOf(name)));
@@ -52,7 +52,7 @@ TEST_F(LDrawFile, PartsSurviveBothFormats)
             EXPECT_EQ(back->getParts()[index].colorCode, parts[index].colorCode);
         }
     }
-    EXPECT_EQ(countFiles(), 3u) << "no temporary file is left";
+    EXPECT_EQ(countFiles(), 4u) << "no temporary file is left";
 }
 
 TEST_F(LDrawFile, AModelThatCannotBeWrittenLeavesTheOldFile)

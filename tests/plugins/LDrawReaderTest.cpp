@@ -261,6 +261,34 @@ TEST_F(LDrawReaderTest, SubmodelsThatMultiplyOrNestWithoutEndAreAnError)
     EXPECT_EQ(_error, "files include each other more than 64 deep; expected fewer levels");
 }
 
+TEST_F(LDrawReaderTest, TransformsThatMultiplyToHugeNumbersAreAnError)
+{
+    std::string nested = "0 FILE 0.ldr\n";
+    for (int level = 1; level < 60; ++level)
+        nested += "1 4 1e6 0 0 1e6 0 0 0 1e6 0 0 0 1e6 " + std::to_string(level) + ".ldr\n0 FILE " +
+                  std::to_string(level) + ".ldr\n";
+    EXPECT_FALSE(read(nested + "1 4 0 0 0" + ALONG_X + "3005.dat\n"));
+    EXPECT_EQ(_error, "'2.ldr' is too far away or too large; expected at most 1e+09 LDU");
+}
+
+TEST_F(LDrawReaderTest, ALibraryWithoutPartsIsNamed)
+{
+    _hasLibrary = true;
+    EXPECT_TRUE(read("1 4 0 0 0" + ALONG_X + "3005.dat\n"));
+    EXPECT_EQ(_warnings, (std::vector<std::string>{"there is no folder 'parts' in '" + pathOf("library") +
+                                                   "'; expected LDRAWDIR as the folder of a part library"}));
+}
+
+TEST_F(LDrawReaderTest, FilesOfTheLibraryThatCannotBeReadAreNamed)
+{
+    write("library/parts/4070.dat", "solid cube\n");
+    _hasLibrary = true;
+    EXPECT_TRUE(read("1 4 0 0 0" + ALONG_X + "3005.dat\n1 4 0 0 0" + ALONG_X + "4070.dat\n"));
+    ASSERT_EQ(_warnings.size(), 2u);
+    EXPECT_NE(_warnings[0].find("4070.dat': line 1: it begins with 'solid'"), std::string::npos) << _warnings[0];
+    EXPECT_EQ(_warnings[1], "these parts are not known and are left out: 4070.dat");
+}
+
 TEST_F(LDrawReaderTest, AModelThatIsTooLargeForAGridIsAnError)
 {
     EXPECT_FALSE(read("1 4 0 0 0" + ALONG_X + "3005.dat\n1 4 20480 0 0" + ALONG_X + "3005.dat\n"));
