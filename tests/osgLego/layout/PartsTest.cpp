@@ -1,0 +1,207 @@
+#include <osgLego/CpuLegolizer.h>
+#include <osgLego/LegoNode.h>
+#include <osgLego/Palette.h>
+#include <osgLego/PartType.h>
+
+#include <common/RacingCar.h>
+
+#include <Meshes.h>
+#include <Notices.h>
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <osg/MatrixTransform>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+LegoSettings parseSettings(const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
+    return settings;
+}
+
+osg::ref_ptr<const BrickModel> legolize(osg::Node& source, const std::string& settings,
+                                        LegoStatistics* statistics = nullptr)
+{
+    return legolizeOnCpu(source, parseSettings(settings), statistics);
+}
+
+std::set<std::array<std::uint8_t, 3>> colorsOf(const BrickModel& model)
+{
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (const Brick& brick : model.getBricks())
+        colors.insert(brick.color);
+    return colors;
+}
+
+TEST(Parts, EveryCellOfTheCarBelongsToARealPartInAColorInWhichItWasMade)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read("ldraw", error);
+    ASSERT_TRUE(palette) << error;
+    for (const char* settings : {"32,parts=bricks", "32,proportions=plate,parts=bricks", "32,up=y,parts=bricks",
+                                 "32,parts=bricks,fill=solid", "24,parts=bricks,fill=shell,colors=5,dither=on"})
+    {
+        const osg::ref_ptr<const BrickModel> model = legolize(*car, settings);
+        ASSERT_TRUE(model) << settings;
+        std::size_t covered = 0;
+        for (const Part& part : model->getParts())
+        {
+            const PartType* type = findPartType(part, model->getGrid());
+            ASSERT_TRUE(type) << settings;
+            const auto color = std::find_if(palette->getColors().begin(), palette->getColors().end(),
+                                            [&](const PaletteColor& known) { return known.code == part.colorCode; });
+            ASSERT_NE(color, palette->getColors().end()) << settings << ": " << part.colorCode;
+            EXPECT_EQ(color->color, part.color);
+            const std::uint16_t sizes = type->family == PartFamily::BRICK ? color->bricks : color->plates;
+            EXPECT_TRUE(sizes >> type->getSizeIndex() & 1) << settings << ": " << type->getName() << color->name;
+            covered += static_cast<std::size_t>(part.size[0] * part.size[1] * part.size[2]);
+        }
+        EXPECT_EQ(covered, model->getBricks().size()) << settings;
+        EXPECT_LT(2 * model->getParts().size(), covered) << settings;
+    }
+}
+
+TEST(Parts, ThreeStackedPlatesBecomeABrickWhereTheyMay)
+{
+    const osg::ref_ptr<const BrickModel> model =
+        legolize(*createSphere(), "24,proportions=plate,parts=bricks,fill=solid");
+    ASSERT_TRUE(model);
+    const auto countOf = [&](PartFamily family)
+    {
+        return std::count_if(model->getParts().begin(), model->getParts().end(),
+                             [&](const Part& part) { return findPartType(part, model->getGrid())->family == family; });
+    };
+    EXPECT_GT(countOf(PartFamily::BRICK), 0);
+    EXPECT_GT(countOf(PartFamily::PLATE), 0);
+}
+
+TEST(Parts, TheCellsOfTheSurfaceKeepTheirColors)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    const osg::ref_ptr<const BrickModel> cells = legolize(*car, "32,proportions=brick,palette=ldraw");
+    for (const char* settings : {"32,parts=bricks", "32,parts=bricks,fill=solid"})
+    {
+        const osg::ref_ptr<const BrickModel> model = legolize(*car, settings);
+        for (const Brick& cell : cells->getBricks())
+        {
+            const Brick* brick = model->find(cell.getCell());
+            ASSERT_TRUE(brick) << settings;
+            EXPECT_EQ(brick->color, cell.color) << settings;
+        }
+    }
+}
+
+TEST(Parts, EqualSeedsGiveEqualPartsAndOthersGiveOthers)
+{
+    const osg::ref_ptr<osg::Node> sphere = createSphere();
+    const auto partsOf = [&](const char* settings) { return legolize(*sphere, settings)->getParts(); };
+    EXPECT_EQ(partsOf("24,parts=bricks,palette=none,seed=3"), partsOf("24,parts=bricks,palette=none,seed=3"));
+    EXPECT_NE(partsOf("24,parts=bricks,colors=1,seed=3"), partsOf("24,parts=bricks,colors=1,seed=4"));
+}
+
+TEST(Parts, TheStatisticsDescribeTheModel)
+{
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> model =
+        legolize(*createRacingCar(), "32,parts=bricks,fill=solid", &statistics);
+    ASSERT_TRUE(statistics.layout);
+    EXPECT_EQ(statistics.layout->numParts, model->getParts().size());
+    EXPECT_EQ(statistics.layout->numCells, model->getBricks().size());
+    EXPECT_GT(statistics.layout->numInterior, 0u);
+    EXPECT_EQ(statistics.layout->numUnavailable, 0u);
+    EXPECT_GE(statistics.layout->numComponents, statistics.layout->numComponentsPossible);
+    EXPECT_EQ(statistics.layout->numColors, colorsOf(*model).size());
+    EXPECT_GT(statistics.layout->meanColorError, 0.0);
+    EXPECT_GE(statistics.layout->maximumColorError, statistics.layout->meanColorError);
+}
+
+TEST(Parts, ANodeShowsThePartsThatTheCpuLays)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24,parts=bricks"));
+    lego->addChild(createRacingCar());
+    EXPECT_EQ(lego->getBricks()->getParts(), legolize(*createRacingCar(), "24,parts=bricks")->getParts());
+    EXPECT_TRUE(lego->setSettings(parseSettings("24,proportions=brick")));
+    EXPECT_TRUE(lego->getBricks()->getParts().empty());
+}
+
+TEST(Parts, ALimitedPaletteGivesNoMoreColors)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    EXPECT_EQ(colorsOf(*legolize(*car, "32,palette=ldraw,colors=1")).size(), 1u);
+    EXPECT_LE(colorsOf(*legolize(*car, "32,palette=ldraw,colors=6,dither=on")).size(), 6u);
+    EXPECT_GT(colorsOf(*legolize(*car, "32")).size(), 100u);
+}
+
+TEST(Parts, AMissingPaletteIsReportedAndChangesNothing)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24"));
+    bool isSet = true;
+    const std::string notices =
+        noticesOf([&] { isSet = lego->setSettings(parseSettings("24,palette=no-such-palette.csv")); });
+    EXPECT_FALSE(isSet);
+    EXPECT_NE(notices.find("no-such-palette.csv"), std::string::npos) << notices;
+    EXPECT_EQ(lego->getSettings(), parseSettings("24"));
+    osg::ref_ptr<const BrickModel> model;
+    EXPECT_NE(noticesOf([&] { model = legolize(*createSphere(), "24,palette=no-such-palette.csv"); })
+                  .find("no-such-palette.csv"),
+              std::string::npos);
+    EXPECT_FALSE(model);
+}
+
+TEST(Parts, AProgramMayEndALayout)
+{
+    double last = -1.0;
+    const osg::ref_ptr<const BrickModel> model =
+        legolizeOnCpu(*createSphere(), parseSettings("48,parts=bricks,fill=solid"), nullptr,
+                      [&](double fraction)
+                      {
+                          EXPECT_GE(fraction, last);
+                          last = fraction;
+                          return false;
+                      });
+    EXPECT_FALSE(model);
+    EXPECT_GE(last, 0.0);
+    EXPECT_LT(last, 1.0);
+}
+
+TEST(Parts, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
+{
+    osg::ref_ptr<osg::Node> triangle = createTriangle({0, 0, 0}, {3, 0, 0}, {0, 3, 3});
+    osg::ref_ptr<const BrickModel> model;
+    const std::string notices = noticesOf([&] { model = legolize(*triangle, "16,fill=solid"); });
+    EXPECT_NE(notices.find("the model has no interior, so fill=solid adds no cells"), std::string::npos) << notices;
+    EXPECT_EQ(model->getBricks().size(), legolize(*triangle, "16")->getBricks().size());
+}
+
+TEST(Parts, AModelTooLargeToBeFilledIsRefusedWithItsSize)
+{
+    osg::ref_ptr<osg::Node> sphere = createSphere(6);
+    osg::ref_ptr<const BrickModel> model;
+    const std::string notices = noticesOf([&] { model = legolize(*sphere, "600,fill=solid"); });
+    EXPECT_FALSE(model);
+    EXPECT_NE(notices.find("cells; expected at most 67108864"), std::string::npos) << notices;
+}
+
+TEST(Parts, OneCellIsOnePart)
+{
+    const osg::ref_ptr<const BrickModel> model =
+        legolize(*createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), "1,parts=bricks,fill=solid");
+    ASSERT_TRUE(model);
+    ASSERT_EQ(model->getParts().size(), 1u);
+    EXPECT_EQ(findPartType(model->getParts()[0], model->getGrid())->number, "3005");
+}
+
+} // namespace
+
+} // namespace osgLego::test
