@@ -1,4 +1,6 @@
+#include <osgLego/CpuLegolizer.h>
 #include <osgLego/LegoNode.h>
+#include <osgLego/PartType.h>
 
 #include <GlTest.h>
 #include <Meshes.h>
@@ -116,6 +118,35 @@ TEST_F(CpuProducerTest, WithWaitingEachFrameShowsTheCurrentSource)
         EXPECT_TRUE(_lego->isLegolized(_contextID)) << height;
     }
     EXPECT_EQ(countShown(), 4u);
+}
+
+TEST_F(CpuProducerTest, AMovingSourceIsShownInRealParts)
+{
+    _lego->setSettings(parseSettings("24,parts=bricks,colors=4,effort=instant,device=cpu"));
+    _lego->setWaiting(true);
+    for (const double height : {1.0, 0.9, 0.8, 0.8, 0.5})
+    {
+        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
+        _viewer.frame();
+        const osg::ref_ptr<const BrickModel> shown = _lego->getBricks();
+        const osg::ref_ptr<const BrickModel> cells =
+            legolizeOnCpu(*_transform, parseSettings("24,proportions=brick,palette=ldraw,colors=4,device=cpu"));
+        EXPECT_EQ(shown->getBricks(), cells->getBricks()) << height;
+        EXPECT_LT(shown->getParts().size(), cells->getBricks().size()) << height;
+        for (const Part& part : shown->getParts())
+            ASSERT_TRUE(findPartType(part, shown->getGrid())) << height;
+        EXPECT_EQ(_lego->getStatistics(_contextID).layout->numParts, shown->getParts().size());
+    }
+}
+
+TEST_F(CpuProducerTest, AModelThatCannotBeFilledIsDrawnAsItIsWithTheReason)
+{
+    _lego->setSettings(parseSettings("600,fill=solid,device=cpu"));
+    EXPECT_GT(countDrawn(*drawFrame()), 3000u);
+    EXPECT_NE(_lego->getFailure(_contextID).find("cells; expected at most 67108864"), std::string::npos);
+    _lego->setSettings(parseSettings("16,fill=solid,device=cpu"));
+    drawFrame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
 }
 
 TEST_F(CpuProducerTest, BoundsIncludeTheBricksShownAndTheBricksBeingMade)
