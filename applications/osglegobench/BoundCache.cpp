@@ -2,6 +2,7 @@
 
 #include <common/CompleteFile.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +17,8 @@ namespace osgLego
 
 namespace
 {
+
+constexpr std::size_t LAYERS_AT_ONCE = 4;
 
 /** Fowler, Noll and Vo's hash of 64 bits (FNV-1a). */
 class Hash
@@ -32,16 +35,14 @@ private:
     std::uint64_t _value = 0xcbf29ce484222325;
 };
 
-std::string computeHash(const LayoutProblem& problem, const std::vector<int>& layers, double seconds)
+std::string computeHash(const LayoutProblem& problem, int layer, double seconds)
 {
     Hash hash;
     for (const LayoutCell& cell : problem.cells)
-        hash.add(cell.place[0] | std::uint64_t{cell.place[1]} << 16 | std::uint64_t{cell.place[2]} << 32 |
-                 std::uint64_t{cell.color} << 48);
+        if (cell.place[2] == layer)
+            hash.add(cell.place[0] | std::uint64_t{cell.place[1]} << 16 | std::uint64_t{cell.color} << 32);
     for (const LayoutColor& color : problem.colors)
         hash.add(color.bricks);
-    for (const int layer : layers)
-        hash.add(static_cast<std::uint64_t>(layer));
     hash.add(static_cast<std::uint64_t>(seconds));
     return hash.toText();
 }
@@ -60,19 +61,31 @@ BoundCache::BoundCache(std::string fileName) : _fileName(std::move(fileName))
 std::vector<LayerBound> BoundCache::getBounds(const LayoutProblem& problem, const std::vector<int>& layers,
                                               double seconds)
 {
-    std::vector<LayerBound> bounds;
-    const std::string hash = computeHash(problem, layers, seconds);
-    if (const auto entry = _entries.find(hash); entry != _entries.end())
+    std::vector<int> missing;
+    for (const int layer : layers)
+        if (!_entries.contains(computeHash(problem, layer, seconds))) missing.push_back(layer);
+    for (std::size_t begin = 0; begin < missing.size(); begin += LAYERS_AT_ONCE)
     {
-        for (const auto& layer : *entry)
-            bounds.push_back({layer.at(0), layer.at(1), layer.at(2)});
-        return bounds;
+        const std::size_t end = std::min(begin + LAYERS_AT_ONCE, missing.size());
+        compute(
+            problem,
+            {missing.begin() + static_cast<std::ptrdiff_t>(begin), missing.begin() + static_cast<std::ptrdiff_t>(end)},
+            seconds);
     }
-    bounds = boundLayers(problem, layers, {seconds, {}});
-    for (const LayerBound& bound : bounds)
-        _entries[hash].push_back({bound.z, bound.parts, bound.isOptimum});
-    write();
+    std::vector<LayerBound> bounds;
+    for (const int layer : layers)
+    {
+        const auto& entry = _entries[computeHash(problem, layer, seconds)];
+        bounds.push_back({layer, entry.at(0), entry.at(1)});
+    }
     return bounds;
+}
+
+void BoundCache::compute(const LayoutProblem& problem, const std::vector<int>& layers, double seconds)
+{
+    for (const LayerBound& bound : boundLayers(problem, layers, {seconds, {}}))
+        _entries[computeHash(problem, bound.z, seconds)] = {bound.parts, bound.isOptimum};
+    write();
 }
 
 void BoundCache::write() const

@@ -20,15 +20,17 @@ public:
      * @param fileName empty keeps bounds in memory. */
     explicit BoundCache(std::string fileName);
 
-    /** The bounds of some layers, from the file or computed now and added to it. Throws std::runtime_error.
+    /** The bounds of some layers, from the file or computed now and added to it, a few at a time, so that a run that is
+     * ended loses little. Throws std::runtime_error.
      * @param seconds the time for each connected region of a layer. */
     std::vector<LayerBound> getBounds(const LayoutProblem& problem, const std::vector<int>& layers, double seconds);
 
 private:
+    void compute(const LayoutProblem& problem, const std::vector<int>& layers, double seconds);
     void write() const;
 
     std::string _fileName;
-    nlohmann::ordered_json _entries = nlohmann::ordered_json::object(); //!< z, parts and isOptimum of layers, by hash
+    nlohmann::ordered_json _entries = nlohmann::ordered_json::object(); //!< parts and isOptimum of layers, by hash
 };
 
 } // namespace osgLego

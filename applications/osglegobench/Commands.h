@@ -16,8 +16,7 @@ void addFrameCommand(CLI::App& app);
 void addDrawCommand(CLI::App& app);
 /** Error of ambient occlusion against rays, and the time of its passes. */
 void addOcclusionCommand(CLI::App& app);
-/** Layouts of parts beside the least number of parts that is possible. Also prints tables, and writes JSON only to a
- * file. */
+/** Layouts of parts beside the least number of parts that is possible. Prints tables unless JSON goes to a file. */
 void addLayoutCommand(CLI::App& app);
 
 } // namespace osgLego

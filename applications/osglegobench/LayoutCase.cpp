@@ -134,6 +134,7 @@ ordered_json createRow(const LayoutCase& layoutCase, const LayoutRun& run)
             {"cells", figures.cells},
             {"parts", figures.parts},
             {"stacked", figures.getStackedSeams()},
+            {"stackedAtBorders", figures.getStackedBorders()},
             {"stackedLength", figures.stackedLength},
             {"components", figures.components},
             {"componentsPossible", figures.componentsPossible},

@@ -82,9 +82,9 @@ private:
     void addOneColor()
     {
         const LayoutGoals small{1.02, 0.06, ONE_SECOND, {}, {}};
-        add("small", _bunny, createSettings(13, Effort::NORMAL, Fill::SOLID), small);
-        add("small", _duck, createSettings(14, Effort::NORMAL, Fill::SOLID), small);
-        add("small", MeshSource(), createSettings(18, Effort::NORMAL, Fill::SOLID), small);
+        add("small", _bunny, createSettings(12, Effort::NORMAL, Fill::SOLID), small);
+        add("small", _duck, createSettings(12, Effort::NORMAL, Fill::SOLID), small);
+        add("small", MeshSource(), createSettings(20, Effort::NORMAL, Fill::SOLID), small);
         for (const MeshSource& mesh : {_bunny, _duck, MeshSource()})
             for (const unsigned int resolution : {32u, 48u, 64u})
                 add("surface", mesh, createSettings(resolution, Effort::NORMAL, Fill::SURFACE),
@@ -143,19 +143,28 @@ std::string formatRatio(const ordered_json& row)
     if (bound["layers"] != bound["allLayers"])
         text += fmt::format(", {} of {} layers", bound["layers"].get<int>(), bound["allLayers"].get<int>());
     if (const int rest = bound["layers"].get<int>() - bound["optimalLayers"].get<int>(); rest > 0)
-        text += fmt::format(", {} by LP", rest);
+        text += fmt::format(", {} not proved", rest);
     return text;
 }
 
 void printRow(const ordered_json& row)
 {
-    fmt::print("| {} | {} {} | {} | {} | {} | {:.1f} % | {} of {} | {:.1f} % | {} | {} | {} | {:.0f} |\n",
+    fmt::print("| {} | {} {} | {} | {} | {} | {:.1f} % ({:.1f} %) | {} of {} | {:.1f} % | {} | {} | {} | {:.0f} |\n",
                row["figure"].get<std::string>(), row["mesh"].get<std::string>(), row["resolution"].get<int>(),
                row["cells"].get<int>(), row["parts"].get<int>(), formatRatio(row), 100.0 * row["stacked"].get<double>(),
-               row["components"].get<int>(), row["componentsPossible"].get<int>(),
-               100.0 * row["articulation"].get<double>(), row["floating"].get<int>(), row["colors"].get<int>(),
-               row["unavailable"].get<int>(), row["milliseconds"]["median"].get<double>());
-    std::fflush(stdout);
+               100.0 * row["stackedAtBorders"].get<double>(), row["components"].get<int>(),
+               row["componentsPossible"].get<int>(), 100.0 * row["articulation"].get<double>(),
+               row["floating"].get<int>(), row["colors"].get<int>(), row["unavailable"].get<int>(),
+               row["milliseconds"]["median"].get<double>());
+}
+
+void printRows(const ordered_json& rows)
+{
+    fmt::print(
+        "| figure | model | cells | parts | parts / bound | stacked (at borders) | components, possible "
+        "| articulation | floating | colours | never made | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const ordered_json& row : rows)
+        printRow(row);
 }
 
 void printGoals(const ordered_json& rows)
@@ -181,17 +190,20 @@ void runLayout(const LayoutCommandOptions& options)
     const std::vector<LayoutCase> cases = selectCases(options);
     BoundCache bounds(options.boundsFile);
     ordered_json document = createDocument("layout");
-    fmt::print(
-        "| figure | model | cells | parts | parts / bound | stacked | components, possible | articulation | floating "
-        "| colours | never made | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const LayoutCase& layoutCase : cases)
     {
+        fmt::print(stderr, "laying {} at {}, {}\n", layoutCase.mesh.name, layoutCase.settings.resolution,
+                   layoutCase.figure);
         const unsigned int numRuns = layoutCase.settings.effort == Effort::INSTANT ? options.numRuns : 1;
         document["rows"].push_back(measureLayout(layoutCase, {numRuns, options.boundSeconds}, bounds));
-        printRow(document["rows"].back());
     }
+    if (!options.jsonFile.empty())
+    {
+        options.write(document);
+        return;
+    }
+    printRows(document["rows"]);
     printGoals(document["rows"]);
-    if (!options.jsonFile.empty()) options.write(document);
 }
 
 } // namespace
@@ -199,8 +211,8 @@ void runLayout(const LayoutCommandOptions& options)
 void addLayoutCommand(CLI::App& app)
 {
     CLI::App* command = app.add_subcommand(
-        "layout", "Layouts of parts: their number beside the least possible, joints, components, and the time; prints "
-                  "tables with verdicts");
+        "layout",
+        "Layouts of parts: their number beside the least possible, joints, components, and the time, with verdicts");
     const auto options = std::make_shared<LayoutCommandOptions>();
     command->add_option("--models", options->models, "Folder of bunny.ply (build/models)")
         ->type_name("FOLDER")
@@ -223,7 +235,8 @@ void addLayoutCommand(CLI::App& app)
     command->add_option("--runs", options->numRuns, "Timed runs of layouts with effort=instant (5)")
         ->check(CLI::Range(1u, 10000u));
     command->add_flag("--quick", options->isQuick, "A short run that checks that everything works");
-    command->add_option("--json", options->jsonFile, "Also write the figures there")->type_name("FILE");
+    command->add_option("--json", options->jsonFile, "Write the figures there as JSON (tables on standard output)")
+        ->type_name("FILE");
     command->callback([options] { runLayout(*options); });
 }
 

@@ -128,6 +128,53 @@ std::size_t countFloating(const LaidParts& parts, const std::vector<std::size_t>
                                                   [&stands](std::size_t component) { return stands[component] == 0; }));
 }
 
+/** Counts borders of colours that lie on borders of colours, layer by layer. */
+class BorderWalk
+{
+public:
+    explicit BorderWalk(const LayoutProblem& problem) : _problem(problem), _layer(problem.size), _below(problem.size) {}
+
+    std::size_t count()
+    {
+        std::size_t count = 0;
+        const auto numCells = static_cast<std::uint32_t>(_problem.cells.size());
+        for (std::uint32_t begin = 0, end = 0; begin < numCells; begin = end)
+        {
+            const int z = _problem.cells[begin].place[2];
+            std::swap(_layer, _below);
+            if (begin > 0 && _problem.cells[begin - 1].place[2] + 1 != z) _below.clear();
+            _layer.clear();
+            for (end = begin; end < numCells && _problem.cells[end].place[2] == z; ++end)
+                _layer.fill({_problem.cells[end].place[0], _problem.cells[end].place[1]}, {1, 1}, end);
+            for (std::uint32_t cell = begin; cell < end; ++cell)
+                count += countAt(_problem.cells[cell].place[0], _problem.cells[cell].place[1]);
+        }
+        return count;
+    }
+
+private:
+    std::size_t countAt(int x, int y) const
+    {
+        const auto isStacked = [this, x, y](int otherX, int otherY)
+        { return isBorder(_layer, x, y, otherX, otherY) && isBorder(_below, x, y, otherX, otherY); };
+        return (isStacked(x + 1, y) ? 1u : 0u) + (isStacked(x, y + 1) ? 1u : 0u);
+    }
+
+    bool isBorder(const IndexLayer& layer, int x, int y, int otherX, int otherY) const
+    {
+        const std::uint32_t cell = layer.get(x, y);
+        const std::uint32_t other = layer.get(otherX, otherY);
+        if (cell == IndexLayer::NONE || other == IndexLayer::NONE) return false;
+        const std::uint16_t color = _problem.cells[cell].color;
+        const std::uint16_t otherColor = _problem.cells[other].color;
+        return color != LayoutCell::ANY_COLOR && otherColor != LayoutCell::ANY_COLOR && color != otherColor;
+    }
+
+    const LayoutProblem& _problem;
+    IndexLayer _layer;
+    IndexLayer _below;
+};
+
 } // namespace
 
 LayoutFigures computeLayoutFigures(const LayoutProblem& problem, const LaidParts& parts)
@@ -140,6 +187,7 @@ LayoutFigures computeLayoutFigures(const LayoutProblem& problem, const LaidParts
     const LayerWalk walk(problem.size, parts);
     figures.joints = walk.joints;
     figures.stackedLength = walk.stackedLength;
+    if (!problem.isOfPlates) figures.stackedBorders = BorderWalk(problem).count();
     std::vector<std::size_t> components(parts.size());
     figures.components = boost::connected_components(walk.graph, components.data());
     figures.articulationParts = countArticulationParts(walk.graph);

@@ -18,13 +18,21 @@ struct LayoutFigures
     std::size_t floating = 0;           //!< parts in components that don't reach the lowest layer
     std::size_t joints = 0;             //!< joints between horizontal neighbours, each as long as a cell
     std::size_t stackedLength = 0;      //!< those of the joints that lie on a joint of the layer below
-    std::size_t colors = 0;             //!< colours in use
-    std::size_t unavailable = 0;        //!< parts whose size was never made in their colour
+    /** Those of the stacked joints that no layout avoids, since they are between cells of different colours. Not
+     * counted in layouts of plates, where a brick may cover three layers. */
+    std::size_t stackedBorders = 0;
+    std::size_t colors = 0;      //!< colours in use
+    std::size_t unavailable = 0; //!< parts whose size was never made in their colour
 
     /** The share of joints that lie on a joint of the layer below, 0 to 1. */
-    double getStackedSeams() const
+    double getStackedSeams() const { return getShareOfJoints(stackedLength); }
+    /** Likewise for stackedBorders. */
+    double getStackedBorders() const { return getShareOfJoints(stackedBorders); }
+
+private:
+    double getShareOfJoints(std::size_t count) const
     {
-        return joints == 0 ? 0.0 : static_cast<double>(stackedLength) / static_cast<double>(joints);
+        return joints == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(joints);
     }
 };
 

@@ -53,6 +53,20 @@ TEST(LayoutFigures, AJointIsAsLongAsTheCellsBesideIt)
     EXPECT_EQ(figures.stackedLength, 0u);
 }
 
+TEST(LayoutFigures, CountsJointsThatColoursForceUponEachOther)
+{
+    // A border above a border, beside a cell of any colour, and above a gap.
+    const LayoutProblem problem = drawProblem({{"ab*"}, {"aba"}, {"..."}, {"ab."}});
+    LaidParts parts;
+    for (const LayoutCell& cell : problem.cells)
+        parts.push_back({cell.place, {1, 1, 1}, cell.color == LayoutCell::ANY_COLOR ? std::uint16_t{0} : cell.color});
+    const LayoutFigures figures = computeLayoutFigures(problem, parts);
+    EXPECT_EQ(figures.joints, 5u);
+    EXPECT_EQ(figures.stackedLength, 2u);
+    EXPECT_EQ(figures.stackedBorders, 1u);
+    EXPECT_DOUBLE_EQ(figures.getStackedBorders(), 0.2);
+}
+
 TEST(LayoutFigures, ABrickBesidePlatesHasNoStackedJoint)
 {
     LayoutProblem problem = drawProblem({{"aa"}, {"aa"}, {"aa"}, {"aa"}});
