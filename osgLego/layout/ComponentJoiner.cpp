@@ -63,7 +63,7 @@ bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, Layout
     const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
     for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt, ++_numAttempts)
     {
-        const int numParts = FEWEST_PARTS + 2 * attempt;
+        const int numParts = FEWEST_PARTS + 2 * (attempt % 8);
         if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
     }
     return false;

@@ -29,8 +29,9 @@ bool WindowBuilder::addPart(Index anchor)
     return true;
 }
 
-void WindowBuilder::build(LayoutRandom& random)
+void WindowBuilder::build(LayoutRandom& random, int largestChance)
 {
+    _largestChance = largestChance;
     linkCells();
     weighSeams(random);
     _parts.parts.clear();
@@ -170,7 +171,7 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
         if (length >= shortest && _sizes.isAllowed(part.shape, color))
         {
             part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE) +
-                        (hasContact ? 0 : LayoutCosts::COMPONENT);
+                        (hasContact || height > 1 ? 0 : LayoutCosts::COMPONENT);
             _parts.parts.push_back(part);
         }
         // The next columns join these: no seams between them.
