@@ -62,8 +62,9 @@ bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, Layout
     constexpr int MOST_PARTS = 12;
     const CellLattice& lattice = _map.getLattice();
     const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
-    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt, ++_numAttempts)
+    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt)
     {
+        ++_numAttempts;
         const int numParts = FEWEST_PARTS + static_cast<int>(random.below(MOST_PARTS - FEWEST_PARTS + 1));
         if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
     }

@@ -22,6 +22,7 @@ class WindowBuilder
 public:
     using Index = CellLattice::Index;
     static constexpr int NO_CELL = -1;
+    static constexpr Index UNKNOWN = -2;
 
     WindowBuilder(const PartMap& map, const PartSizes& sizes);
 
@@ -50,6 +51,15 @@ public:
     int getFirstCell(int part) const { return _parts.parts[static_cast<std::size_t>(part)].cells.getFirst(); }
 
 private:
+    /** The parts above and below a part: none, one, or several. */
+    struct Contacts
+    {
+        Index first = CellLattice::NONE;
+        bool areSeveral = false;
+
+        void add(Index anchor);
+    };
+
     /** Cells above each other that a part covers together. */
     struct Column
     {
@@ -59,9 +69,10 @@ private:
         int northSeam = 0;
         std::uint16_t color = 0;
         bool exists = false;
-        bool hasContact = false; //!< with cells above or below
+        std::array<Index, 2> contacts{}; //!< the parts above and below; NONE, and UNKNOWN in the window
     };
 
+    Index findContact(int cell, CellLattice::Side side) const;
     int computeSeam(Index cell, CellLattice::Side side, LayoutRandom& random) const;
     void linkCells();
     void weighSeams(LayoutRandom& random);
@@ -72,6 +83,7 @@ private:
 
     const PartMap& _map;
     const PartSizes& _sizes;
+    int _leafCost;
     std::vector<std::int16_t> _places; //!< of each cell of the lattice
     std::vector<Index> _anchors;
     std::vector<Index> _cells;
