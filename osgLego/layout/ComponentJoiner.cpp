@@ -59,11 +59,13 @@ bool ComponentJoiner::isAlone(Index anchor) const
 bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, LayoutRandom& random)
 {
     constexpr int FEWEST_PARTS = 2;
+    constexpr int MOST_PARTS = 12;
     const CellLattice& lattice = _map.getLattice();
     const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
-    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt, ++_numAttempts)
+    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt)
     {
-        const int numParts = FEWEST_PARTS + 2 * attempt;
+        ++_numAttempts;
+        const int numParts = FEWEST_PARTS + static_cast<int>(random.below(MOST_PARTS - FEWEST_PARTS + 1));
         if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
     }
     return false;
@@ -73,9 +75,9 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
                               const std::function<bool()>& isCancelled)
 {
     _numAttempts = 0;
-    for (bool hasJoined = true; hasJoined;)
+    for (int numAttempts = -1; numAttempts < _numAttempts;)
     {
-        hasJoined = false;
+        numAttempts = _numAttempts;
         findComponents();
         Pairs pairs = findPairs(isActive);
         for (std::size_t i = pairs.size(); i > 1; --i)
@@ -89,9 +91,7 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
             const Index otherAnchor = _map.getAnchor(other);
             // The cost of windows already unites parts that can't be connected to anything else.
             if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
-            if (!join(cell, other, limits, random)) continue;
-            _components.join(cell, other);
-            hasJoined = true;
+            if (join(cell, other, limits, random)) _components.join(cell, other);
         }
     }
     return true;

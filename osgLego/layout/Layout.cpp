@@ -26,7 +26,7 @@ struct Work
 };
 
 constexpr std::array<Work, 3> WORK{
-    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 4000}}, {1500000, 12, 300, 2000, {8, 40000}}}};
+    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 1000}}, {1500000, 12, 300, 2000, {8, 10000}}}};
 constexpr int NEIGHBORHOOD = 8; // cells around changed ones whose parts may change too
 
 LaidParts getParts(const PartMap& map, const PartSizes& sizes)

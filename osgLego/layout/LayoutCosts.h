@@ -9,6 +9,11 @@ struct LayoutCosts
     static constexpr int PART = 10000;
     static constexpr int HALF_SEAM = 1000; //!< half a unit of stacked seams: each of its two parts bears a half
     static constexpr int COMPONENT = 10 * PART;
+    /** A part that hangs on a single other part, which makes that an articulation part: in models with an interior that
+     * is smaller than the surface, such as shells, and in others, where such parts are harder to avoid or matter less.
+     */
+    static constexpr int LEAF_OF_SHELL = 9000;
+    static constexpr int LEAF = 2000;
     static constexpr int UNMADE = 3 * PART;  //!< a single cell in a colour in which that part was never made
     static constexpr int LARGEST_CHANCE = 8; //!< the random cost of a joint
 };

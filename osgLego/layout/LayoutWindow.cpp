@@ -1,5 +1,7 @@
 #include <osgLego/layout/LayoutWindow.h>
 
+#include <osgLego/layout/LayoutCosts.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -15,8 +17,8 @@ LayoutWindow::LayoutWindow(PartMap& map, const PartSizes& sizes) :
 bool LayoutWindow::improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes,
                            LayoutRandom& random)
 {
-    gather({&anchor, 1}, numParts, region, random);
-    _window.build(random);
+    gather({&anchor, 1}, numParts, region, _hasBricks, random);
+    _window.build(random, LayoutCosts::LARGEST_CHANCE);
     if (!_cover.findCheaper(_window.getParts(), _window.getCost(), maximumNodes, _chosen)) return false;
     _connections.start(_window, region);
     if (!_connections.keepsConnections(_chosen)) return false;
@@ -29,8 +31,8 @@ bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegio
 {
     constexpr int MAXIMUM_NODES = 2000;
     const std::array anchors{_map.getAnchor(cell), _map.getAnchor(other)};
-    gather(anchors, numParts, region, random);
-    _window.build(random);
+    gather(anchors, numParts, region, true, random);
+    _window.build(random, LayoutCosts::PART / 2);
     const int cost = _window.getCost();
     _window.keepTogether(cell, other);
     if (!_cover.findCheaper(_window.getParts(), cost + maximumCost, MAXIMUM_NODES, _chosen)) return false;
@@ -41,28 +43,29 @@ bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegio
 }
 
 /** Fill the window with the first parts and random neighbours, neighbours of these and so on. */
-void LayoutWindow::gather(std::span<const Index> first, int numParts, const LayoutRegion& region, LayoutRandom& random)
+void LayoutWindow::gather(std::span<const Index> first, int numParts, const LayoutRegion& region, bool hasLayers,
+                          LayoutRandom& random)
 {
     _window.clear();
     _frontier.clear();
     _seen.assign(first.begin(), first.end());
     for (const Index anchor : first)
-        if (_window.addPart(anchor)) addFrontier(anchor, region);
+        if (_window.addPart(anchor)) addFrontier(anchor, region, hasLayers);
     while (!_frontier.empty() && static_cast<int>(_window.getAnchors().size()) < numParts)
     {
         const std::size_t i = random.below(_frontier.size());
         const Index next = _frontier[i];
         _frontier[i] = _frontier.back();
         _frontier.pop_back();
-        if (_window.addPart(next)) addFrontier(next, region);
+        if (_window.addPart(next)) addFrontier(next, region, hasLayers);
     }
 }
 
-/** Note the neighbours of a part that it could share a part with. */
-void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region)
+/** Note the neighbours of a part in its layer that it could share a part with, and those in other layers if wanted. */
+void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region, bool hasLayers)
 {
     const CellLattice& lattice = _map.getLattice();
-    const std::uint8_t numSides = _hasBricks ? 6 : 4;
+    const std::uint8_t numSides = hasLayers ? 6 : 4;
     _map.visitPart(anchor,
                    [&](Index cell)
                    {
@@ -70,7 +73,7 @@ void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region)
                        {
                            const Index other = lattice.getNeighbor(cell, static_cast<CellLattice::Side>(side));
                            if (other == CellLattice::NONE || _map.getAnchor(other) == anchor) continue;
-                           if (!PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) continue;
+                           if (side < 4 && !PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) continue;
                            const Index neighbor = _map.getAnchor(other);
                            if (std::find(_seen.begin(), _seen.end(), neighbor) != _seen.end()) continue;
                            _seen.push_back(neighbor);

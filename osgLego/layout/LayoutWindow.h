@@ -35,8 +35,9 @@ public:
     bool join(Index cell, Index other, int numParts, const LayoutRegion& region, int maximumCost, LayoutRandom& random);
 
 private:
-    void gather(std::span<const Index> first, int numParts, const LayoutRegion& region, LayoutRandom& random);
-    void addFrontier(Index anchor, const LayoutRegion& region);
+    void gather(std::span<const Index> first, int numParts, const LayoutRegion& region, bool hasLayers,
+                LayoutRandom& random);
+    void addFrontier(Index anchor, const LayoutRegion& region, bool hasLayers);
     void apply();
 
     PartMap& _map;

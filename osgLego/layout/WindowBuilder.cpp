@@ -8,8 +8,22 @@
 namespace osgLego
 {
 
+namespace
+{
+
+int getLeafCost(const LayoutProblem& problem)
+{
+    const auto numInside = std::count_if(problem.cells.begin(), problem.cells.end(),
+                                         [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; });
+    const bool isShell = numInside > 0 && numInside < static_cast<std::ptrdiff_t>(problem.cells.size() / 2);
+    return isShell ? LayoutCosts::LEAF_OF_SHELL : LayoutCosts::LEAF;
+}
+
+} // namespace
+
 WindowBuilder::WindowBuilder(const PartMap& map, const PartSizes& sizes) :
-    _map(map), _sizes(sizes), _places(static_cast<std::size_t>(map.getLattice().getNumCells()), NO_CELL)
+    _map(map), _sizes(sizes), _leafCost(getLeafCost(map.getLattice().getProblem())),
+    _places(static_cast<std::size_t>(map.getLattice().getNumCells()), NO_CELL)
 {
 }
 
@@ -29,8 +43,9 @@ bool WindowBuilder::addPart(Index anchor)
     return true;
 }
 
-void WindowBuilder::build(LayoutRandom& random)
+void WindowBuilder::build(LayoutRandom& random, int largestChance)
 {
+    _largestChance = largestChance;
     linkCells();
     weighSeams(random);
     _parts.parts.clear();
@@ -93,13 +108,27 @@ void WindowBuilder::weighSeams(LayoutRandom& random)
     }
 }
 
+void WindowBuilder::Contacts::add(Index anchor)
+{
+    if (anchor == CellLattice::NONE) return;
+    areSeveral |= first != CellLattice::NONE && first != anchor;
+    first = anchor;
+}
+
+/** The part above or below a cell of the window. */
+WindowBuilder::Index WindowBuilder::findContact(int cell, CellLattice::Side side) const
+{
+    const Index other = _map.getLattice().getNeighbor(_cells[static_cast<std::size_t>(cell)], side);
+    if (other == CellLattice::NONE) return CellLattice::NONE;
+    return findCell(other) == NO_CELL ? _map.getAnchor(other) : UNKNOWN;
+}
+
 WindowBuilder::Column WindowBuilder::makeColumn(int cell, int height) const
 {
     Column column;
     column.color = LayoutCell::ANY_COLOR;
     const CellLattice& lattice = _map.getLattice();
-    column.hasContact =
-        lattice.getNeighbor(_cells[static_cast<std::size_t>(cell)], CellLattice::BELOW) != CellLattice::NONE;
+    column.contacts[0] = findContact(cell, CellLattice::BELOW);
     for (int z = 0; z < height; ++z)
     {
         const auto index = static_cast<std::size_t>(cell);
@@ -117,7 +146,7 @@ WindowBuilder::Column WindowBuilder::makeColumn(int cell, int height) const
         if (z + 1 == height)
         {
             column.exists = true;
-            column.hasContact |= lattice.getNeighbor(_cells[index], CellLattice::ABOVE) != CellLattice::NONE;
+            column.contacts[1] = findContact(cell, CellLattice::ABOVE);
             break;
         }
         cell = _neighbors[index][CellLattice::ABOVE];
@@ -144,7 +173,7 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
     WindowPart part;
     std::uint16_t color = LayoutCell::ANY_COLOR;
     int seams = 0;
-    bool hasContact = false;
+    Contacts contacts;
     int next = cell;
     for (int length = 1; length <= PartSizes::LONGEST && next != NO_CELL; ++length)
     {
@@ -158,7 +187,8 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
             color = *joint;
             part.cells |= column.cells;
             seams += column.sum;
-            hasContact |= column.hasContact;
+            for (const Index contact : column.contacts)
+                contacts.add(contact);
             if (i + 1 == breadth) break;
             seams -= 2 * (isAlongX ? column.northSeam : column.eastSeam);
             beside = _neighbors[static_cast<std::size_t>(beside)][across];
@@ -169,8 +199,9 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
                       static_cast<std::uint8_t>(height)};
         if (length >= shortest && _sizes.isAllowed(part.shape, color))
         {
-            part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE) +
-                        (hasContact ? 0 : LayoutCosts::COMPONENT);
+            part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE);
+            if (contacts.first == CellLattice::NONE && height == 1) part.cost += LayoutCosts::COMPONENT;
+            if (contacts.first >= 0 && !contacts.areSeveral) part.cost += _leafCost;
             _parts.parts.push_back(part);
         }
         // The next columns join these: no seams between them.

@@ -22,6 +22,7 @@ class WindowBuilder
 public:
     using Index = CellLattice::Index;
     static constexpr int NO_CELL = -1;
+    static constexpr Index UNKNOWN = -2;
 
     WindowBuilder(const PartMap& map, const PartSizes& sizes);
 
@@ -29,8 +30,9 @@ public:
     /** Add the cells of a part, which must not be in the window.
      * @return false if they are too many. */
     bool addPart(Index anchor);
-    /** List the parts that could be laid, once all cells are known. The random numbers decide between equal covers. */
-    void build(LayoutRandom& random);
+    /** List the parts that could be laid, once all cells are known. Each joint costs a random number below
+     * `largestChance`, which decides between equal covers. */
+    void build(LayoutRandom& random, int largestChance);
 
     /** Remove the parts that contain one of two cells and not the other. */
     void keepTogether(Index cell, Index other);
@@ -49,6 +51,15 @@ public:
     int getFirstCell(int part) const { return _parts.parts[static_cast<std::size_t>(part)].cells.getFirst(); }
 
 private:
+    /** The parts above and below a part: none, one, or several. */
+    struct Contacts
+    {
+        Index first = CellLattice::NONE;
+        bool areSeveral = false;
+
+        void add(Index anchor);
+    };
+
     /** Cells above each other that a part covers together. */
     struct Column
     {
@@ -58,9 +69,10 @@ private:
         int northSeam = 0;
         std::uint16_t color = 0;
         bool exists = false;
-        bool hasContact = false; //!< with cells above or below
+        std::array<Index, 2> contacts{}; //!< the parts above and below; NONE, and UNKNOWN in the window
     };
 
+    Index findContact(int cell, CellLattice::Side side) const;
     int computeSeam(Index cell, CellLattice::Side side, LayoutRandom& random) const;
     void linkCells();
     void weighSeams(LayoutRandom& random);
@@ -71,6 +83,7 @@ private:
 
     const PartMap& _map;
     const PartSizes& _sizes;
+    int _leafCost;
     std::vector<std::int16_t> _places; //!< of each cell of the lattice
     std::vector<Index> _anchors;
     std::vector<Index> _cells;
@@ -78,6 +91,7 @@ private:
     std::vector<std::array<int, 2>> _seams;      //!< to the east and the north: the cost of half a joint there
     std::array<std::vector<Column>, 2> _columns; //!< of each height
     WindowParts _parts;
+    int _largestChance = 1;
     int _cost = 0;
 };
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace osgLego
+{
+
+/** The cells of a box of which isCell(x, y, z) returns a colour; none where it returns -1. */
+LayoutProblem makeCells(const glm::ivec3& size, const std::function<int(int, int, int)>& getColor,
+                        std::vector<LayoutColor> colors = {LayoutColor{}});
+
+/** A layout as tests look at it, by straightforward means. */
+class LaidModel
+{
+public:
+    LaidModel(const LayoutProblem& problem, const LaidParts& parts);
+
+    /** The first reason for which these are not valid parts of the cells: a cell covered never or twice, a size that
+     * was never made, except for single cells, or a wrong colour. Empty if they are valid. */
+    std::string findMistake() const;
+    /** The number of components of parts with a stud under another. */
+    int countComponents() const;
+    /** Unit joints that lie above a joint of other parts. */
+    int countStackedSeams() const;
+
+private:
+    std::string findMistake(const LaidPart& part) const;
+
+    const LayoutProblem& _problem;
+    const LaidParts& _parts;
+    std::map<std::array<int, 3>, std::uint16_t> _colors;
+    std::map<std::array<int, 3>, int> _owners;
+    int _numCovered = 0;
+};
+
+/** Fewer components are not possible: cells above each other are always connected, and neighbours in a layer at most if
+ * one part may cover both. */
+int countPossibleComponents(const LayoutProblem& problem);
+
+} // namespace osgLego
