@@ -256,10 +256,9 @@ PartsList CaptureScene::createPartsList() const
         if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
         if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
     }
-    if (list.getRows().empty())
-        throw CaptureError(EXIT_BAD_INPUT,
-                           "'" + _options.mesh + "' has no parts to list; expected parts=bricks among the settings");
-    return list;
+    if (!list.getRows().empty()) return list;
+    const std::string name = _options.mesh.empty() ? "the built-in model" : "'" + _options.mesh + "'";
+    throw CaptureError(EXIT_BAD_INPUT, name + " has no parts to list; expected parts=bricks among its settings");
 }
 
 double CaptureScene::estimateMemory() const
