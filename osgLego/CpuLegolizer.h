@@ -19,8 +19,9 @@ namespace osgLego
  * the same cells on the GPU, except cells that a triangle merely grazes: the GPU works in single precision. The colour
  * of a cell is the average over its triangles, weighted by their area inside the cell. Each triangle contributes the
  * colour of its point nearest the cell's centre: vertex colours and texture coordinates are interpolated there, and the
- * texture is filtered to the size of a cell. With a palette, a cell gets the palette's colour nearest to that of its
- * surface. The method, target, FBO size, edge limit and device of the settings are ignored.
+ * texture is filtered to the size of a cell. With a palette, a cell gets the palette's colour nearest to one of the
+ * colours of its triangles, the one nearest to the average. The method, target, FBO size, edge limit and device of the
+ * settings are ignored.
  *
  * Usage:
  *

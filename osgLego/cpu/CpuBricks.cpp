@@ -10,7 +10,8 @@ namespace osgLego
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const BrickModel> cells = voxelizeOnCpu(*source.triangles);
+    const osg::ref_ptr<const BrickModel> cells =
+        voxelizeOnCpu(*source.triangles, source.lookup.hasPalette() ? CellColor::DOMINANT : CellColor::MEAN);
     if (work.isCancelled && work.isCancelled()) return nullptr;
     work.statistics = {};
     work.statistics.isFromCpu = true;

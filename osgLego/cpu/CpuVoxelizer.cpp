@@ -32,8 +32,8 @@ bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
 class BundleVoxelizer
 {
 public:
-    BundleVoxelizer(const GridTriangles& triangles, const TriangleBins& bins) :
-        _triangles(triangles), _bins(bins), _sums(triangles.getGrid().dimensions.x)
+    BundleVoxelizer(const GridTriangles& triangles, const TriangleBins& bins, CellColor color) :
+        _triangles(triangles), _bins(bins), _color(color), _sums(triangles.getGrid().dimensions.x)
     {
     }
 
@@ -66,11 +66,22 @@ private:
         if (!slicer.slice(_minimum, _maximum, _parts)) decideParts(corners);
         if (_parts.empty()) return;
         _colors.resize(std::max(_colors.size(), _parts.size()));
-        TriangleColor(batch, corners).getColors(_parts, _colors.data());
+        const TriangleColor triangleColor(batch, corners);
+        triangleColor.getColors(_parts, _colors.data());
         auto color = _colors.begin();
         for (const CellPart& part : _parts)
             _sums.add(part.cell - _triangles.getFirstCell(),
                       static_cast<float>(part.area + PassConstants::LEAST_WEIGHT), *color++);
+        if (_color == CellColor::DOMINANT) addCandidates(triangleColor);
+    }
+
+    /** Add the colours of the parts, from which one is chosen for each cell. */
+    void addCandidates(const TriangleColor& triangleColor)
+    {
+        if (triangleColor.hasMixtures()) triangleColor.getPlainColors(_parts, _colors.data());
+        auto color = _colors.begin();
+        for (const CellPart& part : _parts)
+            _sums.addCandidate(part.cell - _triangles.getFirstCell(), *color++);
     }
 
     /** Replace the parts by those whose cells pass the overlap test. */
@@ -93,6 +104,7 @@ private:
 
     const GridTriangles& _triangles;
     const TriangleBins& _bins;
+    CellColor _color;
     RowBundleSums _sums;
     // The cells of the bundle, and of the parts, are those of the positions.
     glm::ivec3 _minimum{0};
@@ -103,12 +115,12 @@ private:
     std::vector<glm::vec3> _colors; // of the parts
 };
 
-osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles)
+osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles, CellColor color)
 {
     const TriangleBins bins(triangles);
     std::vector<RowBundle> bundles(bins.getNumBundles());
-    oneapi::tbb::enumerable_thread_specific<BundleVoxelizer> voxelizers([&]
-                                                                        { return BundleVoxelizer(triangles, bins); });
+    oneapi::tbb::enumerable_thread_specific<BundleVoxelizer> voxelizers(
+        [&] { return BundleVoxelizer(triangles, bins, color); });
     oneapi::tbb::parallel_for(std::size_t(0), bundles.size(),
                               [&](std::size_t bundle)
                               {
@@ -121,10 +133,10 @@ osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles)
 
 } // namespace
 
-osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles)
+osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles, CellColor color)
 {
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles); });
+    return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles, color); });
 }
 
 } // namespace osgLego

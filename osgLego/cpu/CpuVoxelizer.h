@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/cpu/DominantColors.h>
 #include <osgLego/flattening/GridTriangles.h>
 
 #include <osg/ref_ptr>
@@ -9,7 +10,8 @@ namespace osgLego
 {
 
 /** Make the bricks of triangles that are already in their grid, as legolizeOnCpu() does; a model without bricks if
- * there are no triangles. May be called from any thread; uses all threads that oneTBB gives the caller. */
-osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles);
+ * there are no triangles. May be called from any thread; uses all threads that oneTBB gives the caller.
+ * @param color the colour of a cell that several triangles cover. */
+osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles, CellColor color = CellColor::MEAN);
 
 } // namespace osgLego

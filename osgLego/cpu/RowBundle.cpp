@@ -83,6 +83,7 @@ RowBundleSums::RowBundleSums(int width) :
 
 RowBundle RowBundleSums::take(const glm::ivec2& firstRow)
 {
+    _dominantColors.choose(_sums);
     RowBundle bundle;
     std::size_t count = 0;
     for (const std::uint64_t word : _occupancy)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/cpu/DominantColors.h>
 
 #include <array>
 #include <cstddef>
@@ -58,6 +59,12 @@ public:
         word |= bit;
     }
 
+    /** Add a colour that triangles contribute to a cell, one of which it then has instead of the mean of all. */
+    void addCandidate(const glm::ivec3& cell, const glm::vec3& color)
+    {
+        _dominantColors.add(RowBundle::rowOf(cell.y, cell.z) * _width + static_cast<std::size_t>(cell.x), color);
+    }
+
     /** Return the bricks, and start again without any. @param firstRow y and z of the bundle's first row. */
     RowBundle take(const glm::ivec2& firstRow);
 
@@ -67,6 +74,7 @@ private:
     std::size_t _width;
     std::size_t _numWords;
     std::vector<glm::vec4> _sums; // weighted colours, and weights
+    DominantColors _dominantColors;
     std::vector<std::uint64_t> _occupancy;
 };
 

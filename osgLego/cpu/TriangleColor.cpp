@@ -1,8 +1,15 @@
 #include <osgLego/cpu/TriangleColor.h>
 
+#include <osgLego/cpu/DominantColors.h>
 #include <osgLego/flattening/SurfaceColor.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
 
 namespace osgLego
 {
@@ -16,6 +23,38 @@ bool haveSameColor(const GridVertex& a, const GridVertex& b)
     constexpr std::uint32_t BLUE = 0xffff;
     return a.colorAndLevel[0] == b.colorAndLevel[0] && ((a.colorAndLevel[1] ^ b.colorAndLevel[1]) & BLUE) == 0;
 }
+
+/** Texels in a cell, for shaders/voxelization/dominant_color.frag's rule. */
+class PlainTexels
+{
+public:
+    /** In quarters of a cell from its centre. */
+    static constexpr std::array<glm::dvec2, 5> OFFSETS{glm::dvec2(0.0, 0.0), glm::dvec2(1.0, 1.0),
+                                                       glm::dvec2(1.0, -1.0), glm::dvec2(-1.0, 1.0),
+                                                       glm::dvec2(-1.0, -1.0)};
+
+    /** @param size of the texture. @param level at which a cell is two texels wide. */
+    PlainTexels(const glm::ivec2& size, double level) : _quarter(0.5 * std::exp2(level) / glm::dvec2(size))
+    {
+        // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
+        const int last = static_cast<int>(std::bit_width(static_cast<unsigned int>(std::max(size.x, size.y)))) - 1;
+        _level = std::clamp(static_cast<int>(level) - 3, 0, last);
+        _size = glm::max(size >> _level, 1);
+    }
+
+    double getLevel() const { return _level; }
+
+    /** The centre of a texel, where it is not mixed with others. */
+    glm::dvec2 getCoordinate(const glm::dvec2& center, const glm::dvec2& offset) const
+    {
+        return (glm::floor((center + offset * _quarter) * _size) + 0.5) / _size;
+    }
+
+private:
+    glm::dvec2 _quarter;
+    int _level = 0;
+    glm::dvec2 _size{1.0};
+};
 
 } // namespace
 
@@ -33,10 +72,21 @@ TriangleColor::TriangleColor(const GridBatch& batch, const GridVertex* corners) 
 void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors) const
 {
     if (_isEven)
-    {
         std::fill_n(colors, parts.size(), _colors[0]);
-        return;
-    }
+    else
+        forEachPoint(parts, [&](std::size_t part, const glm::dvec3& shares)
+                     { colors[part] = applyTexture(_batch, _vertices, shares, getVertexColor(shares)); });
+}
+
+void TriangleColor::getPlainColors(std::span<const CellPart> parts, glm::vec3* colors) const
+{
+    forEachPoint(parts, [&](std::size_t part, const glm::dvec3& shares) { colors[part] = getPlainColor(shares); });
+}
+
+/** Call a function with the number of each part and the barycentric coordinates of the point nearest to its centre. */
+template <typename GetColor>
+void TriangleColor::forEachPoint(std::span<const CellPart> parts, const GetColor& getColor) const
+{
     for (std::size_t first = 0; first < parts.size(); first += NearestPoint::NUM_LANES)
     {
         // Spare lanes repeat the last part.
@@ -48,16 +98,39 @@ void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors
         const NearestPoint::Shares shares = _nearestPoint.find(middleOf(0), middleOf(1), middleOf(2));
         const std::size_t count = std::min(NearestPoint::NUM_LANES, parts.size() - first);
         for (std::size_t lane = 0; lane < count; ++lane)
-            colors[first + lane] = getColor(shares.b[lane], shares.c[lane]);
+        {
+            const double b = shares.b[lane];
+            const double c = shares.c[lane];
+            getColor(first + lane, glm::dvec3(1.0 - b - c, b, c));
+        }
     }
 }
 
-glm::vec3 TriangleColor::getColor(double shareB, double shareC) const
+glm::vec3 TriangleColor::getVertexColor(const glm::dvec3& shares) const
 {
-    const double shareA = 1.0 - shareB - shareC;
-    const glm::vec3 color = static_cast<float>(shareA) * _colors[0] + static_cast<float>(shareB) * _colors[1] +
-                            static_cast<float>(shareC) * _colors[2];
-    return applyTexture(_batch, _vertices, {shareA, shareB, shareC}, color);
+    return static_cast<float>(shares.x) * _colors[0] + static_cast<float>(shares.y) * _colors[1] +
+           static_cast<float>(shares.z) * _colors[2];
+}
+
+glm::vec3 TriangleColor::getPlainColor(const glm::dvec3& shares) const
+{
+    const glm::vec3 vertexColor = getVertexColor(shares);
+    const glm::dvec2 center = coordinateAt(_vertices, shares);
+    const double level = _vertices[0].getLevel();
+    const glm::vec3 filtered = applyTexture(_batch, center, level, vertexColor);
+
+    const PlainTexels texels(_batch.texture->getSize(), level);
+    glm::vec3 nearest(0.0f);
+    float best = std::numeric_limits<float>::max();
+    for (const glm::dvec2& offset : PlainTexels::OFFSETS)
+    {
+        const glm::vec3 color =
+            applyTexture(_batch, texels.getCoordinate(center, offset), texels.getLevel(), vertexColor);
+        const float score = dominanceScore(color, filtered);
+        if (score < best) nearest = color;
+        best = std::min(best, score);
+    }
+    return nearest;
 }
 
 } // namespace osgLego

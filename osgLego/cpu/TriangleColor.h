@@ -29,8 +29,17 @@ public:
     /** Compute the colours for the cells of some parts, 0 to 1 per channel. @param colors has an element per part. */
     void getColors(std::span<const CellPart> parts, glm::vec3* colors) const;
 
+    /** Whether a texture may mix several colours in a cell. */
+    bool hasMixtures() const { return _batch.texture.valid(); }
+    /** Compute colours as getColors() does, but of single texels rather than filtered: of five in each cell, the one
+     * nearest to the filtered colour. */
+    void getPlainColors(std::span<const CellPart> parts, glm::vec3* colors) const;
+
 private:
-    glm::vec3 getColor(double shareB, double shareC) const;
+    template <typename GetColor>
+    void forEachPoint(std::span<const CellPart> parts, const GetColor& getColor) const;
+    glm::vec3 getVertexColor(const glm::dvec3& shares) const;
+    glm::vec3 getPlainColor(const glm::dvec3& shares) const;
 
     const GridBatch& _batch;
     const GridVertex* _vertices;

@@ -24,6 +24,13 @@ constexpr Real WEIGHT_SCALE = 1024.0;
 constexpr Real COLOR_CENTER = 0.5;
 constexpr Real LARGEST_SUM = 65504.0;
 
+// Where two colours have equal areas in a cell, the darker one is chosen: its distance from the mean is increased by
+// less. That decides between colours alike in all cells along a border, where rounding errors would decide differently
+// in each, and changes the areas at which the choice changes by less than 2 %.
+constexpr Real RED_BIAS = 0.010;
+constexpr Real GREEN_BIAS = 0.017;
+constexpr Real BLUE_BIAS = 0.004;
+
 // The mipmap level that a fraction of 1 denotes in a packed vertex.
 constexpr Real MAXIMUM_LEVEL = 16.0;
 

@@ -18,7 +18,10 @@ constexpr GLsizei WORD_BYTES = sizeof(std::uint32_t);
 constexpr GLsizei BLOCK_BYTES = Occupancy::WORDS_PER_BLOCK * WORD_BYTES;
 constexpr std::size_t BRICK_BYTES = sizeof(BrickPoint);
 constexpr const char* NO_SHADERS = "the shaders of BrickExtractionPass failed to compile";
-constexpr int OCCUPANCY_UNIT = 1; // unit 0 is the voxel image
+// Unit 0 is the voxel image.
+constexpr int OCCUPANCY_UNIT = 1;
+constexpr unsigned int TABLE_UNIT = 2;
+constexpr unsigned int COLORS_UNIT = 3;
 
 /** Feeds integers, up to four per attribute, to a vertex shader during its lifetime, from location 0 on. */
 class NumberArrays
@@ -152,6 +155,7 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
     const ProgramUniforms uniforms(state);
     uniforms.set("occupancy", OCCUPANCY_UNIT);
     uniforms.set("layers", glm::ivec2(slab.begin, slab.end));
+    bindPaletteOf(state, *work.source, TABLE_UNIT, COLORS_UNIT);
     const OccupancyTexture texture(state, work.occupancy);
     {
         const NumberArrays arrays(*state.get<osg::GLExtensions>(), wordBuffer.get(), WORD_BYTES, 1, 1);

@@ -22,14 +22,22 @@ osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<
     return stateSet;
 }
 
+std::string definitionsOf(const PassPlan& plan)
+{
+    std::string definitions;
+    if (plan.getExtractedFormat() != VoxelFormat::COLOR) definitions += "#define WEIGHTED_COLORS\n";
+    if (plan.hasPalette) definitions += "#define PALETTE\n";
+    return definitions;
+}
+
 } // namespace
 
-ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage, VoxelFormat format) :
+ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage, const PassPlan& plan) :
     _occupancy(createState("extraction occupancy", {"extraction/extraction_occupancy.vert"}, "word", voxelImage)),
     _words(createState("extraction words", {"extraction/extraction_words.vert", "extraction/extraction_words.geom"},
                        "word", voxelImage)),
     _bricks(createState("extraction", {"extraction/extraction.vert", "extraction/extraction.geom"}, "brick", voxelImage,
-                        format == VoxelFormat::COLOR ? "" : "#define WEIGHTED_COLORS\n"))
+                        definitionsOf(plan)))
 {
 }
 

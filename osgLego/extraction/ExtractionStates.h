@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/passes/VoxelFormat.h>
+#include <osgLego/passes/PassPlan.h>
 
 #include <osg/Referenced>
 #include <osg/State>
@@ -19,7 +19,8 @@ namespace osgLego
 class ExtractionStates : public osg::Referenced
 {
 public:
-    ExtractionStates(osg::Texture2D& voxelImage, VoxelFormat format);
+    /** @param voxelImage the image of PassPlan::getExtractedFormat(). */
+    ExtractionStates(osg::Texture2D& voxelImage, const PassPlan& plan);
 
     /** Computes the occupancy from the voxel image, for contexts in which voxelization can't mark cells. */
     osg::StateSet& getOccupancy() const { return *_occupancy; }

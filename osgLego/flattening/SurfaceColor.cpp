@@ -27,14 +27,22 @@ glm::dvec3 joined(const glm::dvec3& color, const glm::dvec4& texel, TextureEnvir
 
 } // namespace
 
+glm::vec3 applyTexture(const GridBatch& batch, const glm::dvec2& coordinate, double level, const glm::vec3& color)
+{
+    return joined(color, batch.texture->sample(coordinate, level), batch.environment);
+}
+
+glm::dvec2 coordinateAt(const GridVertex* corners, const glm::dvec3& shares)
+{
+    return shares.x * glm::dvec2(corners[0].coordinate) + shares.y * glm::dvec2(corners[1].coordinate) +
+           shares.z * glm::dvec2(corners[2].coordinate);
+}
+
 glm::vec3 applyTexture(const GridBatch& batch, const GridVertex* corners, const glm::dvec3& shares,
                        const glm::vec3& color)
 {
     if (!batch.texture) return color;
-    const glm::dvec2 coordinate = shares.x * glm::dvec2(corners[0].coordinate) +
-                                  shares.y * glm::dvec2(corners[1].coordinate) +
-                                  shares.z * glm::dvec2(corners[2].coordinate);
-    return joined(color, batch.texture->sample(coordinate, corners[0].getLevel()), batch.environment);
+    return applyTexture(batch, coordinateAt(corners, shares), corners[0].getLevel(), color);
 }
 
 } // namespace osgLego

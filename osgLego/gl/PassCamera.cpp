@@ -51,6 +51,17 @@ void PassCamera::setUp(const glm::ivec2& size)
 void PassCamera::addDepthBuffer()
 {
     attach(DEPTH_BUFFER, GL_DEPTH_COMPONENT24);
+    clearDepthBuffer();
+}
+
+void PassCamera::addDepthBuffer(osg::Texture2D& target)
+{
+    attach(DEPTH_BUFFER, &target);
+    clearDepthBuffer();
+}
+
+void PassCamera::clearDepthBuffer()
+{
     setClearDepth(1.0);
     setClearMask(getClearMask() | GL_DEPTH_BUFFER_BIT);
 }
@@ -63,10 +74,20 @@ void PassCamera::traverse(osg::NodeVisitor& visitor)
 
 osg::ref_ptr<osg::Texture2D> PassCamera::createTarget(const glm::ivec2& size, GLint internalFormat)
 {
+    return createTexture(size, internalFormat, GL_RGBA);
+}
+
+osg::ref_ptr<osg::Texture2D> PassCamera::createDepthTarget(const glm::ivec2& size)
+{
+    return createTexture(size, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT);
+}
+
+osg::ref_ptr<osg::Texture2D> PassCamera::createTexture(const glm::ivec2& size, GLint internalFormat, GLenum format)
+{
     osg::ref_ptr<osg::Texture2D> target = new osg::Texture2D;
     target->setTextureSize(size.x, size.y);
     target->setInternalFormat(internalFormat);
-    target->setSourceFormat(GL_RGBA);
+    target->setSourceFormat(format);
     target->setSourceType(GL_FLOAT);
     target->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     target->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);

@@ -31,16 +31,23 @@ public:
 
     /** Add a depth buffer of 24 bits, cleared to the far plane. The pass itself enables the depth test. */
     void addDepthBuffer();
+    /** The same, kept in a texture of createDepthTarget(), which several cameras may share. */
+    void addDepthBuffer(osg::Texture2D& target);
 
     void traverse(osg::NodeVisitor& visitor) override;
 
     /** A texture for a pass to draw into: RGBA, unfiltered, stored as `internalFormat`. */
     static osg::ref_ptr<osg::Texture2D> createTarget(const glm::ivec2& size, GLint internalFormat);
+    /** A texture for addDepthBuffer(). */
+    static osg::ref_ptr<osg::Texture2D> createDepthTarget(const glm::ivec2& size);
 
 private:
     ~PassCamera() override = default;
 
+    static osg::ref_ptr<osg::Texture2D> createTexture(const glm::ivec2& size, GLint internalFormat, GLenum format);
+
     void setUp(const glm::ivec2& size);
+    void clearDepthBuffer();
 
     const osg::Drawable& _drawable;
 };

@@ -47,7 +47,7 @@ osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLoo
     double sum = 0.0;
     for (Brick& brick : bricks)
     {
-        const std::size_t index = lookup.find(brick.color);
+        const std::size_t index = lookup.find(brick.color, brick.cell);
         if (brick.openSides != 0)
         {
             const double distance = glm::distance(places[index], toOklab(brick.color));

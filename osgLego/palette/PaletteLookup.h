@@ -7,15 +7,14 @@
 #include <cstdint>
 #include <utility>
 
-#include <glm/vec3.hpp>
 #include <osg/ref_ptr>
 
 namespace osgLego
 {
 
-/** The colours that cells may have: those of a palette, or any.
+/** The colours that bricks may have: those of a palette, or any.
  *
- * shaders/extraction/palette_color.glsl does the same on the GPU, with the same result.
+ * shaders/extraction/palette_color.glsl does the same on the GPU, with the same results.
  *
  * Immutable; may be called from any thread.
  */
@@ -24,24 +23,34 @@ class PaletteLookup
 public:
     /** Any colour. */
     PaletteLookup() = default;
-    /** The colours of a palette; any if it is null. */
-    explicit PaletteLookup(osg::ref_ptr<const Palette> palette) : _palette(std::move(palette)) {}
+    /** The colours of a palette; any if it is null. @param dithers whether to imitate those between them. */
+    explicit PaletteLookup(osg::ref_ptr<const Palette> palette, bool dithers = false) :
+        _palette(std::move(palette)), _dithers(dithers)
+    {
+    }
 
     bool hasPalette() const { return _palette.valid(); }
     /** The palette; null if any colour is allowed. */
     const Palette* getPalette() const { return _palette.get(); }
+    /** The amplitude for Dither.h; 0 if colours are not imitated. */
+    int getDitherAmplitude() const { return _dithers && _palette ? _palette->getDitherAmplitude() : 0; }
 
-    /** The index of the palette's colour for a cell whose surface has some colour. Needs a palette. */
-    std::size_t find(const std::array<std::uint8_t, 3>& color) const { return _palette->findNearest(color); }
+    /** The index of the palette's colour for a brick in a cell whose surface has some colour. Needs a palette. */
+    std::size_t find(const std::array<std::uint8_t, 3>& color, const std::array<std::uint16_t, 3>& cell) const
+    {
+        return _dithers ? _palette->findDithered(color, cell) : _palette->findNearest(color);
+    }
 
     /** That colour; without a palette, the colour of the surface. */
-    std::array<std::uint8_t, 3> getColor(const std::array<std::uint8_t, 3>& color) const
+    std::array<std::uint8_t, 3> getColor(const std::array<std::uint8_t, 3>& color,
+                                         const std::array<std::uint16_t, 3>& cell) const
     {
-        return _palette ? _palette->getColors()[find(color)].color : color;
+        return _palette ? _palette->getColors()[find(color, cell)].color : color;
     }
 
 private:
     osg::ref_ptr<const Palette> _palette;
+    bool _dithers = false;
 };
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include <osgLego/passes/LegolizationPass.h>
 
 #include <osgLego/gl/GlRequirements.h>
+#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/passes/SurfaceBinding.h>
 
 #include <new>
@@ -115,6 +116,14 @@ void LegolizationPass::bindSurfaceOf(osg::State& state, const GridBatch& batch) 
 {
     const osg::ref_ptr<osg::Texture2D> texture = batch.texture ? _workspace->getTexture(*batch.texture) : nullptr;
     bindSurface(state, batch, texture.get());
+}
+
+void LegolizationPass::bindPaletteOf(osg::State& state, const LegoSource& source, unsigned int tableUnit,
+                                     unsigned int colorsUnit) const
+{
+    if (!source.lookup.hasPalette()) return;
+    _workspace->getPaletteTextures(*source.lookup.getPalette())->bind(state, tableUnit, colorsUnit);
+    ProgramUniforms(state).set("ditherAmplitude", source.lookup.getDitherAmplitude());
 }
 
 void LegolizationPass::releaseGLObjects(osg::State* state) const

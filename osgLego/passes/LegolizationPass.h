@@ -49,6 +49,11 @@ protected:
     /** Bind the texture of a batch and set its environment, for shaders/passes/surface_color.glsl. For run(). */
     void bindSurfaceOf(osg::State& state, const GridBatch& batch) const;
 
+    /** Bind the palette of a source, if it has one, and set its uniforms, for shaders/extraction/palette_color.glsl.
+     * For run(). */
+    void bindPaletteOf(osg::State& state, const LegoSource& source, unsigned int tableUnit,
+                       unsigned int colorsUnit) const;
+
     /** Whether it is this pass's turn; the first pass starts the legolization here. Called in the same way as run(). */
     virtual bool begin(osg::State& state, PassContext& context) const;
     /** Do the work; the last pass marks it as complete. Called with the context current, its work locked, and the

@@ -8,6 +8,9 @@ namespace osgLego
 namespace
 {
 
+/** The size of a dominant colour and of its depth. */
+constexpr int DOMINANT_BYTES = 8;
+
 /** The largest number of cells that a triangle meets if its edges have at most `edgeLimit` cells: along each axis it
  * spans that many cells, rounded up, and one more. */
 int cellsMetAtMost(double edgeLimit)
@@ -27,7 +30,8 @@ VoxelFormat chooseFormat(const LegoSource& source)
     const std::size_t numCells = source.triangles->getGrid().getNumCells();
     const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles() ||
                          source.settings.getEdgeLimit() < LOWEST_EDGE_LIMIT;
-    const bool isOneSlab = numCells <= SlabPlan::MAXIMUM_BYTES / bytesOf(VoxelFormat::FLOAT_SUMS);
+    const int cellBytes = bytesOf(VoxelFormat::FLOAT_SUMS) + (source.lookup.hasPalette() ? DOMINANT_BYTES : 0);
+    const bool isOneSlab = numCells <= static_cast<std::size_t>(SlabPlan::MAXIMUM_BYTES / cellBytes);
     return isDense && isOneSlab ? VoxelFormat::FLOAT_SUMS : VoxelFormat::HALF_SUMS;
 }
 
@@ -42,10 +46,17 @@ PassPlan PassPlan::create(const LegoSource& source)
     if (plan.target == VoxelizationTarget::PROJECTED) plan.pictureSize = static_cast<int>(settings.fboSize);
     if (plan.method == VoxelizationMethod::EXACT) plan.cellsPerTriangle = cellsMetAtMost(settings.getEdgeLimit());
     plan.format = chooseFormat(source);
+    plan.hasPalette = source.lookup.hasPalette();
     const SlabPlan slabs = plan.createSlabs(source.triangles->getGrid());
     plan.imageSize = slabs.imageSize;
     plan.numSlabs = slabs.slabs.size();
     return plan;
+}
+
+/** The size of a cell in all images together. */
+int PassPlan::getCellBytes() const
+{
+    return bytesOf(format) + (findsDominantColors() ? DOMINANT_BYTES : 0);
 }
 
 std::string PassPlan::findObstacle(const LegoSource& source)

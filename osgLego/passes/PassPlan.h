@@ -22,13 +22,20 @@ struct PassPlan
     int pictureSize = 0;      //!< the side of a projected target, in pixels; 0 for other targets
     int cellsPerTriangle = 0; //!< the largest number of cells that a fine triangle meets; 0 unless the method is exact
     VoxelFormat format = VoxelFormat::COLOR;
+    bool hasPalette = false; //!< whether extraction looks colours up in a palette
     glm::ivec2 imageSize{0}; //!< of the voxel image
     std::size_t numSlabs = 0;
 
     static PassPlan create(const LegoSource& source);
 
+    /** Whether a pass follows voxelization that replaces sums of colours by the dominant colours, since the nearest
+     * colour of a palette to a mixture of two colours may be neither. */
+    bool findsDominantColors() const { return hasPalette && format != VoxelFormat::COLOR; }
+    /** The format of the voxel image that extraction reads. */
+    VoxelFormat getExtractedFormat() const { return hasPalette ? VoxelFormat::COLOR : format; }
+
     /** The slabs of a grid in this plan. */
-    SlabPlan createSlabs(const BrickGrid& grid) const { return SlabPlan::create(grid, bytesOf(format)); }
+    SlabPlan createSlabs(const BrickGrid& grid) const { return SlabPlan::create(grid, getCellBytes()); }
 
     /** Whether the passes of this plan can legolize a source. */
     bool fits(const LegoSource& source) const { return create(source) == *this; }
@@ -37,6 +44,9 @@ struct PassPlan
     static std::string findObstacle(const LegoSource& source);
 
     bool operator==(const PassPlan&) const = default;
+
+private:
+    int getCellBytes() const;
 };
 
 } // namespace osgLego

@@ -20,6 +20,7 @@ void PassWorkspace::clearSource()
     _source = nullptr;
     _bricks = nullptr;
     _textures.clear();
+    _paletteTextures = nullptr;
 }
 
 osg::ref_ptr<const LegoSource> PassWorkspace::getSource() const
@@ -50,10 +51,19 @@ osg::ref_ptr<osg::Texture2D> PassWorkspace::getTexture(const SurfaceTexture& sur
     return texture;
 }
 
+osg::ref_ptr<const PaletteTextures> PassWorkspace::getPaletteTextures(const Palette& palette) const
+{
+    const std::lock_guard lock(_mutex);
+    if (!_paletteTextures || &_paletteTextures->getPalette() != &palette)
+        _paletteTextures = new PaletteTextures(palette);
+    return _paletteTextures;
+}
+
 void PassWorkspace::releaseTextures() const
 {
     const std::lock_guard lock(_mutex);
     _textures.clear();
+    _paletteTextures = nullptr;
 }
 
 void PassWorkspace::releaseGLObjects(osg::State* state) const
@@ -64,6 +74,7 @@ void PassWorkspace::releaseGLObjects(osg::State* state) const
         const std::lock_guard lock(_mutex);
         for (const auto& [surface, texture] : _textures)
             texture->releaseGLObjects(state);
+        if (_paletteTextures) _paletteTextures->releaseGLObjects(state);
         contexts = _contexts;
     }
     for (const auto& [contextID, context] : contexts)

@@ -6,6 +6,7 @@
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/passes/GridVertexArrays.h>
 #include <osgLego/passes/Occupancy.h>
+#include <osgLego/passes/PaletteTextures.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <cstddef>
@@ -102,7 +103,10 @@ public:
 
     /** The texture of a surface, for any context; kept until releaseTextures() or setSource(). */
     osg::ref_ptr<osg::Texture2D> getTexture(const SurfaceTexture& surface) const;
-    /** Release the textures of surfaces, which are only needed to make bricks. */
+    /** The textures of a palette, for any context; kept until releaseTextures(), or until those of another palette are
+     * needed. */
+    osg::ref_ptr<const PaletteTextures> getPaletteTextures(const Palette& palette) const;
+    /** Release the textures of surfaces and palettes, which are only needed to make bricks. */
     void releaseTextures() const;
 
     /** Release the GL objects of one context, or of all contexts if `state` is null. */
@@ -117,6 +121,7 @@ private:
     osg::ref_ptr<const BrickSet> _bricks;
     mutable std::map<unsigned int, osg::ref_ptr<PassContext>> _contexts;
     mutable std::map<const SurfaceTexture*, osg::ref_ptr<osg::Texture2D>> _textures;
+    mutable osg::ref_ptr<const PaletteTextures> _paletteTextures;
 };
 
 } // namespace osgLego

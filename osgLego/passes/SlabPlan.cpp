@@ -10,7 +10,7 @@ namespace osgLego
 
 static_assert(SlabPlan::MAXIMUM_WIDTH <= GlRequirements::TEXTURE_SIZE);
 
-SlabPlan SlabPlan::create(const BrickGrid& grid, int texelBytes)
+SlabPlan SlabPlan::create(const BrickGrid& grid, int cellBytes)
 {
     SlabPlan plan;
     const int layerTexels = grid.dimensions.x * grid.dimensions.y;
@@ -18,7 +18,7 @@ SlabPlan SlabPlan::create(const BrickGrid& grid, int texelBytes)
     if (layerTexels == 0 || numLayers == 0) return plan;
 
     // With 1024 cells along the longest side, a layer has at most 1024 x 2560 cells, so at least three layers fit.
-    const int layersInImage = std::min(numLayers, std::min(MAXIMUM_TEXELS, MAXIMUM_BYTES / texelBytes) / layerTexels);
+    const int layersInImage = std::min(numLayers, std::min(MAXIMUM_TEXELS, MAXIMUM_BYTES / cellBytes) / layerTexels);
     const int step = layersInImage == numLayers ? numLayers : layersInImage - 2;
     for (int begin = 0; begin < numLayers; begin += step)
     {

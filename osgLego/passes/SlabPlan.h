@@ -19,8 +19,8 @@ struct Slab
 
 /** The division of a grid into slabs, so that the voxel image of each fits into a texture of limited size.
  *
- * A grid whose image has at most MAXIMUM_TEXELS texels and MAXIMUM_BYTES bytes is one slab; for larger grids, the size
- * of the image stops growing.
+ * A grid whose images have at most MAXIMUM_TEXELS texels each, and MAXIMUM_BYTES bytes together, is one slab; for
+ * larger grids, the size of the images stops growing.
  */
 struct SlabPlan
 {
@@ -31,8 +31,9 @@ struct SlabPlan
     std::vector<Slab> slabs;
     glm::ivec2 imageSize{0}; //!< of the voxel image, in texels; the width is a power of two
 
-    /** @param texelBytes the size of a texel of the voxel image, 1 to 16. */
-    static SlabPlan create(const BrickGrid& grid, int texelBytes);
+    /** @param cellBytes the size of a cell in the voxel image, and in other images of its size: 1 to 16, or more for a
+     * grid that is one slab. */
+    static SlabPlan create(const BrickGrid& grid, int cellBytes);
 };
 
 } // namespace osgLego

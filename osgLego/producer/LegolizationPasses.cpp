@@ -2,6 +2,7 @@
 
 #include <osgLego/extraction/BrickExtractionPass.h>
 #include <osgLego/subdivision/SubdivisionPass.h>
+#include <osgLego/voxelization/DominantColorPass.h>
 #include <osgLego/voxelization/ProjectionPass.h>
 #include <osgLego/voxelization/VoxelizationPass.h>
 
@@ -20,10 +21,14 @@ LegolizationPasses::LegolizationPasses(PassWorkspace& workspace, const PassPlan&
     }
     const osg::ref_ptr<osg::Texture2D> voxelImage =
         PassCamera::createTarget(plan.imageSize, internalFormatOf(plan.format));
-    const osg::ref_ptr<const ExtractionStates> extraction = new ExtractionStates(*voxelImage, plan.format);
+    const osg::ref_ptr<const DominantColorTargets> dominant =
+        plan.findsDominantColors() ? new DominantColorTargets(plan, *voxelImage) : nullptr;
+    const osg::ref_ptr<const ExtractionStates> extraction =
+        new ExtractionStates(dominant ? dominant->getColors() : *voxelImage, plan);
     for (std::size_t slab = 0; slab < plan.numSlabs; ++slab)
     {
         _passes.emplace_back(new VoxelizationPass(workspace, ++step, plan, slab, *voxelImage, picture.get()));
+        if (dominant) _passes.emplace_back(new DominantColorPass(workspace, ++step, plan, slab, *dominant));
         _passes.emplace_back(new BrickExtractionPass(workspace, ++step, plan, slab, *extraction));
     }
 }

@@ -14,8 +14,8 @@
 namespace osgLego
 {
 
-/** The passes of a plan, in order: subdivision, the picture of a projected target, then voxelization and extraction for
- * each slab of the grid. All slabs share one voxel image. */
+/** The passes of a plan, in order: subdivision, the picture of a projected target, then for each slab of the grid
+ * voxelization, the choice of dominant colours if there is a palette, and extraction. All slabs share their images. */
 class LegolizationPasses : public osg::Referenced
 {
 public:

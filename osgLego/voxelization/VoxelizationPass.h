@@ -34,10 +34,8 @@ protected:
     double& getTime(LegoStatistics& statistics) const override { return statistics.voxelization; }
 
 private:
-    void drawExact(osg::State& state, const Legolization& work) const;
     void drawPoints(osg::State& state, const Legolization& work) const;
     void drawPicture(osg::State& state, const Legolization& work) const;
-    void readBack(Legolization& work, const Slab& slab) const;
 
     PassPlan _plan;
     std::size_t _slab;

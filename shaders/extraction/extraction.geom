@@ -14,6 +14,9 @@ flat out uvec3 brick;
 
 #include "passes/occupancy.glsl"
 #include "passes/voxel_color.glsl"
+#ifdef PALETTE
+#include "extraction/palette_color.glsl"
+#endif
 
 uint wordAt(ivec3 cell)
 {
@@ -28,6 +31,16 @@ uint wantedCells(int z)
     uint lower = z >= layers.x && z < layers.y ? 0x0000ffffu : 0u;
     uint upper = z + 1 >= layers.x && z + 1 < layers.y ? 0xffff0000u : 0u;
     return lower | upper;
+}
+
+uint packedColor(ivec3 cell, vec4 voxel)
+{
+#ifdef PALETTE
+    uvec3 color = uvec3(paletteColor(ivec3(255.0 * colorOfVoxel(voxel) + 0.5), cell));
+    return color.r | color.g << 8 | color.b << 16 | 0xff000000u;
+#else
+    return packUnorm4x8(vec4(colorOfVoxel(voxel), 1.0));
+#endif
 }
 
 void main()
@@ -57,8 +70,7 @@ void main()
         uint closed = (left >> bit & 1u) | (right >> bit & 1u) << 1 | (front >> bit & 1u) << 2 |
                       (back >> bit & 1u) << 3 | (below >> bit & 1u) << 4 | (above >> bit & 1u) << 5;
         vec4 voxel = texelFetch(voxelImage, texelOfCell(cell), 0);
-        brick = uvec3(cell.x | cell.y << 16, uint(cell.z) | (closed ^ 63u) << 16,
-                      packUnorm4x8(vec4(colorOfVoxel(voxel), 1.0)));
+        brick = uvec3(cell.x | cell.y << 16, uint(cell.z) | (closed ^ 63u) << 16, packedColor(cell, voxel));
         EmitVertex();
         EndPrimitive();
     }

@@ -210,6 +210,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PointsOfASphere", "50,method=points,target=addressed", [] { return createSphere(); }},
         Case{"ProjectedSphere", "50,method=points,target=projected", [] { return createSphere(); }},
         Case{"Sphere", "61,proportions=plate,up=y", [] { return createSphere(); }},
+        Case{"Palette", "50,palette=ldraw", [] { return createSphere(); }},
+        Case{"DitheredPalette", "50,palette=ldraw,colors=8,dither=on", [] { return createSphere(); }},
+        Case{"PaletteOfPoints", "50,palette=ldraw,dither=on,method=points", [] { return createSphere(); }},
+        Case{"PaletteInSlabs", "270,palette=ldraw,dither=on", [] { return createSphere(); }},
         Case{"Slabs", "1024", pairs({1024, 1000, 30})}, Case{"SlabsOfASphere", "270", [] { return createSphere(); }}),
     [](const auto& instance) { return std::string(instance.param.name); });
 

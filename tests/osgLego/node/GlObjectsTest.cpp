@@ -200,13 +200,34 @@ TEST_P(GlObjectsTest, ReleasingLeavesNothing)
     expectNoneLeft();
 }
 
+TEST_P(GlObjectsTest, APaletteThatIsReleasedLeavesNothing)
+{
+    for (const char* settings : {"32,palette=ldraw", "32,palette=ldraw,dither=on,method=points"})
+    {
+        _lego->setSettings(parseSettings(settings));
+        drawFrames(2);
+    }
+    _root->removeChild(_lego);
+    _context->makeCurrent();
+    _lego->releaseGLObjects(_context->getState());
+    expectNoneLeft();
+}
+
+TEST_P(GlObjectsTest, APaletteRemainsOnlyInTheColoursOfTheBricks)
+{
+    _lego->setSettings(parseSettings("32,palette=ldraw,dither=on"));
+    drawFrames(13);
+    expectOnlyBricksAndLook();
+}
+
 TEST_P(GlObjectsTest, ManyLegolizationsLeaveNoMoreThanOne)
 {
     drawFrames(13);
     const GlObjects one = GlObjects::count(*_context);
     for (int repeat = 0; repeat < 11; ++repeat)
     {
-        _lego->setSettings(parseSettings(std::to_string(20 + repeat) + (repeat % 2 ? ",method=points" : "")));
+        _lego->setSettings(parseSettings(std::to_string(20 + repeat) + (repeat % 2 ? ",method=points" : "") +
+                                         (repeat % 3 ? ",palette=ldraw,dither=on" : "")));
         drawFrames(1);
     }
     drawFrames(12);

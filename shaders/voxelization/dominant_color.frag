@@ -1,0 +1,53 @@
+// The colour of each cell out of those that triangles contribute to it: the nearest to their mean, since it has the least
+// depth. The classes DominantColors and TriangleColor do the same on the CPU.
+
+#define WEIGHTED_COLORS
+
+flat in uvec2 packedCell;
+
+uniform sampler2D sums; // of exact voxelization
+
+#include "passes/addressing.glsl"
+#include "passes/voxel_color.glsl"
+#include "voxelization/color_in_cell.glsl"
+
+// How well a colour stands for a mean; the lower, the better.
+float dominanceScore(vec3 color, vec3 mean)
+{
+    return distance(color, mean) + dot(color, vec3(RED_BIAS, GREEN_BIAS, BLUE_BIAS));
+}
+
+// The colour of one texel: of five in the cell, the one nearest to the filtered colour.
+vec3 plainColor(SurfacePoint point)
+{
+    const vec2 OFFSETS[5] =
+        vec2[](vec2(0.0), vec2(1.0, 1.0), vec2(1.0, -1.0), vec2(-1.0, 1.0), vec2(-1.0, -1.0)); // quarters of a cell
+    if (textureEnvironment == 0) return point.color;
+    vec3 filtered = filteredColor(point);
+    ivec2 size = textureSize(surfaceTexture, 0);
+    vec2 quarter = 0.5 * exp2(point.level) / vec2(size);
+    // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
+    int level = clamp(int(point.level) - 3, 0, findMSB(max(size.x, size.y)));
+    vec2 levelSize = vec2(max(size >> level, 1));
+    vec3 nearest = vec3(0.0);
+    float best = 1e9;
+    for (int number = 0; number < 5; ++number)
+    {
+        vec2 place = point.coordinate + OFFSETS[number] * quarter;
+        // At the centre of a texel, it is not mixed with others.
+        vec3 color = surfaceColor(point.color, (floor(place * levelSize) + 0.5) / levelSize, float(level));
+        float score = dominanceScore(color, filtered);
+        if (score < best) nearest = color;
+        best = min(best, score);
+    }
+    return nearest;
+}
+
+void main()
+{
+    ivec3 cell = ivec3(packedCell.x & 0xffffu, packedCell.x >> 16, packedCell.y);
+    vec3 color = plainColor(pointInCell(vec3(cell + firstCell) + 0.5));
+    vec3 mean = colorOfVoxel(texelFetch(sums, ivec2(gl_FragCoord.xy), 0));
+    gl_FragDepth = 0.5 * dominanceScore(color, mean); // a score is below 2
+    gl_FragColor = vec4(color, 1.0);
+}

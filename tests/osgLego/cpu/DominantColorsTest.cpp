@@ -1,0 +1,173 @@
+#include <osgLego/cpu/CpuVoxelizer.h>
+
+#include <Meshes.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <osg/Geode>
+#include <osg/Texture2D>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using Color = std::array<std::uint8_t, 3>;
+
+constexpr Color RED{200, 0, 0};
+constexpr Color WHITE{255, 255, 255};
+
+/** Triangles that add rectangles of one cell's height and any width, in any number of pieces. */
+class Wall
+{
+public:
+    void add(double from, double to, const Color& color, int numPieces = 1)
+    {
+        const double width = (to - from) / numPieces;
+        for (int piece = 0; piece < numPieces; ++piece)
+            addPiece(static_cast<float>(from + piece * width), static_cast<float>(from + (piece + 1) * width), color);
+    }
+
+    /** The colours of its cells, from left to right. */
+    std::vector<Color> voxelize(CellColor rule, unsigned int numCells = 1) const
+    {
+        LegoSettings settings;
+        settings.resolution = numCells;
+        const osg::ref_ptr<const GridTriangles> triangles =
+            GridTriangles::create(*SceneTriangles::create(*_geode), settings);
+        const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*triangles, rule);
+        std::vector<Color> colors;
+        for (const Brick& brick : model->getBricks())
+            colors.push_back(brick.color);
+        return colors;
+    }
+
+private:
+    void addPiece(float from, float to, const Color& color)
+    {
+        for (const bool isUpper : {false, true})
+        {
+            const osg::Vec3 third = isUpper ? osg::Vec3(from, 0, 1) : osg::Vec3(to, 0, 0);
+            const osg::ref_ptr<osg::Geometry> triangle = test::createTriangle({from, 0, 0}, third, {to, 0, 1});
+            const osg::ref_ptr<osg::Vec4ubArray> colors = new osg::Vec4ubArray(1);
+            (*colors)[0] = osg::Vec4ub(color[0], color[1], color[2], 255);
+            colors->setNormalize(true);
+            triangle->setColorArray(colors, osg::Array::BIND_OVERALL);
+            _geode->addDrawable(triangle);
+        }
+    }
+
+    osg::ref_ptr<osg::Geode> _geode = new osg::Geode;
+};
+
+TEST(DominantColors, TheColourOfTheLargerAreaWins)
+{
+    for (const double border : {0.1, 0.3, 0.48, 0.52, 0.7, 0.9})
+    {
+        Wall wall;
+        wall.add(0.0, border, RED);
+        wall.add(border, 1.0, WHITE);
+        EXPECT_EQ(wall.voxelize(CellColor::DOMINANT), std::vector{border > 0.5 ? RED : WHITE}) << border;
+    }
+}
+
+TEST(DominantColors, ManySmallPiecesOutweighALargeOne)
+{
+    Wall wall;
+    wall.add(0.0, 0.4, RED);
+    wall.add(0.4, 1.0, WHITE, 20);
+    EXPECT_EQ(wall.voxelize(CellColor::DOMINANT), std::vector{WHITE});
+}
+
+TEST(DominantColors, EqualAreasHaveTheSameColourInEveryCellOfABorder)
+{
+    for (const bool isRedFirst : {false, true})
+    {
+        Wall wall;
+        for (int cell = 0; cell < 16; ++cell)
+        {
+            wall.add(cell, cell + 0.5, isRedFirst == (cell % 3 != 0) ? RED : WHITE, 1 + cell % 4);
+            wall.add(cell + 0.5, cell + 1.0, isRedFirst == (cell % 3 != 0) ? WHITE : RED, 1 + cell % 5);
+        }
+        EXPECT_EQ(wall.voxelize(CellColor::DOMINANT, 16), std::vector<Color>(16, RED));
+    }
+}
+
+TEST(DominantColors, AShadeBetweenOthersStandsForAGradualChange)
+{
+    Wall wall;
+    for (int stripe = 0; stripe < 64; ++stripe)
+    {
+        const auto shade = static_cast<std::uint8_t>(4 * stripe);
+        wall.add(stripe / 16.0, (stripe + 1) / 16.0, {shade, shade, shade});
+    }
+    const std::vector<Color> colors = wall.voxelize(CellColor::DOMINANT, 4);
+    const std::vector<Color> means = wall.voxelize(CellColor::MEAN, 4);
+    ASSERT_EQ(colors.size(), 4u);
+    for (std::size_t cell = 0; cell < 4; ++cell)
+        EXPECT_NEAR(colors[cell][0], means[cell][0], 4) << cell;
+}
+
+/** A square of 8 x 8 cells whose texture is red on the left and white on the right. */
+osg::ref_ptr<osg::Geometry> createTexturedSquare(int numTexels, int numRed)
+{
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(numTexels, numTexels, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int row = 0; row < numTexels; ++row)
+        for (int column = 0; column < numTexels; ++column)
+            std::ranges::copy(column < numRed ? RED : WHITE,
+                              image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row)));
+    osg::ref_ptr<osg::Geometry> square = osg::createTexturedQuadGeometry({0, 0, 0}, {8, 0, 0}, {0, 0, 8});
+    square->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+    return square;
+}
+
+bool isMixed(const Color& color)
+{
+    return color != RED && color != WHITE;
+}
+
+TEST(DominantColors, ATextureIsRarelyMixed)
+{
+    LegoSettings settings;
+    settings.resolution = 8;
+    std::size_t numMixed = 0;
+    std::size_t numMixedMeans = 0;
+    for (const int numTexels : {7, 16, 61, 256, 1000})
+        for (const double border : {0.31, 0.36, 0.42, 0.45})
+        {
+            const int numRed = static_cast<int>(border * numTexels);
+            const osg::ref_ptr<const GridTriangles> triangles =
+                GridTriangles::create(*SceneTriangles::create(*createTexturedSquare(numTexels, numRed)), settings);
+            const osg::ref_ptr<const BrickModel> means = voxelizeOnCpu(*triangles);
+            const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*triangles, CellColor::DOMINANT);
+            for (const Brick& brick : model->getBricks())
+            {
+                // Red has more than half of the cell's width.
+                const double width = 8.0 * numRed / numTexels - brick.cell[0];
+                if (std::abs(width - 0.5) > 0.15 && !isMixed(brick.color))
+                {
+                    EXPECT_EQ(brick.color == RED, width > 0.5) << numTexels << ' ' << width;
+                }
+                numMixed += isMixed(brick.color) ? 1 : 0;
+                numMixedMeans += isMixed(means->find(brick.getCell())->color) ? 1 : 0;
+            }
+        }
+    EXPECT_GT(numMixedMeans, 150u);
+    EXPECT_LT(numMixed, numMixedMeans / 10);
+}
+
+TEST(DominantColors, WithoutThemACellHasTheMean)
+{
+    Wall wall;
+    wall.add(0.0, 0.4, RED);
+    wall.add(0.4, 1.0, WHITE);
+    EXPECT_EQ(wall.voxelize(CellColor::MEAN), std::vector{(Color{233, 153, 153})});
+}
+
+} // namespace
+
+} // namespace osgLego
