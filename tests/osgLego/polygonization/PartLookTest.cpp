@@ -86,7 +86,7 @@ TEST_F(PartLook, JointsAreBetweenPartsAndNoneIsInsideAPart)
     const osg::ref_ptr<const BrickModel> wall = createWall();
     BrickAppearance appearance;
     appearance.variation = 0.0;
-    for (const char* settings : {"20,drawing=triangles", "20,drawing=splats"})
+    for (const char* settings : {"20,drawing=triangles", "20,drawing=splats", "20,device=gpu"})
         for (const bool isOccluded : {false, true})
         {
             SCOPED_TRACE(settings);
