@@ -139,6 +139,16 @@ TEST_F(LDrawReaderTest, MostPartsDetermineTheLatticeNotTheFirst)
     EXPECT_EQ(_warnings.size(), 1u);
 }
 
+TEST_F(LDrawReaderTest, RoundingDoesNotSplitALattice)
+{
+    std::string text;
+    for (const char* x : {"10.01", "49.99", "90.01", "129.99", "180", "220", "260"})
+        text += "1 4 " + std::string(x) + " -24 0" + ALONG_X + "3005.dat\n";
+    const auto model = read(text);
+    ASSERT_TRUE(model) << _error;
+    EXPECT_EQ(model->getParts().size(), 4u) << "the first four parts, not the three half a stud beside them";
+}
+
 TEST_F(LDrawReaderTest, RoundedNumbersAndMirroredPartsAreAccepted)
 {
     const auto model = read("1 4 0.01 -23.99 0 1 0 0.0001 0 1 0 -0.0001 0 1 3001.dat\n"
