@@ -78,7 +78,7 @@ private:
     /** Add the colours of the parts, from which one is chosen for each cell. */
     void addCandidates(const TriangleColor& triangleColor)
     {
-        if (triangleColor.hasMixtures()) triangleColor.getPlainColors(_parts, _colors.data());
+        if (triangleColor.hasMixtures()) triangleColor.makePlain(_parts, _colors.data());
         auto color = _colors.begin();
         for (const CellPart& part : _parts)
             _sums.addCandidate(part.cell - _triangles.getFirstCell(), *color++);

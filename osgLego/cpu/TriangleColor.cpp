@@ -17,6 +17,10 @@ namespace osgLego
 namespace
 {
 
+// Nearer colours are hardly better: they differ by less than the preference for dark colours.
+constexpr float CLOSE =
+    static_cast<float>(PassConstants::RED_BIAS + PassConstants::GREEN_BIAS + PassConstants::BLUE_BIAS);
+
 bool haveSameColor(const GridVertex& a, const GridVertex& b)
 {
     // The upper half of the second word is the texture level.
@@ -78,9 +82,10 @@ void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors
                      { colors[part] = applyTexture(_batch, _vertices, shares, getVertexColor(shares)); });
 }
 
-void TriangleColor::getPlainColors(std::span<const CellPart> parts, glm::vec3* colors) const
+void TriangleColor::makePlain(std::span<const CellPart> parts, glm::vec3* colors) const
 {
-    forEachPoint(parts, [&](std::size_t part, const glm::dvec3& shares) { colors[part] = getPlainColor(shares); });
+    forEachPoint(parts, [&](std::size_t part, const glm::dvec3& shares)
+                 { colors[part] = getPlainColor(shares, colors[part]); });
 }
 
 /** Call a function with the number of each part and the barycentric coordinates of the point nearest to its centre. */
@@ -112,23 +117,24 @@ glm::vec3 TriangleColor::getVertexColor(const glm::dvec3& shares) const
            static_cast<float>(shares.z) * _colors[2];
 }
 
-glm::vec3 TriangleColor::getPlainColor(const glm::dvec3& shares) const
+glm::vec3 TriangleColor::getPlainColor(const glm::dvec3& shares, const glm::vec3& filtered) const
 {
     const glm::vec3 vertexColor = getVertexColor(shares);
     const glm::dvec2 center = coordinateAt(_vertices, shares);
-    const double level = _vertices[0].getLevel();
-    const glm::vec3 filtered = applyTexture(_batch, center, level, vertexColor);
-
-    const PlainTexels texels(_batch.texture->getSize(), level);
+    const PlainTexels texels(_batch.texture->getSize(), _vertices[0].getLevel());
     glm::vec3 nearest(0.0f);
     float best = std::numeric_limits<float>::max();
     for (const glm::dvec2& offset : PlainTexels::OFFSETS)
     {
         const glm::vec3 color =
             applyTexture(_batch, texels.getCoordinate(center, offset), texels.getLevel(), vertexColor);
-        const float score = dominanceScore(color, filtered);
-        if (score < best) nearest = color;
-        best = std::min(best, score);
+        if (const float score = dominanceScore(color, filtered); score < best)
+        {
+            nearest = color;
+            best = score;
+        }
+        // Most cells are inside areas of nearly one colour.
+        if (glm::distance(nearest, filtered) < CLOSE) break;
     }
     return nearest;
 }

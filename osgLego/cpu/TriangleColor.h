@@ -31,15 +31,15 @@ public:
 
     /** Whether a texture may mix several colours in a cell. */
     bool hasMixtures() const { return _batch.texture.valid(); }
-    /** Compute colours as getColors() does, but of single texels rather than filtered: of five in each cell, the one
-     * nearest to the filtered colour. */
-    void getPlainColors(std::span<const CellPart> parts, glm::vec3* colors) const;
+    /** Replace the colours of getColors(), for which the texture was filtered, by those of single texels: that in the
+     * middle of each cell if it is close to the filtered colour, otherwise the nearest of five. */
+    void makePlain(std::span<const CellPart> parts, glm::vec3* colors) const;
 
 private:
     template <typename GetColor>
     void forEachPoint(std::span<const CellPart> parts, const GetColor& getColor) const;
     glm::vec3 getVertexColor(const glm::dvec3& shares) const;
-    glm::vec3 getPlainColor(const glm::dvec3& shares) const;
+    glm::vec3 getPlainColor(const glm::dvec3& shares, const glm::vec3& filtered) const;
 
     const GridBatch& _batch;
     const GridVertex* _vertices;

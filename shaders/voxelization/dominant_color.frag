@@ -11,13 +11,17 @@ uniform sampler2D sums; // of exact voxelization
 #include "passes/voxel_color.glsl"
 #include "voxelization/color_in_cell.glsl"
 
+// Nearer colours are hardly better: they differ by less than the preference for dark colours.
+const float CLOSE = RED_BIAS + GREEN_BIAS + BLUE_BIAS;
+
 // How well a colour stands for a mean; the lower, the better.
 float dominanceScore(vec3 color, vec3 mean)
 {
     return distance(color, mean) + dot(color, vec3(RED_BIAS, GREEN_BIAS, BLUE_BIAS));
 }
 
-// The colour of one texel: of five in the cell, the one nearest to the filtered colour.
+// The colour of one texel: that in the middle of the cell if it is close to the filtered colour, otherwise the nearest of
+// five.
 vec3 plainColor(SurfacePoint point)
 {
     const vec2 OFFSETS[5] =
@@ -39,6 +43,7 @@ vec3 plainColor(SurfacePoint point)
         float score = dominanceScore(color, filtered);
         if (score < best) nearest = color;
         best = min(best, score);
+        if (distance(nearest, filtered) < CLOSE) break; // as in most cells
     }
     return nearest;
 }

@@ -88,7 +88,7 @@ std::unordered_map<int, std::vector<Piece>> findPieces(const GridTriangles& tria
                 const CellPart part{cell, 0.0};
                 color.getColors({&part, 1}, &piece.color);
                 piece.plain = piece.color;
-                if (color.hasMixtures()) color.getPlainColors({&part, 1}, &piece.plain);
+                if (color.hasMixtures()) color.makePlain({&part, 1}, &piece.plain);
                 piece.area = areaOf(clipByCell(polygon, cell)) + PassConstants::LEAST_WEIGHT;
                 pieces[numberOf(cell, dimensions)].push_back(piece);
             }

@@ -34,9 +34,8 @@ protected:
     {
         // Dense meshes are summed up in single precision.
         for (const int rings : {4, 48})
-            for (const char* method :
-                 {"exact", "exact,edge=1", "exact,edge=4", "exact,palette=ldraw", "points,target=addressed",
-                  "points,target=projected,fbo=64"})
+            for (const char* method : {"exact", "exact,edge=1", "exact,edge=4", "exact,palette=ldraw",
+                                       "points,target=addressed", "points,target=projected,fbo=64"})
                 EXPECT_TRUE(legolizeOnGpu(*createSphere(rings), parseSettings(std::string("16,method=") + method)));
     }
 
