@@ -82,9 +82,13 @@ public:
     BrickTexture(osg::State& state, const GlTexture& texture, const ContextBricks& bricks) : _state(state)
     {
         bind(texture.get());
-        state.get<osg::GLExtensions>()->glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, bricks.buffer.get());
+        attach(bricks.buffer.get());
     }
-    ~BrickTexture() { bind(0); }
+    ~BrickTexture()
+    {
+        attach(0); // the texture would keep the memory of a buffer that is deleted later
+        bind(0);
+    }
     BrickTexture(const BrickTexture&) = delete;
     BrickTexture& operator=(const BrickTexture&) = delete;
 
@@ -93,6 +97,10 @@ private:
     {
         _state.setActiveTextureUnit(BRICKS_UNIT);
         glBindTexture(GL_TEXTURE_BUFFER, texture);
+    }
+    void attach(GLuint buffer) const
+    {
+        _state.get<osg::GLExtensions>()->glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, buffer);
     }
 
     osg::State& _state;
@@ -141,7 +149,7 @@ public:
             glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
             // See drawPoints.
             _maximumSize = {viewport[0] / 2, viewport[1]};
-            _bricks = GlTexture(state);
+            _bricks = GlTexture();
             GLint texels = 0;
             glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
             _maximumBricks = texels / WORDS_PER_BRICK;
@@ -169,6 +177,7 @@ public:
     bool bind(osg::State& state, const glm::ivec2& size)
     {
         if (size.x > _size.x || size.y > _size.y) resize(glm::max(size, _size));
+        if (_bricks.get() == 0) _bricks = GlTexture(state);
         // Create the textures on a unit known to the state; the frame buffer object would use any active unit.
         state.applyTextureAttribute(SPLATS_UNIT, _splats);
         state.applyTextureAttribute(DEPTHS_UNIT, _depths);

@@ -1,6 +1,6 @@
 // The surface of a brick: rounded edges that form joints between bricks, a relief on the stud, and a slight variation from
-// brick to brick. If cells are joined to parts, edges and variation are those of the parts. All of it is averaged over the pixel: slopes are summed, and their variance is added to the roughness.
-// Lengths are in cell widths.
+// brick to brick. If cells are joined to parts, edges and variation are those of the parts. All of it is averaged over the
+// pixel: slopes are summed, and their variance is added to the roughness. Lengths are in cell widths.
 
 #include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"

@@ -22,6 +22,8 @@ namespace
 constexpr GLuint MOST_NAMES = 5000;
 // Textures of the full look: the relief, and two maps of the light probe.
 constexpr int LOOK_TEXTURES = 3;
+// Textures of splats: the nearest bricks, their depths, and the buffer of the bricks.
+constexpr int SPLAT_TEXTURES = 3;
 
 /** The number of GL objects of each kind in a context; all kinds of OpenGL 4.0 that have names, except program
  * pipelines. */
@@ -114,7 +116,7 @@ protected:
     {
         GlObjects expected = _before;
         expected.buffers += 1;
-        expected.textures += LOOK_TEXTURES + (_drawsSplats ? 3 : 0);
+        expected.textures += LOOK_TEXTURES + (_drawsSplats ? SPLAT_TEXTURES : 0);
         expected.framebuffers += _drawsSplats ? 1 : 0;
         const GlObjects found = GlObjects::count(*_context);
         // One program draws triangles; those of splats depend on the bricks and lights in view. The passes have more.
@@ -153,7 +155,7 @@ TEST_P(GlObjectsTest, ThePlainLookKeepsNoTextures)
 {
     _lego->setSettings(parseSettings("32,look=plain"));
     drawFrames(12);
-    EXPECT_EQ(GlObjects::count(*_context).textures, _before.textures + (_drawsSplats ? 3 : 0));
+    EXPECT_EQ(GlObjects::count(*_context).textures, _before.textures + (_drawsSplats ? SPLAT_TEXTURES : 0));
 }
 
 TEST_P(GlObjectsTest, AnAmbientOcclusionSceneThatIsRemovedLeavesNothing)
