@@ -35,9 +35,9 @@ osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& size, IsCovered isC
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
                 if (isCovered(x, y, z))
-                    bricks.push_back({{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                       static_cast<std::uint16_t>(z)},
-                                      {200, 10, 20}});
+                    bricks.push_back(
+                        {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)},
+                         {200, 10, 20}});
     return BrickModel::create(gridOf(size), bricks);
 }
 
@@ -183,8 +183,7 @@ TEST(CellFill, TooManyCellsAreRefusedWithTheirNumber)
     FilledCells cells;
     std::string error;
     EXPECT_FALSE(fillCells(*box, Fill::SOLID, 2, cells, error));
-    EXPECT_EQ(error,
-              "the filled model has 74088000 cells; expected at most 67108864, as at a lower resolution");
+    EXPECT_EQ(error, "the filled model has 74088000 cells; expected at most 67108864, as at a lower resolution");
     EXPECT_TRUE(cells.bricks.empty());
 }
 
