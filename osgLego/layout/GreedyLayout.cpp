@@ -72,18 +72,40 @@ void layLayers(PartMap& map, const PartSizes& sizes, Index begin, Index end, int
     }
 }
 
+void layPlates(PartMap& map, const PartSizes& sizes)
+{
+    const CellLattice& lattice = map.getLattice();
+    oneapi::tbb::parallel_for(0, lattice.getNumLayers(),
+                              [&](int z)
+                              { layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1); });
+}
+
+/** Lay bricks of three layers each, from a layer on, and plates in the rest. Bricks at other heights would leave gaps
+ * between each other. */
+void layBricksAndPlates(PartMap& map, const PartSizes& sizes, int firstLayer)
+{
+    const CellLattice& lattice = map.getLattice();
+    for (int z = firstLayer; z < lattice.getNumLayers(); z += PartSizes::BRICK_PLATES)
+        layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), PartSizes::BRICK_PLATES);
+    layPlates(map, sizes);
+}
+
 } // namespace
 
 void layGreedily(PartMap& map, const PartSizes& sizes)
 {
-    const CellLattice& lattice = map.getLattice();
-    // Bricks reach into other layers, so that these are not independent.
-    if (sizes.getHeights().size() > 1)
-        for (int z = 0; z < lattice.getNumLayers(); ++z)
-            layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), PartSizes::BRICK_PLATES);
-    oneapi::tbb::parallel_for(0, lattice.getNumLayers(),
-                              [&](int z)
-                              { layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1); });
+    if (sizes.getHeights().size() == 1)
+    {
+        layPlates(map, sizes);
+        return;
+    }
+    const PartMap start = map;
+    for (int firstLayer = 0; firstLayer < PartSizes::BRICK_PLATES; ++firstLayer)
+    {
+        PartMap candidate = start;
+        layBricksAndPlates(candidate, sizes, firstLayer);
+        if (firstLayer == 0 || candidate.countParts() < map.countParts()) map.swap(candidate);
+    }
 }
 
 } // namespace osgLego

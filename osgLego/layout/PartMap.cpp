@@ -28,6 +28,12 @@ PartMap::Index PartMap::countParts() const
     return count;
 }
 
+void PartMap::swap(PartMap& other)
+{
+    _anchors.swap(other._anchors);
+    _shapes.swap(other._shapes);
+}
+
 void PartMap::lay(Index anchor, const PartShape& shape)
 {
     _shapes[static_cast<std::size_t>(anchor)] = shape;

@@ -28,6 +28,9 @@ public:
     std::uint16_t getColor(Index anchor) const;
     Index countParts() const;
 
+    /** Exchange the parts with those of a layout of the same cells. */
+    void swap(PartMap& other);
+
     /** Cover the cells of a box with a part. All of them must exist. */
     void lay(Index anchor, const PartShape& shape);
     /** Uncover the cells of a part. */
