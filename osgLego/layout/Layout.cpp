@@ -3,10 +3,12 @@
 #include <osgLego/layout/ComponentJoiner.h>
 #include <osgLego/layout/GreedyLayout.h>
 #include <osgLego/layout/KeptParts.h>
+#include <osgLego/layout/LayoutCosts.h>
 #include <osgLego/layout/PartColors.h>
 #include <osgLego/layout/WindowSearch.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace osgLego
@@ -27,7 +29,8 @@ struct Work
 
 constexpr std::array<Work, 3> WORK{
     {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 1000}}, {1500000, 12, 300, 2000, {8, 10000}}}};
-constexpr int NEIGHBORHOOD = 8; // cells around changed ones whose parts may change too
+constexpr int LONGEST_PHASE = 20; // rounds
+constexpr int NEIGHBORHOOD = 8;   // cells around changed ones whose parts may change too
 
 LaidParts getParts(const PartMap& map, const PartSizes& sizes)
 {
@@ -56,9 +59,12 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     if (!join()) return false;
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
+    const int phase = std::clamp(numRounds / 2, 1, LONGEST_PHASE);
     for (int round = 0; round < numRounds; ++round)
     {
-        if (!search.runRound(work.maximumNodes)) return false;
+        // Rounds that ignore seams, between others, lead out of layouts that single windows can't improve.
+        const bool hasSeams = (numRounds - 1 - round) / phase % 2 == 0;
+        if (!search.runRound(hasSeams ? LayoutCosts::HALF_SEAM : 0, work.maximumNodes)) return false;
         if (options.progress) options.progress(static_cast<double>(round + 1) / (numRounds + 1));
     }
     return join();

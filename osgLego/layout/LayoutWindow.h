@@ -24,10 +24,12 @@ public:
     LayoutWindow(PartMap& map, const PartSizes& sizes);
 
     /** Lay a part and up to `numParts` - 1 parts near it again, if that is cheaper and separates no parts.
+     * @param seamCost of half a unit of stacked seams.
      * @param region contains all of these parts.
      * @param maximumNodes steps of the search.
      * @return whether it changed the layout. */
-    bool improve(Index anchor, int numParts, const LayoutRegion& region, int maximumNodes, LayoutRandom& random);
+    bool improve(Index anchor, int numParts, int seamCost, const LayoutRegion& region, int maximumNodes,
+                 LayoutRandom& random);
 
     /** Lay the parts of two neighbouring cells and some parts near them again, so that one part covers both cells, if
      * that connects components, separates no parts and costs at most `maximumCost` more.

@@ -43,8 +43,9 @@ bool WindowBuilder::addPart(Index anchor)
     return true;
 }
 
-void WindowBuilder::build(LayoutRandom& random, int largestChance)
+void WindowBuilder::build(LayoutRandom& random, int seamCost, int largestChance)
 {
+    _seamCost = seamCost;
     _largestChance = largestChance;
     linkCells();
     weighSeams(random);
@@ -91,7 +92,7 @@ int WindowBuilder::computeSeam(Index cell, CellLattice::Side side, LayoutRandom&
         const Index far = lattice.getNeighbor(other, vertical);
         // Cells of the window are laid again too, and their joints are not known yet.
         if (near == CellLattice::NONE || far == CellLattice::NONE || findCell(near) != NO_CELL) continue;
-        if (_map.getAnchor(near) != _map.getAnchor(far)) cost += LayoutCosts::HALF_SEAM;
+        if (_map.getAnchor(near) != _map.getAnchor(far)) cost += _seamCost;
     }
     return cost;
 }

@@ -30,9 +30,10 @@ public:
     /** Add the cells of a part, which must not be in the window.
      * @return false if they are too many. */
     bool addPart(Index anchor);
-    /** List the parts that could be laid, once all cells are known. Each joint costs a random number below
-     * `largestChance`, which decides between equal covers. */
-    void build(LayoutRandom& random, int largestChance);
+    /** List the parts that could be laid, once all cells are known.
+     * @param seamCost of half a unit of stacked seams.
+     * @param largestChance each joint costs a random number below this, which decides between equal covers. */
+    void build(LayoutRandom& random, int seamCost, int largestChance);
 
     /** Remove the parts that contain one of two cells and not the other. */
     void keepTogether(Index cell, Index other);
@@ -91,6 +92,7 @@ private:
     std::vector<std::array<int, 2>> _seams;      //!< to the east and the north: the cost of half a joint there
     std::array<std::vector<Column>, 2> _columns; //!< of each height
     WindowParts _parts;
+    int _seamCost = 0;
     int _largestChance = 1;
     int _cost = 0;
 };

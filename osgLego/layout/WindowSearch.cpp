@@ -86,7 +86,7 @@ void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
         if (isFixed(cell)) _fixedComponents[static_cast<std::size_t>(cell)] = _components.find(cell);
 }
 
-bool WindowSearch::runRound(int maximumNodes)
+bool WindowSearch::runRound(int seamCost, int maximumNodes)
 {
     for (int phase = 0; phase < 4; ++phase)
     {
@@ -107,7 +107,7 @@ bool WindowSearch::runRound(int maximumNodes)
                                           static_cast<std::uint64_t>(regions[i].yBegin) << 16;
                                       LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
                                       LayoutRandom random(seeds.next() ^ _options.seed);
-                                      improve(regions[i], maximumNodes, random);
+                                      improve(regions[i], seamCost, maximumNodes, random);
                                   });
         if (isStopped) return false;
     }
@@ -115,7 +115,7 @@ bool WindowSearch::runRound(int maximumNodes)
     return true;
 }
 
-void WindowSearch::improve(const LayoutRegion& region, int maximumNodes, LayoutRandom& random)
+void WindowSearch::improve(const LayoutRegion& region, int seamCost, int maximumNodes, LayoutRandom& random)
 {
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
@@ -131,7 +131,7 @@ void WindowSearch::improve(const LayoutRegion& region, int maximumNodes, LayoutR
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
         const int numParts =
             SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));
-        if (region.contains(_map, anchor)) window.improve(anchor, numParts, region, maximumNodes, random);
+        if (region.contains(_map, anchor)) window.improve(anchor, numParts, seamCost, region, maximumNodes, random);
     }
 }
 

@@ -27,14 +27,15 @@ public:
     WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive);
 
     /** Lay as many windows as there are parts.
+     * @param seamCost of half a unit of stacked seams.
      * @param maximumNodes steps of the search for one window.
      * @return false if it was cancelled. */
-    bool runRound(int maximumNodes);
+    bool runRound(int seamCost, int maximumNodes);
 
 private:
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
     void findFixedComponents(const std::vector<LayoutRegion>& regions);
-    void improve(const LayoutRegion& region, int maximumNodes, LayoutRandom& random);
+    void improve(const LayoutRegion& region, int seamCost, int maximumNodes, LayoutRandom& random);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
 
     PartMap& _map;
