@@ -28,9 +28,10 @@ struct Work
 };
 
 constexpr std::array<Work, 3> WORK{
-    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 1000}}, {1500000, 12, 300, 2000, {8, 10000}}}};
-constexpr int LONGEST_PHASE = 20; // rounds
-constexpr int NEIGHBORHOOD = 8;   // cells around changed ones whose parts may change too
+    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 1000}}, {1500000, 12, 250, 2000, {8, 10000}}}};
+constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
+constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
+constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
 
 LaidParts getParts(const PartMap& map, const PartSizes& sizes)
 {
@@ -59,7 +60,7 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     if (!join()) return false;
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
-    const int phase = std::clamp(numRounds / 2, 1, LONGEST_PHASE);
+    const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
     for (int round = 0; round < numRounds; ++round)
     {
         // Rounds that ignore seams, between others, lead out of layouts that single windows can't improve.

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -101,13 +99,31 @@ std::string LaidModel::findMistake(const LaidPart& part) const
     return isMade || isCell ? "" : "a part was never made in its colour";
 }
 
-int LaidModel::countComponents() const
+std::set<std::pair<int, int>> LaidModel::findContacts() const
 {
     std::set<std::pair<int, int>> contacts;
     for (const auto& [place, owner] : _owners)
-        if (const auto above = _owners.find({place[0], place[1], place[2] + 1}); above != _owners.end())
-            contacts.emplace(owner, above->second);
-    return countSets(static_cast<int>(_parts.size()), contacts);
+    {
+        const auto above = _owners.find({place[0], place[1], place[2] + 1});
+        if (above != _owners.end() && above->second != owner) contacts.emplace(owner, above->second);
+    }
+    return contacts;
+}
+
+int LaidModel::countComponents() const
+{
+    return countSets(static_cast<int>(_parts.size()), findContacts());
+}
+
+int LaidModel::countLeaves() const
+{
+    std::vector<int> degrees(_parts.size());
+    for (const auto& [part, other] : findContacts())
+    {
+        ++degrees[static_cast<std::size_t>(part)];
+        ++degrees[static_cast<std::size_t>(other)];
+    }
+    return static_cast<int>(std::count(degrees.begin(), degrees.end(), 1));
 }
 
 int LaidModel::countStackedSeams() const
@@ -129,28 +145,6 @@ int LaidModel::countStackedSeams() const
             count += areJoints && (below != owner || otherBelow != other) ? 1 : 0;
         }
     return count;
-}
-
-int countPossibleComponents(const LayoutProblem& problem)
-{
-    std::map<Place, int> numbers;
-    for (const LayoutCell& cell : problem.cells)
-        numbers.emplace(getPlace(cell), static_cast<int>(numbers.size()));
-    std::set<std::pair<int, int>> links;
-    for (const LayoutCell& cell : problem.cells)
-    {
-        const auto [x, y, z] = getPlace(cell);
-        for (const Place& beside : {Place{x + 1, y, z}, Place{x, y + 1, z}, Place{x, y, z + 1}})
-        {
-            const auto other = numbers.find(beside);
-            if (other == numbers.end()) continue;
-            const std::uint16_t color = problem.cells[static_cast<std::size_t>(other->second)].color;
-            const bool mayJoin = beside[2] != z || cell.color == color || cell.color == LayoutCell::ANY_COLOR ||
-                                 color == LayoutCell::ANY_COLOR;
-            if (mayJoin) links.emplace(numbers[{x, y, z}], other->second);
-        }
-    }
-    return countSets(static_cast<int>(numbers.size()), links);
 }
 
 } // namespace osgLego

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -27,10 +29,13 @@ public:
     std::string findMistake() const;
     /** The number of components of parts with a stud under another. */
     int countComponents() const;
+    /** Parts that touch only one other part above and below. */
+    int countLeaves() const;
     /** Unit joints that lie above a joint of other parts. */
     int countStackedSeams() const;
 
 private:
+    std::set<std::pair<int, int>> findContacts() const;
     std::string findMistake(const LaidPart& part) const;
 
     const LayoutProblem& _problem;
@@ -39,9 +44,5 @@ private:
     std::map<std::array<int, 3>, int> _owners;
     int _numCovered = 0;
 };
-
-/** Fewer components are not possible: cells above each other are always connected, and neighbours in a layer at most if
- * one part may cover both. */
-int countPossibleComponents(const LayoutProblem& problem);
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include "LaidModel.h"
 
 #include <osgLego/layout/Layout.h>
+#include <osgLego/layout/PossibleComponents.h>
 
 #include <algorithm>
 #include <atomic>
@@ -112,7 +113,8 @@ TEST(Layout, HasTheFewestComponentsThatDenseCellsAllow)
     {
         const LayoutProblem problem = makeRandomCells({12, 12, 8}, 96, seed);
         const LaidParts parts = layOut(problem, makeOptions(Effort::NORMAL, seed));
-        EXPECT_EQ(LaidModel(problem, parts).countComponents(), countPossibleComponents(problem)) << "seed " << seed;
+        EXPECT_EQ(LaidModel(problem, parts).countComponents(), static_cast<int>(countPossibleComponents(problem)))
+            << "seed " << seed;
     }
 }
 
@@ -180,11 +182,25 @@ TEST(Layout, DependsOnTheSeed)
     EXPECT_NE(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 4)));
 }
 
-TEST(Layout, IsBetterWithMoreEffort)
+TEST(Layout, HasFewerPartsAndSeamsWithMoreEffort)
 {
-    const LayoutProblem problem = makeDome(16, 2);
-    EXPECT_LT(layOut(problem, makeOptions(Effort::NORMAL)).size(),
-              layOut(problem, makeOptions(Effort::INSTANT)).size());
+    const LayoutProblem problem = makeDome(14, 14);
+    const LaidParts quick = layOut(problem, makeOptions(Effort::INSTANT));
+    const LaidParts good = layOut(problem, makeOptions(Effort::NORMAL));
+    EXPECT_LT(good.size(), quick.size());
+    EXPECT_LT(LaidModel(problem, good).countStackedSeams(), LaidModel(problem, quick).countStackedSeams());
+}
+
+TEST(Layout, OfAShellHangsFewPartsOnASingleOne)
+{
+    // The same cells, with and without an interior colour: leaves cost more in shells.
+    LayoutProblem surface = makeDome(14, 2);
+    LayoutProblem shell = surface;
+    for (std::size_t cell = 0; cell < shell.cells.size(); cell += 3)
+        shell.cells[cell].color = LayoutCell::ANY_COLOR;
+    const LaidParts hanging = layOut(surface, {});
+    const LaidParts held = layOut(shell, {});
+    EXPECT_LT(LaidModel(shell, held).countLeaves(), LaidModel(surface, hanging).countLeaves());
 }
 
 TEST(Layout, KeepsAllPartsOfThePreviousLayoutOfTheSameCells)
