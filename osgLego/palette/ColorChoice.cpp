@@ -22,6 +22,7 @@ public:
         _points(_numPoints)
     {
         std::vector<glm::dvec3> places;
+        places.reserve(shares.size());
         for (const ColorShare& share : shares)
             places.push_back(toOklab(share.color));
         for (std::size_t color = 0; color < _numColors; ++color)

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include <osg/ref_ptr>
 
@@ -24,8 +23,8 @@ public:
     /** Any colour. */
     PaletteLookup() = default;
     /** The colours of a palette; any if it is null. @param dithers whether to imitate those between them. */
-    explicit PaletteLookup(osg::ref_ptr<const Palette> palette, bool dithers = false) :
-        _palette(std::move(palette)), _dithers(dithers)
+    explicit PaletteLookup(const osg::ref_ptr<const Palette>& palette, bool dithers = false) :
+        _palette(palette), _dithers(dithers)
     {
     }
 
