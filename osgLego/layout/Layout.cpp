@@ -4,12 +4,15 @@
 #include <osgLego/layout/GreedyLayout.h>
 #include <osgLego/layout/KeptParts.h>
 #include <osgLego/layout/LayoutCosts.h>
+#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/PartColors.h>
 #include <osgLego/layout/WindowSearch.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 namespace osgLego
 {
@@ -23,12 +26,13 @@ struct Work
     int numWindows = 0; //!< altogether, for models of which each part gets between the fewest and the most
     int fewest = 0;
     int most = 0;
-    int maximumNodes = 0; //!< steps of the search for a window
+    WindowSearch::Limits windows;
     ComponentJoiner::Limits joins;
 };
 
-constexpr std::array<Work, 3> WORK{
-    {{4000, 0, 2, 100, {1, 100}}, {100000, 6, 40, 300, {4, 1000}}, {1500000, 12, 250, 2000, {8, 10000}}}};
+constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
+                                    {100000, 6, 40, {1, 300}, {4, 1000}},
+                                    {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
 constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
 constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
 constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
@@ -49,6 +53,50 @@ LaidParts getParts(const PartMap& map, const PartSizes& sizes)
     return parts;
 }
 
+int getSeamCost(const LayoutProblem& problem)
+{
+    const auto numInside = std::count_if(problem.cells.begin(), problem.cells.end(),
+                                         [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; });
+    const bool isSolid = numInside > static_cast<std::ptrdiff_t>(problem.cells.size() / 5);
+    return isSolid ? LayoutCosts::HALF_SEAM_OF_SOLID : LayoutCosts::HALF_SEAM;
+}
+
+/** The best of several layouts of the same cells. */
+class BestLayout
+{
+public:
+    BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
+
+    /** Keep a copy of a layout if it is the best so far. */
+    void add(const PartMap& map)
+    {
+        const std::int64_t cost = costOf(map);
+        if (_map && cost >= _cost) return;
+        _map.emplace(map);
+        _cost = cost;
+    }
+
+    /** Exchange a layout for the best one, if that is better. */
+    void restore(PartMap& map)
+    {
+        if (_map && _cost < costOf(map)) map.swap(*_map);
+    }
+
+private:
+    std::int64_t costOf(const PartMap& map) const
+    {
+        const LayoutFigures figures = computeLayoutFigures(map.getLattice().getProblem(), getParts(map, _sizes));
+        const auto times = [](std::size_t count, std::int64_t cost) { return static_cast<std::int64_t>(count) * cost; };
+        return times(figures.parts, LayoutCosts::PART) + times(figures.stackedLength, 2 * _seamCost) +
+               times(figures.components, LayoutCosts::COMPONENT) + times(figures.unavailable, LayoutCosts::UNMADE);
+    }
+
+    const PartSizes& _sizes;
+    int _seamCost;
+    std::optional<PartMap> _map;
+    std::int64_t _cost = 0;
+};
+
 /** Improve a layout of all cells.
  * @return false if it was cancelled. */
 bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
@@ -61,14 +109,20 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
     const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
+    const int seamCost = getSeamCost(map.getLattice().getProblem());
+    BestLayout best(sizes, seamCost);
     for (int round = 0; round < numRounds; ++round)
     {
         // Rounds that ignore seams, between others, lead out of layouts that single windows can't improve.
-        const bool hasSeams = (numRounds - 1 - round) / phase % 2 == 0;
-        if (!search.runRound(hasSeams ? LayoutCosts::HALF_SEAM : 0, work.maximumNodes)) return false;
+        const int roundsLeft = numRounds - 1 - round;
+        const bool hasSeams = roundsLeft / phase % 2 == 0;
+        if (!search.runRound(hasSeams ? seamCost : 0, work.windows)) return false;
+        if (hasSeams && roundsLeft > 0 && roundsLeft % phase == 0) best.add(map);
         if (options.progress) options.progress(static_cast<double>(round + 1) / (numRounds + 1));
     }
-    return join();
+    if (!join()) return false;
+    best.restore(map);
+    return true;
 }
 
 } // namespace

@@ -86,7 +86,7 @@ void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
         if (isFixed(cell)) _fixedComponents[static_cast<std::size_t>(cell)] = _components.find(cell);
 }
 
-bool WindowSearch::runRound(int seamCost, int maximumNodes)
+bool WindowSearch::runRound(int seamCost, const Limits& limits)
 {
     for (int phase = 0; phase < 4; ++phase)
     {
@@ -107,7 +107,7 @@ bool WindowSearch::runRound(int seamCost, int maximumNodes)
                                           static_cast<std::uint64_t>(regions[i].yBegin) << 16;
                                       LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
                                       LayoutRandom random(seeds.next() ^ _options.seed);
-                                      improve(regions[i], seamCost, maximumNodes, random);
+                                      improve(regions[i], seamCost, limits, random);
                                   });
         if (isStopped) return false;
     }
@@ -115,7 +115,7 @@ bool WindowSearch::runRound(int seamCost, int maximumNodes)
     return true;
 }
 
-void WindowSearch::improve(const LayoutRegion& region, int seamCost, int maximumNodes, LayoutRandom& random)
+void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random)
 {
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
@@ -124,14 +124,15 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, int maximum
             region.contains(_map, cell))
             seeds.push_back(cell);
     LayoutWindow& window = _windows.local();
-    for (std::size_t i = 0; i < seeds.size(); ++i)
+    for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {
         if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
         // The part that began here may have changed since.
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
         const int numParts =
             SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));
-        if (region.contains(_map, anchor)) window.improve(anchor, numParts, seamCost, region, maximumNodes, random);
+        if (region.contains(_map, anchor))
+            window.improve(anchor, numParts, seamCost, region, limits.maximumNodes, random);
     }
 }
 

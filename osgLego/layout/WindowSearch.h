@@ -23,19 +23,25 @@ class WindowSearch
 public:
     using Index = CellLattice::Index;
 
+    /** The work of a round. */
+    struct Limits
+    {
+        std::size_t partsPerWindow = 1; //!< the number of parts for each window that is laid
+        int maximumNodes = 0;           //!< steps of the search for one window
+    };
+
     /** @param isActive whether windows may begin at a cell; empty: at all cells. */
     WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive);
 
-    /** Lay as many windows as there are parts.
+    /** Lay windows throughout the model.
      * @param seamCost of half a unit of stacked seams.
-     * @param maximumNodes steps of the search for one window.
      * @return false if it was cancelled. */
-    bool runRound(int seamCost, int maximumNodes);
+    bool runRound(int seamCost, const Limits& limits);
 
 private:
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
     void findFixedComponents(const std::vector<LayoutRegion>& regions);
-    void improve(const LayoutRegion& region, int seamCost, int maximumNodes, LayoutRandom& random);
+    void improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
 
     PartMap& _map;
