@@ -41,9 +41,15 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
         {
             if (!proceed(fraction)) isCancelled = true;
         };
+    if (proceed && !proceed(0.0)) return nullptr;
     osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
     if (!work.error.empty()) return fail(work.error);
-    if (statistics) *statistics = work.statistics;
+    if (isCancelled) return nullptr;
+    if (statistics)
+    {
+        *statistics = work.statistics;
+        if (work.measureLayout) statistics->layout = work.measureLayout();
+    }
     return model;
 }
 

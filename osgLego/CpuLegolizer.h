@@ -34,8 +34,8 @@ namespace osgLego
  * at 1024 x 1024 x 1024.
  *
  * @param statistics receives the statistics of the bricks; may be null.
- * @param proceed called in this thread with the fraction of a layout of parts that is done, 0 to 1; the function ends
- * early if it returns false. May be empty.
+ * @param proceed called in this thread, with 0 at the beginning, then with the fraction of a layout of parts that is
+ * done, up to 1; the function ends soon after it returns false. May be empty.
  * @return null if `proceed` ended it, and with a warning that gives the reason if the node has no visible triangles,
  * settings.check() reports an error, the palette can't be read, or the cells would be too many; a model without bricks
  * if the grid misses the triangles. */

@@ -92,7 +92,7 @@ public:
     bool hasTriangles() const;
 
     /** The reason, in one sentence, why a source with triangles has no bricks: cells of the size in the settings would
-     * be too many. Empty if there is no such reason. */
+     * be too many, the palette can't be read, or the last getBricks() has failed. Empty if there is no such reason. */
     std::string getObstacle() const;
 
     /** Wait for each stage of a legolization to finish, so that getStatistics() has its time. Off by default. */

@@ -181,7 +181,8 @@ struct OSGLEGO_EXPORT LegoSettings
     unsigned int shell = 2;
     /** Parts are laid on the CPU, and need VoxelizationMethod::EXACT and bricks or plates as cells. */
     PartSet parts = PartSet::NONE;
-    /** The start of the layout's random numbers: equal seeds give equal parts. */
+    /** The start of the layout's random numbers: equal seeds give equal parts of equal cells. A LegoNode whose source
+     * has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
     std::uint32_t seed = 0;
     Effort effort = Effort::NORMAL;
     // These two do not affect which cells become bricks.

@@ -19,8 +19,9 @@ struct CpuBricksWork
     std::function<bool()> isCancelled;    //!< called from any thread; may be empty
     std::function<void(double)> progress; //!< called with the fraction of the layout that is done; may be empty
     PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
-    LegoStatistics statistics;            //!< of the bricks
-    std::string error;                    //!< why there are no bricks, in one sentence; empty if it was cancelled
+    LegoStatistics statistics;            //!< of the bricks, without those of parts
+    std::function<LayoutStatistics()> measureLayout; //!< computes the figures of parts; empty without parts
+    std::string error; //!< why there are no bricks, in one sentence; empty if it was cancelled
 };
 
 /** Make the bricks of a source: voxelize it, and do all else that its settings ask for. May be called from any thread;

@@ -5,9 +5,11 @@
 namespace osgLego
 {
 
-BrickSet::BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics) :
-    _revision(revision), _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(model)),
-    _statistics(statistics), _makeModel([] { return nullptr; }), _model(&model)
+BrickSet::BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics,
+                   MeasureLayout measureLayout) :
+    _revision(revision),
+    _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(model)), _statistics(statistics),
+    _makeModel([] { return nullptr; }), _measureLayout(std::move(measureLayout)), _model(&model)
 {
     _statistics.numDrawnBricks = _points.points.size();
 }
@@ -21,6 +23,13 @@ const DistantOcclusion& BrickSet::getDistantOcclusion() const
 {
     std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });
     return *_distantOcclusion;
+}
+
+std::optional<LayoutStatistics> BrickSet::getLayoutStatistics() const
+{
+    if (!_measureLayout) return std::nullopt;
+    std::call_once(_layoutFlag, [this] { _layoutStatistics = _measureLayout(); });
+    return _layoutStatistics;
 }
 
 osg::ref_ptr<const BrickModel> BrickSet::getModel() const

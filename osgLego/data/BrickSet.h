@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 
 #include <osg/Referenced>
 #include <osg/ref_ptr>
@@ -26,10 +27,13 @@ class BrickSet : public osg::Referenced
 {
 public:
     using MakeModel = std::function<osg::ref_ptr<const BrickModel>()>;
+    using MeasureLayout = std::function<LayoutStatistics()>;
 
     /** Create a set made on the CPU. Computes the points, and adds their number to the statistics.
-     * @param revision the number of the source (LegoSource::revision). */
-    BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics);
+     * @param revision the number of the source (LegoSource::revision).
+     * @param measureLayout computes the figures of parts; empty without parts. */
+    BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics,
+             MeasureLayout measureLayout = {});
     /** Create a set made on the GPU. @param makeModel called at most once, by the first getModel(). */
     BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel);
 
@@ -45,6 +49,8 @@ public:
     osg::ref_ptr<const BrickModel> getModel() const;
     /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */
     const LegoStatistics& getStatistics() const { return _statistics; }
+    /** The figures of parts made on the CPU, computed by the first call; unset without such parts. */
+    std::optional<LayoutStatistics> getLayoutStatistics() const;
 
 private:
     ~BrickSet() override = default;
@@ -55,6 +61,9 @@ private:
     BrickPoints _points;
     LegoStatistics _statistics;
     MakeModel _makeModel;
+    MeasureLayout _measureLayout;
+    mutable std::once_flag _layoutFlag;
+    mutable std::optional<LayoutStatistics> _layoutStatistics;
     mutable std::once_flag _occlusionFlag;
     mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
     mutable std::once_flag _modelFlag;

@@ -7,6 +7,7 @@
 #include <osgLego/palette/Oklab.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -67,8 +68,18 @@ void warnOfLeak(Fill fill)
              << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
 }
 
-void addFigures(const LayoutFigures& figures, LayoutStatistics& statistics)
+/** Parts, and what they cover. */
+struct Layout
 {
+    LayoutProblem problem;
+    LaidParts parts;
+};
+
+/** Add the figures of a layout to those that are known. */
+LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
+{
+    Stopwatch stopwatch;
+    const LayoutFigures figures = computeLayoutFigures(layout.problem, layout.parts);
     statistics.numCells = figures.cells;
     statistics.numParts = figures.parts;
     statistics.numComponents = figures.components;
@@ -79,6 +90,8 @@ void addFigures(const LayoutFigures& figures, LayoutStatistics& statistics)
     statistics.stackedLength = figures.stackedLength;
     statistics.numColors = figures.colors;
     statistics.numUnavailable = figures.unavailable;
+    statistics.figures = stopwatch.lap();
+    return statistics;
 }
 
 } // namespace
@@ -91,7 +104,7 @@ ModelBuilder::ModelBuilder(const LegoSettings& settings, const PaletteLookup& lo
 osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
 {
     _error.clear();
-    _statistics.reset();
+    _measureLayout = nullptr;
     LayoutStatistics statistics;
     Stopwatch stopwatch;
     osg::ref_ptr<const BrickModel> colored = &cells;
@@ -100,7 +113,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
     if (!_settings.needsCpu()) return colored;
 
     FilledCells filled;
-    if (!fillCells(*colored, _settings.fill, _settings.shell, filled, _error)) return nullptr;
+    if (isCancelled() || !fillCells(*colored, _settings.fill, _settings.shell, filled, _error)) return nullptr;
     if (_settings.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
         warnOfLeak(_settings.fill);
     statistics.fill = stopwatch.lap();
@@ -115,18 +128,18 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     std::vector<PaletteColor> colors = collectColors(cells);
     if (const Palette* palette = _lookup.getPalette())
         colors.assign(palette->getColors().begin(), palette->getColors().end());
-    const LayoutProblem problem = createProblem(cells, grid, colors);
+    const auto layout = std::make_shared<Layout>();
+    layout->problem = createProblem(cells, grid, colors);
     const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
-    LaidParts parts = layOut(problem, {_settings.effort, _settings.seed, _isCancelled, _progress},
-                             isAlike ? _previous->parts : LaidParts());
-    if (parts.empty() && !problem.cells.empty()) return nullptr;
+    if (isCancelled()) return nullptr;
+    layout->parts = layOut(layout->problem, {_settings.effort, _settings.seed, _isCancelled, _progress},
+                           isAlike ? _previous->parts : LaidParts());
+    if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
-    osg::ref_ptr<const BrickModel> model = createModel(parts, grid, colors);
     statistics.numInterior = cells.numInterior;
-    addFigures(computeLayoutFigures(problem, parts), statistics);
-    statistics.figures = stopwatch.lap();
-    _statistics = statistics;
-    if (_previous) *_previous = {_settings, std::move(parts), std::move(colors)};
+    osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors);
+    _measureLayout = [layout, statistics] { return measure(*layout, statistics); };
+    if (_previous) *_previous = {_settings, layout->parts, std::move(colors)};
     return model;
 }
 

@@ -8,7 +8,6 @@
 #include <osgLego/palette/PaletteLookup.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,10 +55,12 @@ public:
     osg::ref_ptr<const BrickModel> build(const BrickModel& cells);
 
     const std::string& getError() const { return _error; }
-    /** The figures of the last build(); unset without parts. */
-    const std::optional<LayoutStatistics>& getStatistics() const { return _statistics; }
+    /** Computes the figures of the parts that the last build() has laid, which takes longer than laying them with
+     * Effort::INSTANT; empty without parts. May be kept, and called from any thread. */
+    const std::function<LayoutStatistics()>& getMeasurement() const { return _measureLayout; }
 
 private:
+    bool isCancelled() const { return _isCancelled && _isCancelled(); }
     osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickGrid& grid, LayoutStatistics& statistics);
 
     LegoSettings _settings;
@@ -68,7 +69,7 @@ private:
     std::function<void(double)> _progress;
     PreviousLayout* _previous = nullptr;
     std::string _error;
-    std::optional<LayoutStatistics> _statistics;
+    std::function<LayoutStatistics()> _measureLayout;
 };
 
 } // namespace osgLego

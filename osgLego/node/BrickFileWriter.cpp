@@ -1,6 +1,7 @@
 #include <osgLego/node/BrickFileWriter.h>
 
 #include <osgLego/BrickScene.h>
+#include <osgLego/LegoNode.h>
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,35 @@ constexpr std::array<std::string_view, 3> NO_GEOMETRY{"dae", "iv", "wrl"};
 // Formats of this project's plugins, which write the parts of LegoNodes.
 constexpr std::array<std::string_view, 2> PARTS{"ldr", "mpd"};
 
+/** Finds the reason why a LegoNode of a scene has triangles but no bricks. */
+class ObstacleVisitor : public osg::NodeVisitor
+{
+public:
+    ObstacleVisitor() : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) {}
+
+    using osg::NodeVisitor::apply;
+    void apply(osg::Group& group) override
+    {
+        const auto* lego = dynamic_cast<const LegoNode*>(&group);
+        if (!lego)
+            traverse(group);
+        else if (_obstacle.empty() && !lego->getBricks())
+            _obstacle = lego->getObstacle();
+    }
+
+    const std::string& getObstacle() const { return _obstacle; }
+
+private:
+    std::string _obstacle;
+};
+
+std::string findObstacle(const osg::Node& node)
+{
+    ObstacleVisitor visitor;
+    const_cast<osg::Node&>(node).accept(visitor); // which changes nothing
+    return visitor.getObstacle();
+}
+
 BrickColors colorsOf(const std::string& format)
 {
     const bool isByVertex = isOneOf(COLORS_BY_VERTEX, format) || isOneOf(NO_COLORS, format);
@@ -107,6 +137,9 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node,
                                                           const Options* options, const Write& write)
 {
     const std::string format = formatOf(fileName);
+    const bool writesSource = storesNodes(format) && !mustBake(options);
+    if (const std::string obstacle = writesSource ? std::string() : findObstacle(node); !obstacle.empty())
+        return WriteResult("osgLego: '" + fileName + "' is not written, since it would have no bricks: " + obstacle);
     if (storesNodes(format) && mustBake(options)) return writeBaked(node, fileName, *options, write);
     if (storesNodes(format) || isOneOf(PARTS, format)) return write(node, options);
     const osg::ref_ptr<const osg::Node> scene = createBrickScene(node, colorsOf(format));

@@ -200,7 +200,7 @@ osg::ref_ptr<const LegoSource> LegoPipeline::getSource() const
 std::string LegoPipeline::getObstacle() const
 {
     const std::lock_guard lock(_mutex);
-    return _watch.getObstacle();
+    return _failedRevision != 0 && _failedRevision == _watch.getRevision() ? _failure : _watch.getObstacle();
 }
 
 /** Print the obstacle, once for each. */
@@ -219,7 +219,19 @@ osg::ref_ptr<const BrickModel> LegoPipeline::getModel()
     if (!source) return nullptr;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     if (newest && newest->getRevision() == source->revision) return newest->getModel();
-    return _cpuProducer->getModel(*source);
+    const osg::ref_ptr<const BrickSet> made = makeOnCpu(*source);
+    return made ? made->getModel() : nullptr;
+}
+
+/** Wait for the bricks of a source. @return null, with the reason in getObstacle(), if they can't be made. */
+osg::ref_ptr<const BrickSet> LegoPipeline::makeOnCpu(const LegoSource& source)
+{
+    std::string error;
+    const osg::ref_ptr<const BrickSet> bricks = _cpuProducer->getBricks(source, error);
+    const std::lock_guard lock(_mutex);
+    _failedRevision = bricks ? 0 : source.revision;
+    _failure = error;
+    return bricks;
 }
 
 void LegoPipeline::prepareForPicking()
@@ -229,7 +241,11 @@ void LegoPipeline::prepareForPicking()
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     // A set that is shown is picked until the next set is shown. A set made only for picking must match the source.
     const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source->revision);
-    if (!isShown) _store->deliver(*createGpuBrickSet(*source));
+    if (isShown) return;
+    // Bricks that the GPU can't make take long to make again, so those made for picking are shown, too.
+    const osg::ref_ptr<const BrickSet> bricks =
+        source->settings.needsCpu() ? makeOnCpu(*source) : createGpuBrickSet(*source);
+    if (bricks) _store->deliver(*bricks);
 }
 
 osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()

@@ -104,11 +104,14 @@ private:
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
     bool mustWait(const ContextBricks& bricks) const;
     void warnOfObstacle();
+    osg::ref_ptr<const BrickSet> makeOnCpu(const LegoSource& source);
 
     mutable std::mutex _mutex; // guards the request, the watch, the stored bricks, the last bounds and the geometry
     SourceWatch::Request _request;
     SourceWatch _watch;
     std::string _printedObstacle;
+    std::uint64_t _failedRevision = 0; // of the source whose bricks makeOnCpu() could not make
+    std::string _failure;
     osg::ref_ptr<const BrickModel> _storedBricks;
     std::atomic<bool> _isDirty{true};
     std::atomic<bool> _waiting{false};

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -74,12 +76,20 @@ private:
             work.isCancelled = [this] { return _isCancelled.load(); };
             work.previous = &_layout;
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
-            if (model) _bricks = new BrickSet(_source->revision, *model, work.statistics);
+            if (model) _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout);
             _error = work.error;
         }
-        catch (const std::exception&)
+        catch (const std::bad_alloc&)
         {
             _error = OUT_OF_MEMORY;
+        }
+        catch (const std::length_error&) // more than a container can hold
+        {
+            _error = OUT_OF_MEMORY;
+        }
+        catch (const std::exception& exception)
+        {
+            _error = std::string("the bricks can't be made: ") + exception.what();
         }
         const bool isMade = _bricks.valid();
         _hasEnded = true;
@@ -159,13 +169,13 @@ void CpuProducer::retire()
     _retired.push_back(std::move(_job));
 }
 
-osg::ref_ptr<const BrickModel> CpuProducer::getModel(const LegoSource& source)
+osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
     bool isNew = false;
     const std::shared_ptr<Job> job = start(source, true, isNew);
     job->wait();
-    const osg::ref_ptr<const BrickSet> bricks = job->getBricks();
-    return bricks ? bricks->getModel() : nullptr;
+    error = job->getError();
+    return job->getBricks();
 }
 
 } // namespace osgLego

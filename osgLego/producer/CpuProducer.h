@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <osg/ref_ptr>
@@ -30,8 +31,9 @@ public:
     void resizeGLObjectBuffers(unsigned int) override {}
     void releaseGLObjects(osg::State*) override {}
 
-    /** Wait for the model of a source, and return it; null if it could not be made. Cancels work on another source. */
-    osg::ref_ptr<const BrickModel> getModel(const LegoSource& source);
+    /** Wait for the bricks of a source, and return them. Cancels work on another source.
+     * @return null, with one sentence in `error`, if they can't be made. */
+    osg::ref_ptr<const BrickSet> getBricks(const LegoSource& source, std::string& error);
 
 private:
     class Job;

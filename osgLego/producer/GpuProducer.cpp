@@ -23,8 +23,7 @@ osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source)
                         [kept = osg::ref_ptr<const LegoSource>(&source)]
                         {
                             CpuBricksWork work;
-                            osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*kept, work);
-                            return model ? model : BrickModel::create(kept->triangles->getGrid(), {});
+                            return makeBricksOnCpu(*kept, work);
                         });
 }
 

@@ -19,8 +19,15 @@ std::string ContextBricks::getFailure() const
 
 LegoStatistics ContextBricks::getStatistics() const
 {
-    const std::lock_guard lock(_mutex);
-    return _statistics;
+    osg::ref_ptr<const BrickSet> set;
+    LegoStatistics statistics;
+    {
+        const std::lock_guard lock(_mutex);
+        set = bricks;
+        statistics = _statistics;
+    }
+    if (set) statistics.layout = set->getLayoutStatistics();
+    return statistics;
 }
 
 osg::ref_ptr<const BrickModel> ContextBricks::getModel() const

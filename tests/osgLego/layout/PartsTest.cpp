@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include <osg/MatrixTransform>
+#include <osgUtil/LineSegmentIntersector>
 
 namespace osgLego::test
 {
@@ -191,6 +191,44 @@ TEST(Parts, AModelTooLargeToBeFilledIsRefusedWithItsSize)
     const std::string notices = noticesOf([&] { model = legolize(*sphere, "600,fill=solid"); });
     EXPECT_FALSE(model);
     EXPECT_NE(notices.find("cells; expected at most 67108864"), std::string::npos) << notices;
+}
+
+/** A node whose interior has too many cells. */
+osg::ref_ptr<LegoNode> createTooLarge()
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("600,fill=solid"));
+    lego->addChild(createSphere(6));
+    return lego;
+}
+
+TEST(Parts, ANodeThatCannotBeFilledHasNoBricksAndSaysWhyAlsoAfterPicking)
+{
+    const osg::ref_ptr<LegoNode> lego = createTooLarge();
+    EXPECT_EQ(lego->getObstacle(), "");
+    EXPECT_FALSE(lego->getBricks());
+    EXPECT_NE(lego->getObstacle().find("cells; expected at most 67108864"), std::string::npos);
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
+    osgUtil::IntersectionVisitor visitor(line);
+    lego->accept(visitor);
+    EXPECT_FALSE(lego->getBricks());
+    EXPECT_NE(lego->getObstacle(), "");
+    EXPECT_TRUE(lego->setSettings(parseSettings("16,fill=solid")));
+    EXPECT_TRUE(lego->getBricks());
+    EXPECT_EQ(lego->getObstacle(), "");
+}
+
+TEST(Parts, PickingUsesThePartsThatWereLaid)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("16,parts=bricks,colors=2"));
+    lego->addChild(createSphere());
+    const osg::ref_ptr<const BrickModel> model = lego->getBricks();
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
+    osgUtil::IntersectionVisitor visitor(line);
+    lego->accept(visitor);
+    EXPECT_TRUE(line->containsIntersections());
+    EXPECT_EQ(lego->getBricks(), model);
 }
 
 TEST(Parts, OneCellIsOnePart)

@@ -80,6 +80,23 @@ TEST_F(BrickFileWriterTest, TheNextCallbackGetsTheNodeForOsgsOwnFormatsAndBricks
     }
 }
 
+TEST_F(BrickFileWriterTest, AModelWhoseBricksCannotBeMadeIsNotWrittenAsItsMesh)
+{
+    LegoSettings settings;
+    settings.resolution = 600;
+    settings.fill = Fill::SOLID;
+    _lego->setSettings(settings);
+    for (const char* name : {"lego.obj", "lego.ldr", "lego.ive"})
+    {
+        const WriteResult result = _writer->writeNode(*_lego, name, nullptr);
+        EXPECT_TRUE(result.error()) << name;
+        EXPECT_NE(result.message().find("cells; expected at most 67108864"), std::string::npos) << result.message();
+        EXPECT_FALSE(_next->written) << name;
+    }
+    _writer->writeNode(*_lego, "lego.osgt", nullptr);
+    EXPECT_EQ(_next->written, _lego);
+}
+
 TEST_F(BrickFileWriterTest, TheOptionBakeStoresBricksInOsgsOwnFormats)
 {
     const auto writtenWith = [&](const char* name, const char* options)

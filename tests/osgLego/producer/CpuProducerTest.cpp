@@ -5,6 +5,7 @@
 #include <GlTest.h>
 #include <Meshes.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 
@@ -137,6 +138,33 @@ TEST_F(CpuProducerTest, AMovingSourceIsShownInRealParts)
             ASSERT_TRUE(findPartType(part, shown->getGrid())) << height;
         EXPECT_EQ(_lego->getStatistics(_contextID).layout->numParts, shown->getParts().size());
     }
+}
+
+TEST_F(CpuProducerTest, PartsFarFromAChangeAreKept)
+{
+    _lego->setSettings(parseSettings("cell=0.1,origin=0:0:0,proportions=brick,parts=bricks,colors=1,device=cpu"));
+    _lego->setWaiting(true);
+    drawFrame();
+    const std::vector<Part> before = _lego->getBricks()->getParts();
+    osg::ref_ptr<osg::MatrixTransform> horn = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 1.2));
+    horn->addChild(createTriangle({0, 0, 0}, {0.2f, 0, 0}, {0, 0, -0.4f}));
+    _transform->addChild(horn);
+    drawFrame();
+    const std::vector<Part> after = _lego->getBricks()->getParts();
+    ASSERT_NE(before, after);
+    // The grid is the same below, so the lowest parts have the same cells.
+    const auto isLow = [](const Part& part) { return part.cell[2] < 5; };
+    const auto numLow = static_cast<std::size_t>(std::count_if(before.begin(), before.end(), isLow));
+    const auto numKept = static_cast<std::size_t>(std::count_if(
+        before.begin(), before.end(),
+        [&](const Part& part) { return isLow(part) && std::find(after.begin(), after.end(), part) != after.end(); }));
+    EXPECT_GT(numLow, 20u);
+    EXPECT_EQ(numKept, numLow);
+    // A layout without history differs there.
+    const std::vector<Part> fresh = legolizeOnCpu(*_transform, _lego->getSettings())->getParts();
+    EXPECT_TRUE(std::any_of(before.begin(), before.end(),
+                            [&](const Part& part)
+                            { return isLow(part) && std::find(fresh.begin(), fresh.end(), part) == fresh.end(); }));
 }
 
 TEST_F(CpuProducerTest, AModelThatCannotBeFilledIsDrawnAsItIsWithTheReason)
