@@ -139,7 +139,11 @@ void CaptureScene::legolize()
     _hasOwnBricks = _isRead && _lego;
     if (!_lego)
     {
-        _lego = new LegoNode(_options.settings.value_or(LegoSettings()));
+        const LegoSettings settings = _options.settings.value_or(LegoSettings());
+        std::string error;
+        if (settings.getPalette() != "none" && !Palette::read(settings.getPalette(), error))
+            throw CaptureError(EXIT_BAD_INPUT, error);
+        _lego = new LegoNode(settings);
         _lego->setName(_options.mesh);
         _lego->addChild(_source);
         _shown = _lego;
