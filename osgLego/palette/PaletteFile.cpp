@@ -129,7 +129,7 @@ osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& e
         error = path.string() + (wrong.starts_with("line ") ? ", " : ": ") + wrong;
         return nullptr;
     }
-    const osg::ref_ptr<const Palette> palette = new Palette(colors);
+    const osg::ref_ptr<const Palette> palette = Palette::create(colors, error);
     cache.insert(key, state, palette);
     return palette;
 }
