@@ -24,9 +24,9 @@ struct LegoStatistics
     double flattening = 0.0;        //!< converting the source to triangles in the grid, on the CPU
     double subdivision = 0.0;       //!< including the upload
     double voxelization = 0.0;
+    double extraction = 0.0; //!< for bricks that were not made on the GPU: the upload
     /** Of the parts that were made of the cells; unset without parts, and for stored bricks. */
     std::optional<LayoutStatistics> layout;
-    double extraction = 0.0; //!< for bricks that were not made on the GPU: the upload
 };
 
 } // namespace osgLego

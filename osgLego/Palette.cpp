@@ -28,6 +28,14 @@ Palette::Palette(std::vector<PaletteColor> colors) :
 {
 }
 
+osg::ref_ptr<const Palette> Palette::create(std::vector<PaletteColor> colors, std::string& error)
+{
+    if (!colors.empty() && colors.size() <= MAXIMUM_COLORS) return new Palette(std::move(colors));
+    error = "the palette has " + std::to_string(colors.size()) + " colours; expected 1 to " +
+            std::to_string(MAXIMUM_COLORS);
+    return nullptr;
+}
+
 osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::string& error)
 {
     return nameOrFile == "ldraw" ? getDefaultPalette() : readPaletteFile(nameOrFile, error);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <osgLego/Export.h>
+#include <osgLego/Part.h>
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct PaletteColor
 {
     static constexpr std::uint16_t ALL_SIZES = (1u << 11) - 1;
 
-    std::int32_t code = -1;              //!< LDraw's
+    std::int32_t code = Part::NO_CODE;   //!< LDraw's
     std::string name;                    //!< such as "Dark_Turquoise"
     std::array<std::uint8_t, 3> color{}; //!< red, green, blue (sRGB)
     std::int32_t brickLink = -1;         //!< BrickLink's number; -1 if it is not known
@@ -49,12 +49,13 @@ public:
     static constexpr int TABLE_SIDE = 64; //!< entries of the table along each of red, green and blue
     static constexpr std::size_t MAXIMUM_COLORS = 255;
 
-    /** Create a palette of 1 to MAXIMUM_COLORS colours. */
-    explicit Palette(std::vector<PaletteColor> colors);
+    /** Create a palette of 1 to MAXIMUM_COLORS colours.
+     * @return null, with one sentence in `error`, for another number of colours. */
+    static osg::ref_ptr<const Palette> create(std::vector<PaletteColor> colors, std::string& error);
 
     /** Read a palette: "ldraw", the solid colours in which nearly all sizes of bricks and plates were made, or a file:
-     * a .csv with the columns of data/ldraw-solid-colours.csv, or LDraw's LDConfig.ldr. A file that has not changed is
-     * not read again.
+     * a .csv with the columns of data/ldraw-solid-colours.csv, or LDraw's LDConfig.ldr. A file is read each
+     * time, but files with the same colours may share a palette.
      * @return null, with one sentence in `error` that names the file and the bad line, if it can't be read. */
     static osg::ref_ptr<const Palette> read(const std::string& nameOrFile, std::string& error);
 
@@ -63,11 +64,12 @@ public:
     static std::span<const PaletteColor> getKnownColors();
 
     std::span<const PaletteColor> getColors() const { return _colors; }
-    /** The index of the colour nearest to an sRGB colour. */
+    /** The index of the colour nearest to an sRGB colour. A colour of the palette is its own nearest, unless an earlier
+     * one shares its entry of the table: that one is found for both. */
     std::size_t findNearest(const std::array<std::uint8_t, 3>& color) const;
     /** The index of the colour of a brick in a cell of the grid if colours between those of the palette are imitated:
-     * the bricks of an even surface get different colours, whose mean is close to its own. Colours of the palette
-     * remain themselves. */
+     * the bricks of an even surface get different colours, whose mean is close to its own. Colours of the palette that
+     * are their own nearest remain themselves. */
     std::size_t findDithered(const std::array<std::uint8_t, 3>& color, const std::array<std::uint16_t, 3>& cell) const;
     /** The width of the offsets that findDithered() adds to a channel, 0 to 255. */
     int getDitherAmplitude() const { return _ditherAmplitude; }
@@ -75,6 +77,7 @@ public:
     std::span<const std::uint8_t> getTable() const { return _table; }
 
 private:
+    explicit Palette(std::vector<PaletteColor> colors);
     ~Palette() override = default;
 
     std::vector<PaletteColor> _colors;

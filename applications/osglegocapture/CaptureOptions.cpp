@@ -98,6 +98,21 @@ std::string readContext(const std::string& text, ContextKind& kind)
     return {};
 }
 
+/** Throws if --bound has no parts to count. The settings of a mesh that was given without --legolize are not known
+ * before it is read. */
+void checkBound(const CaptureOptions& options)
+{
+    if (options.original) throw CLI::ValidationError("--original has no parts; expected --bound without --original");
+    if (!options.needsContext())
+        throw CLI::ValidationError(
+            "--bound has no report to appear in; expected one or more of -o, --stats, --cells and --compare");
+    const bool isKnown = options.settings || options.mesh.empty();
+    const LegoSettings settings = options.settings.value_or(LegoSettings());
+    if (isKnown && (settings.parts == PartSet::NONE || settings.proportions != Proportions::BRICK))
+        throw CLI::ValidationError(
+            "--bound counts bricks; expected parts=bricks and proportions=brick among the settings of --legolize");
+}
+
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
@@ -108,6 +123,7 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("--original has no cells; expected --cells without --original");
     if (options.original && !options.partsList.empty())
         throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
+    if (options.bound) checkBound(options);
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
         throw CLI::ValidationError(
             "--stats and --parts-list both write to standard output; expected - for one of them");
@@ -231,9 +247,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--stats", options.statistics,
                    "Write counts, the grid and times as JSON; - writes them to standard output")
         ->type_name("FILE.json");
-    app.add_flag("--bound", options.bound,
-                 "Also compute the fewest parts that can cover each layer by itself, for the report on parts and for "
-                 "--stats; takes seconds to minutes");
+    app.add_flag(
+        "--bound", options.bound,
+        "Also compute the fewest bricks (not plates) that can cover each layer by itself, for the report on parts "
+        "and for --stats; takes seconds to minutes");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--parts-list", options.partsList,
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "

@@ -75,6 +75,19 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
                options.width, options.height, bytes / GIGABYTE);
 }
 
+/** Compute the fewest bricks, or warn that there are none to count. */
+void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, const Progress& progress)
+{
+    progress.show("computing the fewest bricks");
+    const std::size_t bound = layout ? computeModelBound(lego) : 0;
+    progress.clear();
+    if (bound > 0)
+        layout->lowerBound = bound;
+    else
+        fmt::print(stderr, "osglegocapture: warning: --bound has nothing to count; expected a mesh in parts=bricks and "
+                           "proportions=brick\n");
+}
+
 /** Print the figures of parts. @return nothing if there are no parts. */
 std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, const CaptureScene& scene,
                                              osg::GraphicsContext& context, const Progress& progress)
@@ -82,13 +95,9 @@ std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, cons
     const LegoNode* lego = scene.getLegoNode();
     if (!lego) return std::nullopt;
     std::optional<LayoutStatistics> layout = lego->getStatistics(context.getState()->getContextID()).layout;
-    if (!layout) return std::nullopt;
-    if (options.bound)
-    {
-        progress.show("computing the fewest parts");
-        if (const std::size_t bound = computeModelBound(*lego); bound > 0) layout->lowerBound = bound;
-    }
     progress.clear();
+    if (options.bound) addBound(*lego, layout, progress);
+    if (!layout) return std::nullopt;
     fmt::print("{}\n", layout->toString());
     return layout;
 }

@@ -1,5 +1,6 @@
 #include <osgLego/layout/PartColors.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -13,22 +14,32 @@ namespace
 using Index = CellLattice::Index;
 using Colors = std::vector<std::uint16_t>;
 
-/** The commonest colour of the cells around a part in which it exists, or ANY_COLOR. */
-std::uint16_t findCommonest(const PartMap& map, const PartSizes& sizes, const Colors& colors, Index anchor)
+/** Call visit(anchor) for each cell beside a part, with the anchor of its part. */
+template <typename Visit>
+void visitNeighbors(const PartMap& map, Index anchor, Visit visit)
 {
     const CellLattice& lattice = map.getLattice();
-    std::map<std::uint16_t, int> counts;
     map.visitPart(anchor,
                   [&](Index cell)
                   {
                       for (std::uint8_t side = 0; side < 6; ++side)
                       {
                           const Index other = lattice.getNeighbor(cell, static_cast<CellLattice::Side>(side));
-                          if (other == CellLattice::NONE || map.getAnchor(other) == anchor) continue;
-                          const std::uint16_t color = colors[static_cast<std::size_t>(map.getAnchor(other))];
-                          if (color != LayoutCell::ANY_COLOR) ++counts[color];
+                          if (other != CellLattice::NONE && map.getAnchor(other) != anchor) visit(map.getAnchor(other));
                       }
                   });
+}
+
+/** The commonest colour of the cells around a part in which it exists, or ANY_COLOR. */
+std::uint16_t findCommonest(const PartMap& map, const PartSizes& sizes, const Colors& colors, Index anchor)
+{
+    std::map<std::uint16_t, int> counts;
+    visitNeighbors(map, anchor,
+                   [&](Index neighbor)
+                   {
+                       const std::uint16_t color = colors[static_cast<std::size_t>(neighbor)];
+                       if (color != LayoutCell::ANY_COLOR) ++counts[color];
+                   });
     std::pair<int, std::uint16_t> best{0, LayoutCell::ANY_COLOR};
     for (const auto& [color, count] : counts)
         if (count > best.first && sizes.isMade(map.getShape(anchor), color)) best = {count, color};
@@ -44,37 +55,68 @@ std::uint16_t findFirst(const PartMap& map, const PartSizes& sizes, Index anchor
     return 0;
 }
 
+using Anchors = std::vector<Index>;
+
+/** The parts without a colour beside some parts. */
+Anchors findOpenNeighbors(const PartMap& map, const Colors& colors, const Anchors& anchors)
+{
+    Anchors open;
+    for (const Index anchor : anchors)
+        visitNeighbors(map, anchor,
+                       [&](Index neighbor)
+                       {
+                           if (colors[static_cast<std::size_t>(neighbor)] == LayoutCell::ANY_COLOR)
+                               open.push_back(neighbor);
+                       });
+    std::sort(open.begin(), open.end());
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+    return open;
+}
+
+/** Spread the colours of neighbours to parts without a colour, and from there on, until no neighbour suits. In each
+ * round, colours spread by one part in all directions at once. */
+void spread(const PartMap& map, const PartSizes& sizes, Anchors open, Colors& colors)
+{
+    while (!open.empty())
+    {
+        Anchors colored;
+        std::vector<std::uint16_t> chosen;
+        for (const Index anchor : open)
+        {
+            const std::uint16_t color = findCommonest(map, sizes, colors, anchor);
+            if (color == LayoutCell::ANY_COLOR) continue;
+            colored.push_back(anchor);
+            chosen.push_back(color);
+        }
+        for (std::size_t i = 0; i < colored.size(); ++i)
+            colors[static_cast<std::size_t>(colored[i])] = chosen[i];
+        // Only a part beside a new colour can get one in the next round.
+        open = findOpenNeighbors(map, colors, colored);
+    }
+}
+
 } // namespace
 
 Colors choosePartColors(const PartMap& map, const PartSizes& sizes)
 {
     Colors colors(static_cast<std::size_t>(map.getLattice().getNumCells()), LayoutCell::ANY_COLOR);
-    std::vector<Index> open;
+    Anchors open;
     for (Index cell = 0; cell < map.getLattice().getNumCells(); ++cell)
     {
         if (!map.isAnchor(cell)) continue;
-        colors[static_cast<std::size_t>(cell)] = map.getColor(cell);
-        if (colors[static_cast<std::size_t>(cell)] == LayoutCell::ANY_COLOR) open.push_back(cell);
+        std::uint16_t& color = colors[static_cast<std::size_t>(cell)];
+        color = map.getColor(cell);
+        if (color == LayoutCell::ANY_COLOR) open.push_back(cell);
     }
-    // Colours spread from the surface inwards. The few parts that no neighbour suits get the first colour that does.
-    while (!open.empty())
+    // Colours spread from the surface inwards, and then from parts that no neighbour suits, which get the first colour
+    // that does.
+    spread(map, sizes, open, colors);
+    for (const Index anchor : open)
     {
-        std::vector<Index> rest;
-        Colors next = colors;
-        for (const Index anchor : open)
-        {
-            std::uint16_t& color = next[static_cast<std::size_t>(anchor)];
-            color = findCommonest(map, sizes, colors, anchor);
-            if (color == LayoutCell::ANY_COLOR) rest.push_back(anchor);
-        }
-        colors.swap(next);
-        if (rest.size() == open.size())
-        {
-            const Index anchor = rest.front();
-            colors[static_cast<std::size_t>(anchor)] = findFirst(map, sizes, anchor);
-            rest.erase(rest.begin());
-        }
-        open.swap(rest);
+        std::uint16_t& color = colors[static_cast<std::size_t>(anchor)];
+        if (color != LayoutCell::ANY_COLOR) continue;
+        color = findFirst(map, sizes, anchor);
+        spread(map, sizes, findOpenNeighbors(map, colors, {anchor}), colors);
     }
     return colors;
 }

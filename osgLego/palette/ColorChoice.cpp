@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -158,7 +160,8 @@ osg::ref_ptr<const Palette> chooseColors(const Palette& palette, const ColorHist
     std::vector<PaletteColor> chosen;
     for (const std::size_t color : MedoidSearch(colors, histogram.getShares()).find(count))
         chosen.push_back(colors[color]);
-    return new Palette(chosen);
+    std::string ignored; // there are at least one and fewer than before
+    return Palette::create(std::move(chosen), ignored);
 }
 
 } // namespace osgLego

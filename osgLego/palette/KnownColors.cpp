@@ -4,7 +4,9 @@
 
 #include <bit>
 #include <map>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace osgLego
 {
@@ -28,7 +30,8 @@ osg::ref_ptr<const Palette> createDefaultPalette()
     std::vector<PaletteColor> colors;
     for (const PaletteColor& color : getKnownColors())
         if (isInDefaultPalette(color)) colors.push_back(color);
-    return new Palette(colors);
+    std::string ignored; // the list has enough colours, and not too many
+    return Palette::create(std::move(colors), ignored);
 }
 
 } // namespace

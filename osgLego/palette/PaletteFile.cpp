@@ -8,9 +8,10 @@
 #include <cctype>
 #include <cerrno>
 #include <fstream>
-#include <map>
 #include <mutex>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace osgLego
 {
@@ -22,43 +23,31 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t LARGEST_FILE = std::uintmax_t(4) << 20;
 
-/** The size and the time of a file, by which a change is noticed. */
-struct FileState
-{
-    std::uintmax_t size = 0;
-    fs::file_time_type time;
-
-    bool operator==(const FileState&) const = default;
-};
-
-/** The palettes of the files that were read last. */
+/** The palettes that were created last, by their colours: tables are expensive to make. Files are read and parsed each
+ * time, which is cheap; their sizes and times don't tell whether they have changed, since `cp -p` and `rsync -t` keep
+ * times. */
 class PaletteCache
 {
 public:
-    osg::ref_ptr<const Palette> find(const fs::path& path, const FileState& state)
+    /** @return null, with one sentence in `error`, for too many colours or none. */
+    osg::ref_ptr<const Palette> getOrCreate(std::vector<PaletteColor> colors, std::string& error)
     {
+        const auto hasColors = [&](const osg::ref_ptr<const Palette>& palette)
+        { return std::ranges::equal(palette->getColors(), colors); };
         const std::scoped_lock lock(_mutex);
-        const auto found = _entries.find(path);
-        return found != _entries.end() && found->second.state == state ? found->second.palette : nullptr;
-    }
-
-    void insert(const fs::path& path, const FileState& state, const osg::ref_ptr<const Palette>& palette)
-    {
-        constexpr std::size_t MOST_ENTRIES = 16; // a palette takes a quarter of a megabyte
-        const std::scoped_lock lock(_mutex);
-        if (_entries.size() >= MOST_ENTRIES) _entries.clear();
-        _entries[path] = {state, palette};
+        const auto found = std::find_if(_palettes.begin(), _palettes.end(), hasColors);
+        if (found != _palettes.end()) return *found;
+        osg::ref_ptr<const Palette> palette = Palette::create(std::move(colors), error);
+        if (!palette) return nullptr;
+        constexpr std::size_t MOST_PALETTES = 16; // a palette takes a quarter of a megabyte
+        if (_palettes.size() >= MOST_PALETTES) _palettes.clear();
+        _palettes.push_back(palette);
+        return palette;
     }
 
 private:
-    struct Entry
-    {
-        FileState state;
-        osg::ref_ptr<const Palette> palette;
-    };
-
     std::mutex _mutex;
-    std::map<fs::path, Entry> _entries;
+    std::vector<osg::ref_ptr<const Palette>> _palettes;
 };
 
 std::string lowerCaseExtension(const fs::path& path)
@@ -75,18 +64,17 @@ std::string unreadable(const fs::path& path, const std::error_code& problem)
 }
 
 /** Look at a file without opening it. @return one sentence if it can't be a palette. */
-std::string inspect(const fs::path& path, FileState& state)
+std::string inspect(const fs::path& path)
 {
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
     if (!fs::exists(status)) return unreadable(path, problem);
     if (!fs::is_regular_file(status))
         return path.string() + " is not a file; expected a palette in a .csv or .ldr file";
-    state.size = fs::file_size(path, problem);
-    if (!problem) state.time = fs::last_write_time(path, problem);
+    const std::uintmax_t size = fs::file_size(path, problem);
     if (problem) return unreadable(path, problem);
-    if (state.size > LARGEST_FILE)
-        return path.string() + ": the palette has " + std::to_string(state.size) + " bytes; expected at most " +
+    if (size > LARGEST_FILE)
+        return path.string() + ": the palette has " + std::to_string(size) + " bytes; expected at most " +
                std::to_string(LARGEST_FILE);
     return {};
 }
@@ -114,23 +102,16 @@ osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& e
         error = "unknown palette '" + path.string() + "'; expected none, ldraw, or a .csv or .ldr file";
         return nullptr;
     }
-    FileState state;
-    if (error = inspect(path, state); !error.empty()) return nullptr;
-    std::error_code ignored;
-    const fs::path key = fs::absolute(path, ignored);
-    if (osg::ref_ptr<const Palette> found = cache.find(key, state)) return found;
     std::string text;
-    if (error = readText(path, text); !error.empty()) return nullptr;
+    error = inspect(path);
+    if (error.empty()) error = readText(path, text);
+    if (!error.empty()) return nullptr;
     std::string wrong;
-    const std::vector<PaletteColor> colors =
+    std::vector<PaletteColor> colors =
         extension == ".csv" ? readColorTable(text, wrong) : readColorConfiguration(text, getKnownColors(), wrong);
-    if (!wrong.empty())
-    {
-        error = path.string() + (wrong.starts_with("line ") ? ", " : ": ") + wrong;
-        return nullptr;
-    }
-    const osg::ref_ptr<const Palette> palette = new Palette(colors);
-    cache.insert(key, state, palette);
+    osg::ref_ptr<const Palette> palette;
+    if (wrong.empty()) palette = cache.getOrCreate(std::move(colors), wrong);
+    if (!wrong.empty()) error = path.string() + (wrong.starts_with("line ") ? ", " : ": ") + wrong;
     return palette;
 }
 

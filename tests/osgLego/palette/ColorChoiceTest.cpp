@@ -1,6 +1,8 @@
 #include <osgLego/palette/ColorChoice.h>
 #include <osgLego/palette/Oklab.h>
 
+#include <Palettes.h>
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -29,7 +31,7 @@ osg::ref_ptr<const Palette> randomPalette(std::mt19937& engine, std::size_t coun
     std::vector<PaletteColor> colors(count);
     for (std::size_t index = 0; index < count; ++index)
         colors[index] = {static_cast<std::int32_t>(index), "", randomColor(engine)};
-    return new Palette(colors);
+    return createPalette(colors);
 }
 
 double errorOf(const std::vector<PaletteColor>& colors, const std::vector<ColorShare>& shares)
@@ -129,7 +131,7 @@ TEST(ColorChoice, AnExchangeMendsAGreedyChoice)
 {
     // The first colour taken is the middle one; the best two are those at the ends.
     const osg::ref_ptr<const Palette> palette =
-        new Palette({{0, "black", {40, 40, 40}}, {1, "grey", {110, 110, 110}}, {2, "white", {200, 200, 200}}});
+        createPalette({{0, "black", {40, 40, 40}}, {1, "grey", {110, 110, 110}}, {2, "white", {200, 200, 200}}});
     ColorHistogram histogram;
     histogram.add({40, 40, 40}, 10.0);
     histogram.add({200, 200, 200}, 10.0);
@@ -141,7 +143,7 @@ TEST(ColorChoice, AnExchangeMendsAGreedyChoice)
 TEST(ColorChoice, WeightsDecide)
 {
     const osg::ref_ptr<const Palette> palette =
-        new Palette({{0, "red", {180, 0, 0}}, {1, "green", {0, 133, 43}}, {2, "blue", {30, 90, 168}}});
+        createPalette({{0, "red", {180, 0, 0}}, {1, "green", {0, 133, 43}}, {2, "blue", {30, 90, 168}}});
     const auto choose = [&](double red, double green, double blue)
     {
         ColorHistogram histogram;

@@ -2,6 +2,8 @@
 #include <osgLego/palette/Dither.h>
 #include <osgLego/palette/Oklab.h>
 
+#include <Palettes.h>
+
 #include <array>
 #include <cmath>
 
@@ -142,7 +144,7 @@ TEST(Dither, TheMeanOfAnEvenSurfaceIsNearerToItsColourThanTheNearestColour)
 
 TEST(Dither, BlackAndWhiteImitateGrey)
 {
-    const osg::ref_ptr<const Palette> palette = new Palette({{0, "black", {0, 0, 0}}, {1, "white", {255, 255, 255}}});
+    const osg::ref_ptr<const Palette> palette = createPalette({{0, "black", {0, 0, 0}}, {1, "white", {255, 255, 255}}});
     int numWhite = 0;
     for (int cell = 0; cell < 256; ++cell)
         numWhite += static_cast<int>(palette->findDithered({110, 110, 110}, cellOn(0, cell % 16, cell / 16)));
@@ -153,10 +155,7 @@ TEST(Dither, BlackAndWhiteImitateGrey)
 TEST(Dither, TheAmplitudeFollowsTheNumberOfColours)
 {
     const auto amplitudeOf = [](std::size_t count)
-    {
-        const osg::ref_ptr<const Palette> palette = new Palette(std::vector<PaletteColor>(count));
-        return palette->getDitherAmplitude();
-    };
+    { return createPalette(std::vector<PaletteColor>(count))->getDitherAmplitude(); };
     EXPECT_EQ(amplitudeOf(8), 102); // 0.8 x 256 / 2
     EXPECT_EQ(amplitudeOf(64), 51); // 0.8 x 256 / 4
     EXPECT_LE(amplitudeOf(1), 255);

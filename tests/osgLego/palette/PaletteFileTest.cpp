@@ -4,7 +4,6 @@
 
 #include <TemporaryFolder.h>
 
-#include <chrono>
 #include <fstream>
 
 #include <unistd.h>
@@ -244,24 +243,30 @@ TEST_F(PaletteFile, RefusesOtherNames)
     }
 }
 
-TEST_F(PaletteFile, AnUnchangedFileIsNotReadAgainAndAChangedOneIs)
+TEST_F(PaletteFile, FilesOfTheSameColoursShareAPaletteAndAChangedFileIsReadAgain)
 {
     const osg::ref_ptr<const Palette> first = read("a.csv", std::string(HEADER) + BLACK);
     std::string error;
     EXPECT_EQ(Palette::read(pathOf("a.csv"), error), first);
-    // Of the same size, so that only the time differs.
-    const auto time = std::filesystem::last_write_time(pathOf("a.csv"));
-    write("a.csv", std::string(HEADER) + "0,Blank,#1B2A34,#808080,11,11111111111,11111111111\n");
-    std::filesystem::last_write_time(pathOf("a.csv"), time + std::chrono::seconds(2));
-    const osg::ref_ptr<const Palette> second = Palette::read(pathOf("a.csv"), error);
-    ASSERT_TRUE(second) << error;
-    EXPECT_EQ(second->getColors()[0].name, "Blank");
+    EXPECT_EQ(read("same.csv", std::string(HEADER) + "# the same\n" + BLACK), first);
     write("a.csv", std::string(HEADER) + BLACK + SALMON);
-    std::filesystem::last_write_time(pathOf("a.csv"), time + std::chrono::seconds(2));
     EXPECT_EQ(Palette::read(pathOf("a.csv"), error)->getColors().size(), 2u);
     // An error is not remembered in place of the palette.
     write("a.csv", "");
     EXPECT_FALSE(Palette::read(pathOf("a.csv"), error));
+}
+
+TEST_F(PaletteFile, AFileMovedOverAnotherOfTheSameSizeAndTimeIsRead)
+{
+    const osg::ref_ptr<const Palette> first = read("a.csv", std::string(HEADER) + BLACK);
+    const auto time = std::filesystem::last_write_time(pathOf("a.csv"));
+    write("b.csv", std::string(HEADER) + "0,Blank,#1B2A34,#808080,11,11111111111,11111111111\n");
+    std::filesystem::last_write_time(pathOf("b.csv"), time);
+    std::filesystem::rename(pathOf("b.csv"), pathOf("a.csv"));
+    std::string error;
+    const osg::ref_ptr<const Palette> second = Palette::read(pathOf("a.csv"), error);
+    ASSERT_TRUE(second) << error;
+    EXPECT_EQ(second->getColors()[0].name, "Blank");
 }
 
 TEST_F(PaletteFile, SettingsNameTheirPalette)

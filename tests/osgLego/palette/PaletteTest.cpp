@@ -2,6 +2,8 @@
 #include <osgLego/PartType.h>
 #include <osgLego/palette/Oklab.h>
 
+#include <Palettes.h>
+
 #include <algorithm>
 #include <bit>
 #include <random>
@@ -32,7 +34,7 @@ osg::ref_ptr<const Palette> createRandom(std::size_t count)
     for (PaletteColor& color : colors)
         for (std::uint8_t& channel : color.color)
             channel = static_cast<std::uint8_t>(engine());
-    return new Palette(colors);
+    return createPalette(colors);
 }
 
 const PaletteColor* findCode(const Palette& palette, std::int32_t code)
@@ -140,14 +142,35 @@ TEST(Palette, EveryColourIsItsOwnNearest)
 TEST(Palette, TheFirstOfEqualColoursIsFound)
 {
     const osg::ref_ptr<const Palette> palette =
-        new Palette({{1, "a", {9, 9, 9}}, {2, "b", {200, 0, 0}}, {3, "c", {200, 0, 0}}});
+        createPalette({{1, "a", {9, 9, 9}}, {2, "b", {200, 0, 0}}, {3, "c", {200, 0, 0}}});
     EXPECT_EQ(palette->findNearest({200, 0, 0}), 1u);
     EXPECT_EQ(palette->findNearest({220, 10, 10}), 1u);
 }
 
+TEST(Palette, TheFirstOfColoursInOneEntryOfTheTableIsFoundForBoth)
+{
+    const osg::ref_ptr<const Palette> palette =
+        createPalette({{1, "a", {9, 9, 9}}, {2, "b", {201, 1, 1}}, {3, "c", {202, 2, 2}}});
+    EXPECT_EQ(palette->findNearest({201, 1, 1}), 1u);
+    EXPECT_EQ(palette->findNearest({202, 2, 2}), 1u);
+    EXPECT_EQ(palette->findDithered({201, 1, 1}, {3, 5, 7}), 1u);
+}
+
+TEST(Palette, HasOneTo255Colours)
+{
+    std::string error;
+    EXPECT_TRUE(Palette::create(std::vector<PaletteColor>(1), error));
+    EXPECT_TRUE(Palette::create(std::vector<PaletteColor>(255), error));
+    EXPECT_EQ(error, "");
+    EXPECT_FALSE(Palette::create({}, error));
+    EXPECT_EQ(error, "the palette has 0 colours; expected 1 to 255");
+    EXPECT_FALSE(Palette::create(std::vector<PaletteColor>(256), error));
+    EXPECT_EQ(error, "the palette has 256 colours; expected 1 to 255");
+}
+
 TEST(Palette, APaletteOfOneColourHasNoOther)
 {
-    const osg::ref_ptr<const Palette> palette = new Palette({{4, "Red", {180, 0, 0}}});
+    const osg::ref_ptr<const Palette> palette = createPalette({{4, "Red", {180, 0, 0}}});
     EXPECT_EQ(palette->findNearest({0, 255, 255}), 0u);
     EXPECT_EQ(palette->findDithered({90, 200, 10}, {3, 5, 7}), 0u);
 }
