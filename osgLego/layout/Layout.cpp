@@ -31,7 +31,7 @@ struct Work
 };
 
 constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
-                                    {100000, 6, 40, {1, 300}, {4, 1000}},
+                                    {100000, 2, 40, {1, 300}, {4, 1000}},
                                     {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
 constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
 constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
