@@ -109,9 +109,11 @@ TEST(PartColors, SpreadInRoundsFromNeighborsAndFromPartsThatNoneSuits)
         const Colors colors = choosePartColors(map, sizes);
         const Colors expected = chooseByRounds(map, sizes);
         for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
-            if (map.isAnchor(cell))
-                ASSERT_EQ(colors[static_cast<std::size_t>(cell)], expected[static_cast<std::size_t>(cell)])
-                    << "seed " << seed << ", cell " << cell;
+        {
+            if (!map.isAnchor(cell)) continue;
+            ASSERT_EQ(colors[static_cast<std::size_t>(cell)], expected[static_cast<std::size_t>(cell)])
+                << "seed " << seed << ", cell " << cell;
+        }
     }
 }
 
