@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
+#include <osg/Notify>
 #include <zlib.h>
 
 // The format, with numbers in little-endian order:
@@ -52,8 +54,16 @@ constexpr std::size_t CHECK_SUM_PLACE = 4;
 constexpr std::size_t HEADER_SIZE = 8;
 // The compressed data is at most this many times smaller (deflate's limit), so that a bad size allocates no more.
 constexpr std::uint64_t LARGEST_RATIO = 1032;
-// The number of cells in a part, so that bad sizes allocate little.
-constexpr int LARGEST_PART = 256;
+// The number of cells in the largest part: a brick of 2x8 studs and three plates.
+constexpr int LARGEST_PART = 48;
+// The number of cells of all parts, as many as filling a model gives, so that decoding needs at most a few gigabytes.
+constexpr std::uint64_t MOST_CELLS_OF_PARTS = std::uint64_t(1) << 26;
+// What each brick or part takes at least in the data: its colour, or a step, a size, a colour and its code.
+constexpr std::uint64_t SMALLEST_BRICK = 3;
+constexpr std::uint64_t SMALLEST_PART = 11;
+constexpr const char* BAD_BRICKS = "the stored bricks contradict their grid; expected each brick in a cell of its own";
+constexpr const char* BAD_PARTS =
+    "the stored parts contradict their grid; expected parts within it that do not overlap";
 constexpr int LARGEST_DIMENSION = std::numeric_limits<std::uint16_t>::max() + 1;
 
 std::uint32_t checkSumOf(std::string_view bytes)
@@ -209,16 +219,71 @@ int countCells(const Part& part)
     return part.size[0] * part.size[1] * part.size[2];
 }
 
-/** Whether a part is possible by itself. */
-bool isValid(const Part& part, const BrickGrid& grid)
+bool isInGrid(const Part& part, const BrickGrid& grid)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (part.getSize()[axis] == 0 || part.getCell()[axis] + part.getSize()[axis] > grid.dimensions[axis])
             return false;
-    return countCells(part) <= LARGEST_PART;
+    return true;
 }
 
-/** Fill in the parts. @return false if a part is impossible. */
+/** @return one sentence if parts are too large to be stored; otherwise empty. */
+std::string findObstacle(const std::vector<Part>& parts)
+{
+    std::uint64_t numCells = 0;
+    for (const Part& part : parts)
+    {
+        if (countCells(part) > LARGEST_PART)
+            return "a part has " + std::to_string(countCells(part)) + " cells; expected at most " +
+                   std::to_string(LARGEST_PART) + " in each part of stored bricks";
+        numCells += static_cast<std::uint64_t>(countCells(part));
+    }
+    if (numCells > MOST_CELLS_OF_PARTS)
+        return "the parts cover " + std::to_string(numCells) + " cells; expected at most " +
+               std::to_string(MOST_CELLS_OF_PARTS) + " in stored bricks";
+    return {};
+}
+
+/** Notes which cells are taken, in blocks, so that parts far from each other need no memory for the cells between. */
+class TakenCells
+{
+public:
+    /** Take the cells of a part. @return false if one of them is taken. */
+    bool take(const Part& part)
+    {
+        const glm::ivec3 end = part.getCell() + part.getSize();
+        for (int z = part.cell[2]; z < end.z; ++z)
+            for (int y = part.cell[1]; y < end.y; ++y)
+                for (int x = part.cell[0]; x < end.x; ++x)
+                    if (!take(glm::ivec3(x, y, z))) return false;
+        return true;
+    }
+
+private:
+    static constexpr int SIDE = 4; // a block has 64 cells, the bits of one number
+
+    bool take(const glm::ivec3& cell)
+    {
+        const glm::ivec3 block = cell / SIDE;
+        const glm::ivec3 place = cell % SIDE;
+        const auto key = [&block](int axis) { return static_cast<std::uint64_t>(block[axis]); };
+        std::uint64_t& bits = _blocks[key(0) << 40 | key(1) << 20 | key(2)];
+        const std::uint64_t bit = std::uint64_t(1) << (place.x + SIDE * (place.y + SIDE * place.z));
+        const bool isFree = (bits & bit) == 0;
+        bits |= bit;
+        return isFree;
+    }
+
+    std::unordered_map<std::uint64_t, std::uint64_t> _blocks;
+};
+
+bool overlap(const std::vector<Part>& parts)
+{
+    TakenCells taken;
+    return !std::all_of(parts.begin(), parts.end(), [&taken](const Part& part) { return taken.take(part); });
+}
+
+/** Fill in the parts. @return false if a part leaves the grid, or two begin in the same cell. */
 bool readParts(ByteReader& reader, const BrickGrid& grid, std::vector<Part>& parts)
 {
     const std::uint64_t numCells = grid.getNumCells();
@@ -226,7 +291,8 @@ bool readParts(ByteReader& reader, const BrickGrid& grid, std::vector<Part>& par
     for (Part& part : parts)
     {
         const std::uint64_t step = reader.readShort();
-        if (step >= numCells - number) return false;
+        const bool isFirst = &part == &parts.front();
+        if (step >= numCells - number || (step == 0 && !isFirst)) return false;
         number += step;
         part.cell = cellOf(grid, number);
     }
@@ -236,19 +302,7 @@ bool readParts(ByteReader& reader, const BrickGrid& grid, std::vector<Part>& par
     readColors(reader, parts);
     for (Part& part : parts)
         part.colorCode = static_cast<std::int32_t>(reader.readNumber<std::uint32_t>());
-    std::uint64_t numCovered = 0;
-    for (const Part& part : parts)
-    {
-        numCovered += static_cast<std::uint64_t>(countCells(part));
-        if (!isValid(part, grid) || numCovered > numCells) return false;
-    }
-    return true;
-}
-
-bool areInCellsOfTheirOwn(const std::vector<Brick>& sorted)
-{
-    return std::adjacent_find(sorted.begin(), sorted.end(),
-                              [](const Brick& a, const Brick& b) { return a.cell == b.cell; }) == sorted.end();
+    return std::all_of(parts.begin(), parts.end(), [&grid](const Part& part) { return isInGrid(part, grid); });
 }
 
 std::string compressData(const std::string& data)
@@ -283,17 +337,24 @@ osg::ref_ptr<const BrickModel> readBrickData(ByteReader& reader, const BrickGrid
     return BrickModel::create(grid, std::move(bricks));
 }
 
-/** @return null if a value is impossible, or parts overlap. */
-osg::ref_ptr<const BrickModel> readPartData(ByteReader& reader, const BrickGrid& grid, std::uint64_t count)
+/** @return null if a value is impossible, or parts overlap, with one sentence in `error` if they are too large. */
+osg::ref_ptr<const BrickModel> readPartData(ByteReader& reader, const BrickGrid& grid, std::uint64_t count,
+                                            std::string& error)
 {
     std::vector<Part> parts(count);
     if (!readParts(reader, grid, parts) || reader.hasFailed() || !reader.readRest().empty()) return nullptr;
-    osg::ref_ptr<const BrickModel> model = BrickModel::createOfParts(grid, std::move(parts));
-    return areInCellsOfTheirOwn(model->getBricks()) ? model : nullptr;
+    // The cells of the parts need much more memory than the parts, so everything is checked before they are made.
+    if (const std::string obstacle = findObstacle(parts); !obstacle.empty())
+    {
+        error = obstacle;
+        return nullptr;
+    }
+    return overlap(parts) ? nullptr : BrickModel::createOfParts(grid, std::move(parts));
 }
 
-/** Read a model, after the header. @return null if a value is impossible. */
-osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t version)
+/** Read a model, after the header. @return null if a value is impossible, with one sentence in `error` if parts are too
+ * large. */
+osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t version, std::string& error)
 {
     BrickGrid grid;
     if (!readGrid(reader, grid)) return nullptr;
@@ -301,16 +362,21 @@ osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t versi
     const auto size = reader.readNumber<std::uint64_t>();
     if (reader.hasFailed()) return nullptr;
     const std::optional<std::string> data = decompressData(reader.readRest(), size);
-    // Each brick and each part has a colour of three bytes.
-    if (!data || count > size / 3) return nullptr;
+    const bool hasParts = version == VERSION_OF_PARTS;
+    if (!data || count > size / (hasParts ? SMALLEST_PART : SMALLEST_BRICK)) return nullptr;
     ByteReader dataReader(*data);
-    return version == VERSION_OF_PARTS ? readPartData(dataReader, grid, count) : readBrickData(dataReader, grid, count);
+    return hasParts ? readPartData(dataReader, grid, count, error) : readBrickData(dataReader, grid, count);
 }
 
 } // namespace
 
 std::string encodeBricks(const BrickModel& model)
 {
+    if (const std::string obstacle = findObstacle(model.getParts()); !obstacle.empty())
+    {
+        OSG_WARN << "osgLego: " << obstacle << std::endl;
+        return {};
+    }
     const bool hasParts = !model.getParts().empty();
     ByteWriter data;
     if (hasParts)
@@ -351,11 +417,9 @@ osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string&
                 ", or a newer osgLego to read them";
         return nullptr;
     }
-    osg::ref_ptr<const BrickModel> model = readModel(reader, version);
-    if (!model && version == VERSION_OF_PARTS)
-        error = "the stored parts contradict their grid; expected parts within it that do not overlap";
-    else if (!model)
-        error = "the stored bricks contradict their grid; expected each brick in a cell of its own";
+    std::string obstacle = version == VERSION_OF_PARTS ? BAD_PARTS : BAD_BRICKS;
+    osg::ref_ptr<const BrickModel> model = readModel(reader, version, obstacle);
+    if (!model) error = obstacle;
     return model;
 }
 

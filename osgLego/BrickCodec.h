@@ -17,7 +17,6 @@ namespace osgLego
  *
  * Preconditions:
  * 1. The bricks are in the grid, sorted and unique, as in every model from BrickModel::create() and createOfParts().
- * 2. No part has more than 256 cells; real ones have at most 48.
  *
  * Usage:
  *
@@ -30,13 +29,16 @@ namespace osgLego
  *         std::cerr << error << '\n';
  *
  * Needs no GL; may be called from any thread. Needs about 20 bytes of memory for each brick.
+ * @return an empty string, with a warning, if a part has more than 48 cells, those of a 2x8 brick in plates, or the
+ * parts cover more than 2^26 cells.
  * @throws std::bad_alloc if there is not enough memory. */
 OSGLEGO_EXPORT std::string encodeBricks(const BrickModel& model);
 
 /** Decode the bytes of encodeBricks(), of this version or an older one, into an equal model. May be called from any
  * thread.
- * @return null, with one sentence in `error`, if the bytes are damaged or incomplete, or in the format of a newer
- * version. */
+ * @return null, with one sentence in `error`, if the bytes are damaged or incomplete, in the format of a newer version,
+ * or of a model that encodeBricks() refuses.
+ * @throws std::bad_alloc if there is not enough memory. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string& error);
 
 } // namespace osgLego

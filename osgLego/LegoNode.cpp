@@ -40,9 +40,16 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
-    std::string error = settings.check();
-    if (error.empty()) error = findPaletteError(settings);
-    if (!error.empty())
+    // A bad value is reported by setStoredSettings().
+    const std::string error = settings.check().empty() ? findPaletteError(settings) : "";
+    if (error.empty()) return setStoredSettings(settings);
+    OSG_WARN << "osgLego: " << error << std::endl;
+    return false;
+}
+
+bool LegoNode::setStoredSettings(const LegoSettings& settings)
+{
+    if (const std::string error = settings.check(); !error.empty())
     {
         OSG_WARN << "osgLego: " << error << std::endl;
         return false;

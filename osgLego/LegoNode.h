@@ -73,6 +73,10 @@ public:
     /** Change the settings. The next frame remakes the bricks, unless only the look or the drawing differs.
      * @return false, with a warning and no change, if LegoSettings::check() or Palette::read() reports an error. */
     bool setSettings(const LegoSettings& settings);
+    /** Change the settings to those of a file, even if their palette can't be read: stored bricks don't need it, and
+     * other bricks have getObstacle(), and the settings are still there when the file is written again.
+     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
+    bool setStoredSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
 
     /** Change the appearance of bricks in the full look. The bricks are not remade.

@@ -41,7 +41,8 @@ constexpr std::string_view KEYS = "resolution, cell, origin, size, proportions, 
 
 constexpr const char* EXPECTED_CELL = "a number of model units, 1e-9 to 1e+12";
 constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
-constexpr const char* EXPECTED_PALETTE = "none, ldraw or the path of a file, without commas";
+constexpr const char* EXPECTED_PALETTE = "none, ldraw or the path of a file, without commas, brackets and "
+                                         "surrounding spaces";
 constexpr const char* EXPECTED_COLORS = "a whole number, 1 to 255";
 constexpr const char* EXPECTED_SHELL = "a whole number of cells, 1 to 1024";
 constexpr const char* EXPECTED_SIZE = "w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
@@ -162,11 +163,20 @@ std::string checkLattice(const LegoSettings& settings)
     return {};
 }
 
+/** Whether parse() returns this name of a palette from the text form. */
+bool isInTextForm(std::string_view palette)
+{
+    constexpr std::string_view SPACE = " \t\r\n";
+    if (palette.empty() || palette.find_first_of(",()[]") != std::string_view::npos) return false;
+    return SPACE.find(palette.front()) == std::string_view::npos &&
+           SPACE.find(palette.back()) == std::string_view::npos;
+}
+
 /** @return the first error in the settings of colours, cells to fill and parts, in one sentence; empty if there is
  * none. */
 std::string checkParts(const LegoSettings& settings)
 {
-    if (settings.palette && (settings.palette->empty() || settings.palette->find(',') != std::string::npos))
+    if (settings.palette && !isInTextForm(*settings.palette))
         return badValue("palette", *settings.palette, EXPECTED_PALETTE);
     if (settings.numColors && (*settings.numColors < 1 || *settings.numColors > LegoSettings::MAXIMUM_COLORS))
         return badValue("colors", toText(*settings.numColors), EXPECTED_COLORS);

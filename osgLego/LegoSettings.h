@@ -169,8 +169,8 @@ struct OSGLEGO_EXPORT LegoSettings
     std::optional<double> edgeLimit;
     /** Both devices find the same cells, except cells that a triangle merely grazes; colours may differ by rounding. */
     Device device = Device::AUTO;
-    /** The colours of bricks: "none" (any colour), "ldraw" or the path of a file (see Palette::read()), without commas.
-     * Unset: see getPalette(). */
+    /** The colours of bricks: "none" (any colour), "ldraw" or the path of a file (see Palette::read()), without
+     * commas, brackets and surrounding spaces. Unset: see getPalette(). */
     std::optional<std::string> palette;
     /** The number of colours, 1 to MAXIMUM_COLORS: those of the palette that suit the source best. Unset: all. */
     std::optional<unsigned int> numColors;

@@ -23,8 +23,7 @@ static bool readSettings(osgDB::InputStream& stream, osgLego::AmbientOcclusionSc
 
 static bool writeSettings(osgDB::OutputStream& stream, const osgLego::AmbientOcclusionScene& scene)
 {
-    stream.writeWrappedString(scene.getSettings().toString());
-    stream << std::endl;
+    writeSettingsField(stream, scene.getSettings().toString());
     return true;
 }
 

@@ -21,15 +21,14 @@ static bool readSettings(osgDB::InputStream& stream, osgLego::LegoNode& node)
     const std::string text = readSettingsField(stream);
     osgLego::LegoSettings settings;
     std::string error;
-    if (osgLego::LegoSettings::parse(text, settings, error)) return node.setSettings(settings);
+    if (osgLego::LegoSettings::parse(text, settings, error)) return node.setStoredSettings(settings);
     OSG_WARN << "osgLego: in the settings of a LegoNode: " << error << std::endl;
     return false;
 }
 
 static bool writeSettings(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
 {
-    stream.writeWrappedString(node.getSettings().toString());
-    stream << std::endl;
+    writeSettingsField(stream, node.getSettings().toString());
     return true;
 }
 
@@ -119,8 +118,11 @@ static bool readStoredBricks(osgDB::InputStream& stream, osgLego::LegoNode& node
 static bool writeStoredBricks(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
 {
     const osg::ref_ptr<const osgLego::BrickModel> bricks = node.getStoredBricks();
-    writeBytesField(stream, bricks ? osgLego::encodeBricks(*bricks) : std::string(NO_BRICKS));
-    return true;
+    const std::string bytes = bricks ? osgLego::encodeBricks(*bricks) : std::string(NO_BRICKS);
+    if (bytes.empty())
+        stream.throwException("osgLego: the bricks of a LegoNode can't be stored; expected smaller parts");
+    writeBytesField(stream, bytes);
+    return !bytes.empty();
 }
 
 REGISTER_OBJECT_WRAPPER(osgLego_LegoNode, new osgLego::LegoNode, osgLego::LegoNode,

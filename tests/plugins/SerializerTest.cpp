@@ -8,6 +8,7 @@
 #include <TemporaryFolder.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <random>
 
@@ -60,6 +61,32 @@ TEST_F(Serializer, CellsOriginAndSizeSurvive)
         ASSERT_TRUE(back) << name;
         EXPECT_EQ(back->getSettings(), settings);
     }
+}
+
+TEST_F(Serializer, SettingsSurviveIfTheirPaletteIsMissingAndAnObstacleNamesIt)
+{
+    for (const char* palette :
+         {"palette.csv", "my  new\tpalette.csv", "a--b---c.csv", "50%20.csv", "\"a\\b\" & <c>.csv"})
+        for (const char* name : {"lego.osgt", "lego.osgb", "lego.osgx"})
+        {
+            SCOPED_TRACE(std::string(palette) + " " + name);
+            LegoSettings settings;
+            std::string error;
+            ASSERT_TRUE(LegoSettings::parse("32,proportions=plate,parts=bricks,look=plain", settings, error)) << error;
+            settings.palette = pathOf(palette);
+            std::ofstream(*settings.palette) << "code,name,red,green,blue\n4,Red,201,26,9\n";
+            osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+            ASSERT_EQ(lego->getSettings(), settings);
+            lego->addChild(createSphere(6));
+            ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name)));
+            std::filesystem::remove(*settings.palette);
+            const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf(name));
+            const auto* back = dynamic_cast<LegoNode*>(node.get());
+            ASSERT_TRUE(back);
+            EXPECT_EQ(back->getSettings(), settings);
+            EXPECT_EQ(back->getNumChildren(), 1u);
+            EXPECT_NE(back->getObstacle().find(*settings.palette), std::string::npos) << back->getObstacle();
+        }
 }
 
 TEST_F(Serializer, SettingsOfFilesWithoutCellsAreRead)
@@ -246,6 +273,21 @@ TEST_F(StoredBricks, PartsSurviveEveryVariantOfOsgsFormatAndWritingAgain)
         EXPECT_TRUE(lego->getStoredBricks()->getParts() == model->getParts()) << name;
         EXPECT_TRUE(lego->getStoredBricks()->getPartIndices() == model->getPartIndices()) << name;
         EXPECT_TRUE(lego->getStoredBricks()->getBricks() == model->getBricks()) << name;
+    }
+}
+
+TEST_F(StoredBricks, PartsThatAreTooLargeAreNotWritten)
+{
+    BrickGrid grid;
+    grid.dimensions = {8, 8, 4};
+    Part part;
+    part.size = {8, 8, 4};
+    const osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->setStoredBricks(BrickModel::createOfParts(grid, {part}));
+    for (const char* name : {"large.osgt", "large.osgb", "large.osgx"})
+    {
+        const std::string notices = noticesOf([&] { EXPECT_FALSE(osgDB::writeNodeFile(*lego, pathOf(name))) << name; });
+        EXPECT_NE(notices.find("a part has 256 cells; expected at most 48"), std::string::npos) << notices;
     }
 }
 

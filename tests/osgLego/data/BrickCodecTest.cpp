@@ -2,8 +2,10 @@
 
 #include <common/RacingCar.h>
 #include <osgLego/CpuLegolizer.h>
+#include <osgLego/layout/CellFill.h>
 
 #include <Meshes.h>
+#include <Notices.h>
 #include <PartModels.h>
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 namespace osgLego::test
 {
@@ -251,6 +254,34 @@ bool arePossible(const BrickModel& model)
            (numCells == bricks.size() && std::adjacent_find(bricks.begin(), bricks.end(), isSame) == bricks.end());
 }
 
+std::string toBytes(std::uint64_t number)
+{
+    return toBytes(std::bit_cast<double>(number));
+}
+
+/** The bytes of a number of parts in a large grid, with these data and the right check sum. */
+std::string storeParts(std::uint64_t count, const std::string& data)
+{
+    const std::string good =
+        encodeBricks(*BrickModel::createOfParts(createGrid({1024, 1024, 2560}), {createPart({0, 0, 0}, {1, 1, 1})}));
+    std::string compressed(compressBound(data.size()), '\0');
+    uLongf size = compressed.size();
+    compress(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(data.data()),
+             data.size());
+    return forge(good.substr(0, NUM_BRICKS) + toBytes(count) + toBytes(std::uint64_t(data.size())) +
+                     compressed.substr(0, size),
+                 0, "");
+}
+
+/** The data of parts of one size, each this number of cells, below 128, after the one before. */
+std::string createPartData(std::size_t count, char step, const glm::ivec3& size)
+{
+    std::string data(count, step);
+    for (int axis = 0; axis < 3; ++axis)
+        data += std::string(count, static_cast<char>(size[axis]));
+    return data + std::string(7 * count, '\0'); // their colours and codes
+}
+
 /** Models of parts, in version 2 of the format. */
 class PartCodec : public ::testing::Test
 {
@@ -277,7 +308,7 @@ TEST_F(PartCodec, PartsAreEqualAfterDecoding)
     expectEqualAfterDecoding(*BrickModel::createOfParts(
         createGrid({1024, 1024, 2560}),
         {createPart({1016, 1022, 2557}, {8, 2, 3}, LARGEST), createPart({0, 0, 0}, {1, 1, 1}),
-         createPart({0, 0, 1}, {16, 16, 1}, std::numeric_limits<std::int32_t>::min())}));
+         createPart({0, 0, 1}, {3, 16, 1}, std::numeric_limits<std::int32_t>::min())}));
 }
 
 TEST_F(PartCodec, CellsAreStillInVersion1)
@@ -329,7 +360,6 @@ TEST_F(PartCodec, ImpossiblePartsAreErrorsEvenIfTheCheckSumIsRight)
          {std::vector<Part>{createPart({39, 0, 0}, {2, 1, 1})}, std::vector<Part>{createPart({0, 38, 0}, {1, 3, 1})},
           std::vector<Part>{createPart({0, 0, 38}, {1, 1, 3})}, std::vector<Part>{createPart({0, 0, 0}, {0, 1, 1})},
           std::vector<Part>{createPart({0, 0, 0}, {1, 1, 0})},
-          std::vector<Part>{createPart({0, 0, 0}, {16, 17, 1})}, // 272 cells
           std::vector<Part>{createPart({1, 1, 1}, {1, 1, 1}), createPart({1, 1, 1}, {1, 1, 1})},
           std::vector<Part>{createPart({0, 0, 0}, {4, 2, 3}), createPart({3, 1, 2}, {2, 2, 1})},
           std::vector<Part>{createPart({0, 0, 0}, {1, 1, 1}), createPart({0, 0, 40}, {1, 1, 1})}})
@@ -341,6 +371,38 @@ TEST_F(PartCodec, ImpossiblePartsAreErrorsEvenIfTheCheckSumIsRight)
           forge(_bytes, NUM_BRICKS, std::string(1, _bytes[NUM_BRICKS] - 1)),
           forge(_bytes, NUM_BRICKS, std::string(1, _bytes[NUM_BRICKS] + 1)), forge(_bytes, 0, "\x01")})
         EXPECT_NE(errorOf(forged).find("contradict"), std::string::npos);
+}
+
+TEST_F(PartCodec, PartsOfMoreThan48CellsAreNeitherWrittenNorRead)
+{
+    const std::string expected = "a part has 49 cells; expected at most 48 in each part of stored bricks";
+    const osg::ref_ptr<const BrickModel> model =
+        BrickModel::createOfParts(createGrid({40, 40, 40}), {createPart({0, 0, 0}, {7, 7, 1})});
+    const std::string notices = noticesOf([&] { EXPECT_EQ(encodeBricks(*model), ""); });
+    EXPECT_NE(notices.find(expected), std::string::npos) << notices;
+    EXPECT_EQ(errorOf(storeParts(1, createPartData(1, 0, {7, 7, 1}))), expected);
+    std::string error;
+    EXPECT_TRUE(decodeBricks(storeParts(1, createPartData(1, 0, {6, 8, 1})), error)) << error;
+}
+
+TEST_F(PartCodec, PartsOfMoreCellsThanAFilledModelAreAnErrorBeforeTheyNeedMemory)
+{
+    EXPECT_EQ(errorOf(storeParts(1398102, createPartData(1398102, 1, {1, 1, 48}))),
+              "the parts cover 67108896 cells; expected at most " + std::to_string(MAXIMUM_FILLED_CELLS) +
+                  " in stored bricks");
+}
+
+TEST_F(PartCodec, OverlappingPartsAreAnErrorAndPartsSideBySideAreNot)
+{
+    for (const std::string& stored :
+         {storeParts(2, createPartData(2, 0, {1, 1, 1})), storeParts(100000, createPartData(100000, 0, {2, 8, 3})),
+          storeParts(9, createPartData(9, 1, {2, 1, 1}))})
+        EXPECT_EQ(errorOf(stored),
+                  "the stored parts contradict their grid; expected parts within it that do not overlap");
+    std::string error;
+    const osg::ref_ptr<const BrickModel> model = decodeBricks(storeParts(9, createPartData(9, 2, {2, 8, 3})), error);
+    ASSERT_TRUE(model) << error;
+    EXPECT_EQ(model->getBricks().size(), 9u * 48u);
 }
 
 } // namespace

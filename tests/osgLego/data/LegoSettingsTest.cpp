@@ -102,6 +102,26 @@ TEST(LegoSettings, TheTextFormRoundTrips)
     }
 }
 
+TEST(LegoSettings, NamesOfPalettesRoundTripOrAreRefused)
+{
+    const auto withPalette = [](const std::string& name)
+    {
+        LegoSettings settings;
+        settings.palette = name;
+        return settings;
+    };
+    for (const char* name : {"a b.csv", "/tmp/my  palette.csv", "a=b", "a\tb", "\"a\"", "up=y", "50%.csv", "a--b\\c"})
+    {
+        EXPECT_EQ(withPalette(name).check(), "") << name;
+        EXPECT_EQ(parsed(withPalette(name).toString()), withPalette(name)) << name;
+    }
+    for (const char* name : {"", " a", "a ", "\ta", "a\r", "a\n", "a,b", "a(1).csv", "a)", "[a", "a]"})
+        EXPECT_EQ(withPalette(name).check(),
+                  "bad value '" + std::string(name) +
+                      "' for palette; expected none, ldraw or the path of a file, without commas, brackets and "
+                      "surrounding spaces");
+}
+
 TEST(LegoSettings, TheLookIsFullByDefault)
 {
     EXPECT_EQ(parsed("64").look, Look::FULL);
@@ -195,7 +215,8 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_EQ(errorOf("edge=nan"), "bad value 'nan' for edge; expected a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("edge=5"), "bad value '5' for edge; expected a number of cells, 0.0625 to 4");
     EXPECT_EQ(errorOf("palette="),
-              "bad value '' for palette; expected none, ldraw or the path of a file, without commas");
+              "bad value '' for palette; expected none, ldraw or the path of a file, without commas, brackets and "
+              "surrounding spaces");
     EXPECT_EQ(errorOf("palette=ldraw,colors=0"), "bad value '0' for colors; expected a whole number, 1 to 255");
     EXPECT_EQ(errorOf("colors=256"), "bad value '256' for colors; expected a whole number, 1 to 255");
     EXPECT_EQ(errorOf("colors=6"), "colors is given without a palette; expected palette=ldraw or a file");
