@@ -116,13 +116,13 @@ Part toPart(const glm::ivec3& cell, const glm::ivec3& size)
     return part;
 }
 
-void setColor(Part& part, std::int32_t value, const LDrawColors& colors, std::vector<std::int32_t>& unknown)
+void setColor(Part& part, std::int32_t value, const LDrawColors& colors, std::set<std::int32_t>& unknown)
 {
     const std::optional<LDrawColors::Color> color = colors.find(value);
     part.color = color.value_or(LDrawColors::UNKNOWN);
     if (LDrawColors::isDirect(value) || value == LDrawDocument::MAIN_COLOR) return;
     part.colorCode = value; // kept for writers, even if its colour is not known
-    if (!color && std::find(unknown.begin(), unknown.end(), value) == unknown.end()) unknown.push_back(value);
+    if (!color) unknown.insert(value);
 }
 
 } // namespace

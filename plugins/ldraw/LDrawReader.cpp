@@ -23,11 +23,32 @@ Counts countByName(const std::vector<LDrawPart>& parts)
     return counts;
 }
 
-std::string join(const Counts& counts)
+std::string textOf(const Counts::value_type& entry)
 {
+    constexpr std::size_t LONGEST = 80;
+    const auto& [name, count] = entry;
+    return name.substr(0, LONGEST) + (name.size() > LONGEST ? "..." : "") +
+           (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+}
+
+std::string textOf(std::int32_t color)
+{
+    return std::to_string(color);
+}
+
+/** A list for a message, which stays short whatever a file contains. */
+template <typename Entries>
+std::string join(const Entries& entries)
+{
+    constexpr std::size_t MOST = 20;
     std::string list;
-    for (const auto& [name, count] : counts)
-        list += (list.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    std::size_t numListed = 0;
+    for (const auto& entry : entries)
+    {
+        if (numListed == MOST) return list + " and " + std::to_string(entries.size() - MOST) + " more";
+        list += (list.empty() ? "" : ", ") + textOf(entry);
+        ++numListed;
+    }
     return list;
 }
 
@@ -94,11 +115,8 @@ void LDrawReader::addWarnings(const LDrawBricks& bricks, const LDrawResolver& re
     if (!resolver.getMissing().empty())
         _warnings.push_back("these parts are not known and are left out: " + join(resolver.getMissing()) +
                             (_library.hasParts() ? "" : "; LDRAWDIR may name the folder of a part library"));
-    if (bricks.unknownColors.empty()) return;
-    std::string list;
-    for (const std::int32_t color : bricks.unknownColors)
-        list += (list.empty() ? "" : ", ") + std::to_string(color);
-    _warnings.push_back("these colours are not known and are shown in grey: " + list);
+    if (!bricks.unknownColors.empty())
+        _warnings.push_back("these colours are not known and are shown in grey: " + join(bricks.unknownColors));
 }
 
 osg::ref_ptr<osg::Node> LDrawReader::createScene(const LDrawBricks& bricks, const LDrawResolver& resolver,

@@ -192,6 +192,28 @@ TEST_F(LDrawReaderTest, UnknownPartsAreNamedOnceAndLeftOut)
                                         "LDRAWDIR may name the folder of a part library"}));
 }
 
+TEST_F(LDrawReaderTest, WarningsStayShortForManyAndLongNames)
+{
+    std::string text;
+    for (int index = 0; index < 25; ++index)
+        text += "1 " + std::to_string(9000 + index) + " " + std::to_string(20 * index) + " 0 0" + ALONG_X +
+                "3005.dat\n1 4 0 0 0" + ALONG_X + std::to_string(100 + index) + std::string(1000, 'x') + ".dat\n";
+    ASSERT_TRUE(read(text)) << _error;
+    ASSERT_EQ(_warnings.size(), 2u);
+    EXPECT_LT(_warnings[0].size(), 2000u);
+    EXPECT_NE(_warnings[0].find("xxx..., 101x"), std::string::npos) << _warnings[0];
+    EXPECT_NE(_warnings[0].find("xxx... and 5 more; LDRAWDIR"), std::string::npos) << _warnings[0];
+    EXPECT_EQ(_warnings[1], "these colours are not known and are shown in grey: 9000, 9001, 9002, 9003, 9004, 9005, "
+                            "9006, 9007, 9008, 9009, 9010, 9011, 9012, 9013, 9014, 9015, 9016, 9017, 9018, 9019 and 5 "
+                            "more");
+}
+
+TEST_F(LDrawReaderTest, AColourThatIsNotKnownIsNamedOnce)
+{
+    ASSERT_TRUE(read("1 9999 0 0 0" + ALONG_X + "3005.dat\n1 9999 20 0 0" + ALONG_X + "3005.dat\n"));
+    EXPECT_EQ(_warnings, (std::vector<std::string>{"these colours are not known and are shown in grey: 9999"}));
+}
+
 TEST_F(LDrawReaderTest, UnknownPartsAreDrawnFromTheLibrary)
 {
     // A part of two triangles, one of them in a file of its own below s, in any case.
