@@ -90,6 +90,19 @@ std::string findObstacle(const BrickModel& model, const std::string& name)
            std::to_string(size.z) + " cells, which does not exist; expected sizes from 1x1 to 2x8";
 }
 
+/** The palette of a model. One that can't be read is a warning rather than an error: the colours of the bricks are
+ * known without it. Only the codes of cells are lost, because parts store theirs. */
+osg::ref_ptr<const Palette> readPalette(const LegoSettings& settings, bool hasParts, LDrawScene& scene)
+{
+    if (settings.getPalette() == "none") return nullptr;
+    std::string error;
+    osg::ref_ptr<const Palette> palette = Palette::read(settings.getPalette(), error);
+    if (!palette)
+        scene.warnings.push_back(error + (hasParts ? "; the built-in colours tell which parts were made"
+                                                   : "; its colours are written directly, without codes"));
+    return palette;
+}
+
 bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
 {
     osg::ref_ptr<const BrickModel> bricks = node.getBricks();
@@ -101,9 +114,9 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
     }
     const LegoSettings settings = node.getSettings();
     LDrawModel model{nullptr, node.getName(), settings.toString(), nullptr};
-    if (settings.getPalette() != "none") model.palette = Palette::read(settings.getPalette(), error);
-    error = findObstacle(*bricks, name); // a palette that can't be read is missed only in warnings
+    error = findObstacle(*bricks, name);
     if (!error.empty()) return false;
+    model.palette = readPalette(settings, !bricks->getParts().empty(), scene);
     if (bricks->getParts().empty())
     {
         scene.warnings.push_back(name + " has cells instead of parts, and each of them is written as a part of 1 x 1; "

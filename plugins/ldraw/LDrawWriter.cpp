@@ -91,6 +91,18 @@ std::string toLine(std::string text)
     return text;
 }
 
+/** The title of a file. The words before it keep it from being a command such as NOFILE, whatever the text is. */
+std::string toTitle(const std::string& text)
+{
+    constexpr std::size_t LONGEST = 200; // readers limit lines
+    std::string title = "Model: " + toLine(text);
+    if (title.size() <= LONGEST) return title;
+    std::size_t end = LONGEST;
+    while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) // inside a character of UTF-8
+        --end;
+    return title.substr(0, end);
+}
+
 /** The cells of a part and the number of its colour, for comparisons. */
 using PartKey = std::array<std::int32_t, 7>;
 
@@ -175,7 +187,7 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 
 void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model) const
 {
-    stream << "0 " << (model.title.empty() ? _stem : toLine(model.title)) << END_OF_LINE;
+    stream << "0 " << toTitle(model.title.empty() ? _stem : model.title) << END_OF_LINE;
     stream << "0 Name: " << name << END_OF_LINE;
     stream << "0 Author: osgLego" << END_OF_LINE;
     stream << "0 !LDRAW_ORG Model" << END_OF_LINE;

@@ -1,9 +1,11 @@
+#include <ldraw/LDrawDocument.h>
 #include <ldraw/LDrawWriter.h>
 
 #include <osgLego/LegoNode.h>
 #include <osgLego/PartType.h>
 
 #include <PartModels.h>
+#include <TemporaryFolder.h>
 
 #include <cmath>
 #include <sstream>
@@ -126,11 +128,39 @@ TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorLicenceAndSettings)
     node->setName("two\nlines");
     const Lines lines = write(*node, "/some/where/My Car.LDR").getLines('0');
     ASSERT_GE(lines.size(), 6u);
-    EXPECT_EQ(lines[0], "0 two lines");
+    EXPECT_EQ(lines[0], "0 Model: two lines");
     EXPECT_EQ(lines[1], "0 Name: My Car.ldr");
     EXPECT_EQ(lines[2], "0 Author: osgLego");
     EXPECT_TRUE(lines[4].starts_with("0 !LICENSE "));
     EXPECT_EQ(lines[5], "0 // Settings of osgLego: " + node->getSettings().toString());
+}
+
+TEST(LDrawWriter, NamesOfNodesAndFilesAreNeverCommands)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)});
+    for (const char* name : {"NOFILE", " NOFILE", "FILE x", "!COLOUR Blue CODE 4 VALUE #0000FF EDGE #000000"})
+        for (const char* file : {"a.ldr", "a.mpd", "NOFILE.ldr", "FILE x.mpd"})
+        {
+            node->setName(name);
+            const Written written = write(*node, file);
+            std::string error;
+            const std::optional<LDrawDocument> document = LDrawDocument::parse(written.text, error);
+            ASSERT_TRUE(document) << error;
+            EXPECT_TRUE(document->getColors().empty()) << written.text;
+        }
+    node->setName("");
+    write(*node, "NOFILE.ldr");
+}
+
+TEST(LDrawWriter, LongNamesAreCutBetweenCharacters)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)});
+    std::string name;
+    for (int index = 0; index < 40'000; ++index)
+        name += "\u00e4"; // two bytes
+    node->setName(name);
+    const Lines lines = write(*node).getLines('0');
+    EXPECT_EQ(lines[0], "0 Model: " + name.substr(0, 192)) << "200 bytes would end inside a character";
 }
 
 TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
@@ -246,6 +276,37 @@ TEST(LDrawWriter, SizesThatWereNeverMadeInAColourAreReported)
     const Written written = write(*node);
     ASSERT_EQ(written.scene.warnings.size(), 1u);
     EXPECT_EQ(written.scene.warnings[0], "never made in this size and colour: 2 parts (Brick 2 x 8 in Dark_Turquoise)");
+}
+
+/** Models whose palette was a file in the test's folder. */
+class LDrawWriterPalette : public TemporaryFolderTest
+{
+protected:
+    /** Write a model whose palette is removed before. */
+    Lines warningsOf(const BrickModel& model, const std::string& settings)
+    {
+        std::ofstream(pathOf("p.ldr")) << "0 !COLOUR Red CODE 4 VALUE #C91A09 EDGE #333333\n";
+        const auto node = createStoredNode(model, settings + ",palette=" + pathOf("p.ldr"));
+        std::filesystem::remove(pathOf("p.ldr"));
+        return write(*node).scene.warnings;
+    }
+
+    std::string missing() const { return pathOf("p.ldr") + ": the palette can't be read: No such file or directory"; }
+};
+
+TEST_F(LDrawWriterPalette, TheErrorOfAMissingPaletteIsReportedForCells)
+{
+    const auto model = BrickModel::create(createPartGrid({1, 1, 1}, 1.2), {{{0, 0, 0}, {0xc9, 0x1a, 0x09}}});
+    const Lines warnings = warningsOf(*model, "proportions=brick");
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_EQ(warnings[0], missing() + "; its colours are written directly, without codes");
+}
+
+TEST_F(LDrawWriterPalette, TheErrorOfAMissingPaletteIsReportedForParts)
+{
+    const auto model = BrickModel::createOfParts(createPartGrid({1, 1, 1}, 1.2), {makePart({0, 0, 0}, {1, 1, 1}, 4)});
+    EXPECT_EQ(warningsOf(*model, "proportions=brick,parts=bricks"),
+              (Lines{missing() + "; the built-in colours tell which parts were made"}));
 }
 
 std::string errorOf(const osg::Node& node)
