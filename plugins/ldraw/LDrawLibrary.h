@@ -1,6 +1,7 @@
 #pragma once
 
 #include "LDrawDocument.h"
+#include "LDrawFolders.h"
 
 #include <map>
 #include <memory>
@@ -24,21 +25,19 @@ public:
     /** A file by its normalized name; null if there is none, or if it can't be read. */
     const LDrawDocument* find(const std::string& name);
     /** The definitions of colours in the library's LDConfig.ldr. */
-    std::vector<LDrawColorDefinition> readColors() const;
+    std::vector<LDrawColorDefinition> readColors();
     /** For each file or folder that can't be read, one sentence that names it. */
     const std::vector<std::string>& getErrors() const { return _errors; }
 
 private:
     std::unique_ptr<LDrawDocument> read(const std::string& name);
 
+    LDrawFolders _lookup;
     std::vector<std::string> _folders;
     std::string _libraryFolder;
     bool _hasParts = false;
     std::map<std::string, std::unique_ptr<LDrawDocument>> _documents;
     std::vector<std::string> _errors;
 };
-
-/** The content of a file. @return nothing, with the reason in `error`, if it can't be read. */
-std::optional<std::string> readText(const std::string& path, std::string& error);
 
 } // namespace osgLego

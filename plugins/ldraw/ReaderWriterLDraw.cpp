@@ -1,4 +1,5 @@
 #include "LDrawReader.h"
+#include "LDrawText.h"
 #include "LDrawWriter.h"
 
 #include <common/CompleteFile.h>
@@ -8,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <iterator>
+#include <new>
 #include <sstream>
 
 #include <osg/Notify>
@@ -47,10 +48,8 @@ public:
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
         const std::string path = osgDB::findDataFile(name, options);
         if (path.empty()) return ReadResult::FILE_NOT_FOUND;
-        std::string error;
-        const std::optional<std::string> text = readText(path, error);
-        if (!text) return ReadResult("osgLego: can't read '" + name + "': " + error);
-        return createNode(*text, name, osgDB::getFilePath(path));
+        return createNode(name, osgDB::getFilePath(path),
+                          [&path](std::string& error) { return readText(path, error); });
     }
 
     // Streams are the content of compressed files, among others.
@@ -61,7 +60,7 @@ public:
 
     ReadResult readNode(std::istream& stream, const Options*) const override
     {
-        return createNode(std::string((std::istreambuf_iterator<char>(stream)), {}), STREAM_NAME, {});
+        return createNode(STREAM_NAME, {}, [&stream](std::string& error) { return readText(stream, error); });
     }
 
     WriteResult writeObject(const osg::Object& object, const std::string& fileName,
@@ -83,8 +82,10 @@ public:
         return writeScene(node, fileName,
                           [&fileName](const LDrawWriter& writer)
                           {
-                              return writeCompleteFile(fileName, [&writer](const std::string& temporary)
-                                                       { return writeFile(writer, temporary); });
+                              // A temporary file is removed only if its writer returns.
+                              return writeCompleteFile(
+                                  fileName, [&writer](const std::string& temporary)
+                                  { return catchShortage([&] { return writeFile(writer, temporary); }); });
                           });
     }
 
@@ -104,16 +105,36 @@ public:
 private:
     static constexpr const char* STREAM_NAME = "model.ldr";
 
-    static ReadResult createNode(const std::string& text, const std::string& name, const std::string& folder)
+    /** Call a function that returns the reason if it fails. @return that reason, also if memory runs out. */
+    static std::string catchShortage(const std::function<std::string()>& function)
+    try
     {
-        const char* libraryFolder = std::getenv("LDRAWDIR");
-        LDrawLibrary library(folder, libraryFolder ? libraryFolder : "");
-        LDrawReader reader(name, library);
-        std::string error;
-        const osg::ref_ptr<osg::Node> node = reader.read(text, error);
-        if (!node) return ReadResult("osgLego: can't read '" + name + "': " + error);
-        warn(name, reader.getWarnings());
-        return node.get();
+        return function();
+    }
+    catch (const std::bad_alloc&)
+    {
+        return "there is not enough memory for it";
+    }
+
+    /** Create a node of the text that a function reads. */
+    static ReadResult createNode(const std::string& name, const std::string& folder,
+                                 const std::function<std::optional<std::string>(std::string& error)>& readContent)
+    {
+        osg::ref_ptr<osg::Node> node;
+        const auto create = [&]
+        {
+            std::string error;
+            const std::optional<std::string> text = readContent(error);
+            if (!text) return error;
+            const char* libraryFolder = std::getenv("LDRAWDIR");
+            LDrawLibrary library(folder, libraryFolder ? libraryFolder : "");
+            LDrawReader reader(name, library);
+            node = reader.read(*text, error);
+            if (node) warn(name, reader.getWarnings());
+            return error;
+        };
+        const std::string why = catchShortage(create);
+        return node ? ReadResult(node.get()) : ReadResult("osgLego: can't read '" + name + "': " + why);
     }
 
     /** Write a node by a function that returns the reason if it fails. */
@@ -121,8 +142,12 @@ private:
                                   const std::function<std::string(const LDrawWriter&)>& write)
     {
         LDrawScene scene;
-        std::string why;
-        if (LDrawScene::create(node, scene, why)) why = write(LDrawWriter(scene, name));
+        const std::string why = catchShortage(
+            [&]
+            {
+                std::string error;
+                return LDrawScene::create(node, scene, error) ? write(LDrawWriter(scene, name)) : error;
+            });
         if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);
         warn(name, scene.warnings);
         return WriteResult::FILE_SAVED;

@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <new>
+#include <streambuf>
 
 #include <osgDB/ReadFile>
+#include <osgDB/Registry>
 #include <osgDB/WriteFile>
+#include <sys/stat.h>
 
 namespace osgLego::test
 {
@@ -92,6 +96,39 @@ TEST_F(LDrawFile, WarningsNameTheFile)
     const std::string said = noticesOf([&] { node = osgDB::readRefNodeFile(pathOf("odd.ldr")); });
     EXPECT_TRUE(bricksOf(node));
     EXPECT_NE(said.find("odd.ldr': these parts are not known and are left out: wheel.dat"), std::string::npos) << said;
+}
+
+TEST_F(LDrawFile, APipeIsRefusedRatherThanWaitedFor)
+{
+    ASSERT_EQ(mkfifo(pathOf("a.ldr").c_str(), 0600), 0);
+    osg::ref_ptr<osg::Node> node;
+    const std::string said = noticesOf([&] { node = osgDB::readRefNodeFile(pathOf("a.ldr")); });
+    EXPECT_FALSE(node);
+    EXPECT_NE(said.find("a.ldr': it is a device or a pipe; expected a regular file"), std::string::npos) << said;
+}
+
+/** A buffer of a stream that can't allocate memory. */
+class BufferWithoutMemory : public std::streambuf
+{
+private:
+    int_type underflow() override { throw std::bad_alloc(); }
+    int_type overflow(int_type) override { throw std::bad_alloc(); }
+};
+
+TEST_F(LDrawFile, AShortageOfMemoryIsAnErrorAndNoException)
+{
+    osgDB::ReaderWriter* plugin = osgDB::Registry::instance()->getReaderWriterForExtension("ldr");
+    ASSERT_TRUE(plugin);
+    BufferWithoutMemory buffer;
+    std::iostream stream(&buffer);
+    stream.exceptions(std::ios::badbit); // pass on what the buffer throws
+    const osgDB::ReaderWriter::ReadResult read = plugin->readNode(stream, nullptr);
+    EXPECT_FALSE(read.success());
+    EXPECT_NE(read.message().find("there is not enough memory for it"), std::string::npos) << read.message();
+    stream.clear();
+    const osgDB::ReaderWriter::WriteResult written = plugin->writeNode(*createModel(), stream, nullptr);
+    EXPECT_FALSE(written.success());
+    EXPECT_NE(written.message().find("there is not enough memory for it"), std::string::npos) << written.message();
 }
 
 } // namespace

@@ -1,0 +1,60 @@
+#include "LDrawText.h"
+
+#include <common/ReadableFile.h>
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+namespace osgLego
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/** Look at a file without opening it. @return one sentence if it can't be read. */
+std::string findObstacle(const std::string& path)
+{
+    if (std::string obstacle = findObstacleToReading(path); !obstacle.empty()) return obstacle;
+    std::error_code problem;
+    if (!fs::is_regular_file(path, problem)) return "it is a device or a pipe; expected a regular file";
+    const std::uintmax_t size = fs::file_size(path, problem);
+    if (problem) return problem.message();
+    if (size <= LARGEST_TEXT) return {};
+    return "it has " + std::to_string(size) + " bytes; expected at most " + std::to_string(LARGEST_TEXT);
+}
+
+} // namespace
+
+std::optional<std::string> readText(const std::string& path, std::string& error)
+{
+    error = findObstacle(path);
+    if (!error.empty()) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    return readText(file, error);
+}
+
+std::optional<std::string> readText(std::istream& stream, std::string& error, std::uintmax_t largest)
+{
+    constexpr std::size_t BLOCK = std::size_t(1) << 16;
+    std::vector<char> block(BLOCK);
+    std::string text;
+    while (stream.good())
+    {
+        stream.read(block.data(), BLOCK);
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        if (text.size() > largest)
+        {
+            error = "it has more than " + std::to_string(largest) + " bytes; expected fewer";
+            return std::nullopt;
+        }
+    }
+    if (stream.eof()) return text;
+    error = "its content can't be read";
+    return std::nullopt;
+}
+
+} // namespace osgLego

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+
+namespace osgLego
+{
+
+/** The most bytes that are read of a file: more than LDrawResolver::MOST_LINES parts in usual places take. */
+inline constexpr std::uintmax_t LARGEST_TEXT = std::uintmax_t(1) << 30;
+
+/** The content of a file. @return nothing, with the reason in `error`, if it can't be read, is a device or a pipe,
+ * which may have no end, or is larger than LARGEST_TEXT. */
+std::optional<std::string> readText(const std::string& path, std::string& error);
+
+/** The rest of a stream. @return nothing, with the reason in `error`, if it can't be read or has more than `largest`
+ * bytes. */
+std::optional<std::string> readText(std::istream& stream, std::string& error, std::uintmax_t largest = LARGEST_TEXT);
+
+} // namespace osgLego
