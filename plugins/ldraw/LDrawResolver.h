@@ -55,7 +55,7 @@ private:
 
     std::string visit(const Visit& visit);
     std::string visitReference(const Visit& visit, const LDrawReference& reference);
-    std::string visitFile(const Visit& visit, const std::string& name);
+    std::string visitFile(const Visit& outer, const std::string& name);
     void addTriangles(const Visit& visit);
     std::string countLines(std::size_t lines);
 

@@ -74,7 +74,8 @@ TEST_F(Serializer, SettingsSurviveIfTheirPaletteIsMissingAndAnObstacleNamesIt)
             std::string error;
             ASSERT_TRUE(LegoSettings::parse("32,proportions=plate,parts=bricks,look=plain", settings, error)) << error;
             settings.palette = pathOf(palette);
-            std::ofstream(*settings.palette) << "code,name,red,green,blue\n4,Red,201,26,9\n";
+            std::ofstream(*settings.palette)
+                << "code,name,rgb,edge,bricklink,bricks,plates\n4,Red,#B40000,#333333,5,11111111111,11111111111\n";
             osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
             ASSERT_EQ(lego->getSettings(), settings);
             lego->addChild(createSphere(6));
