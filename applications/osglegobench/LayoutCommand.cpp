@@ -83,7 +83,7 @@ private:
     {
         const LayoutGoals small{1.02, 0.06, ONE_SECOND, {}, {}};
         add("small", _bunny, createSettings(12, Effort::NORMAL, Fill::SOLID), small);
-        add("small", _duck, createSettings(12, Effort::NORMAL, Fill::SOLID), small);
+        add("small", _duck, createSettings(11, Effort::NORMAL, Fill::SOLID), small);
         add("small", MeshSource(), createSettings(20, Effort::NORMAL, Fill::SOLID), small);
         for (const MeshSource& mesh : {_bunny, _duck, MeshSource()})
             for (const unsigned int resolution : {32u, 48u, 64u})
@@ -96,7 +96,7 @@ private:
         LegoSettings plates = createSettings(48, Effort::BEST, Fill::SOLID);
         plates.proportions = Proportions::PLATE;
         add("plates", _bunny, plates, {{}, {}, {}, {}, 0.6});
-        add("medium", _bunny, createSettings(52, Effort::NORMAL, Fill::SOLID), {1.03, {}, ONE_SECOND, {}, {}});
+        add("medium", _bunny, createSettings(47, Effort::NORMAL, Fill::SOLID), {1.03, {}, ONE_SECOND, {}, {}});
         add("large", _bunny, createSettings(424, Effort::NORMAL, Fill::SURFACE), {1.06, {}, 10.0 * ONE_SECOND, {}, {}});
         add("live", _bunny, createSettings(64, Effort::INSTANT, Fill::SURFACE), {1.12, {}, 50.0, {}, {}});
     }
