@@ -80,10 +80,11 @@ osg::ref_ptr<osg::Node> LDrawReader::read(const std::string& text, std::string& 
     if (!error.empty()) return nullptr;
     addWarnings(bricks, resolver);
     if (bricks.model || !resolver.getTriangles().empty()) return createScene(bricks, resolver, colors);
-    error = "it has no bricks or plates; expected parts such as 3001.dat";
+    error = "it has no bricks or plates that can be shown; expected upright parts such as 3001.dat";
     if (!_library.hasParts() && !resolver.getMissing().empty())
         error += ", or LDRAWDIR as the folder of a part library";
-    _warnings.clear(); // the error says the same
+    for (const std::string& warning : std::exchange(_warnings, {}))
+        error += "; " + warning;
     return nullptr;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <osg/NodeVisitor>
 #include <osg/Transform>
@@ -147,6 +148,15 @@ bool isUsable(const LDrawTransform& transform)
     return isFinite && std::abs(glm::determinant(transform.axes)) > SMALLEST * largest * largest * largest;
 }
 
+/** Whether studs have another distance than in the first model. */
+bool isScaled(const LDrawTransform& transform)
+{
+    constexpr double TOLERANCE = 1e-3;
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(glm::length(transform.axes[axis]) - 1.0) > TOLERANCE) return true;
+    return false;
+}
+
 void addWarnings(LDrawScene& scene)
 {
     PartsList list;
@@ -156,6 +166,13 @@ void addWarnings(LDrawScene& scene)
         list.add(*model.bricks, model.palette ? model.palette->getColors() : std::span<const PaletteColor>());
     }
     if (const std::string text = list.describeNeverMade(); !text.empty()) scene.warnings.push_back(text);
+    const auto numScaled = std::count_if(scene.placements.begin(), scene.placements.end(),
+                                         [](const LDrawPlacement& placement) { return isScaled(placement.transform); });
+    if (numScaled > 0)
+        scene.warnings.push_back(
+            std::to_string(numScaled) +
+            (numScaled == 1 ? " node has bricks of another size than" : " nodes have bricks of other sizes than") +
+            " the first, which exist in one size only; expected equal cells, as with cell=");
 }
 
 } // namespace

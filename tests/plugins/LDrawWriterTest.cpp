@@ -239,6 +239,23 @@ TEST(LDrawWriter, LdrHasThePartsOfAllPlacesAndInclinedNodesKeepTheirMatrix)
     EXPECT_EQ(lines[1], "1 4 190 -24 10 0.8 0 -0.6 0 1 0 0.6 0 0.8 3004.dat");
 }
 
+TEST(LDrawWriter, BricksOfAnotherSizeThanTheFirstAreReported)
+{
+    const auto node = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
+    const auto warningsWith = [&](const osg::Matrixd& matrix)
+    {
+        LDrawScene scene;
+        std::string error;
+        EXPECT_TRUE(LDrawScene::create(*createPair(node, matrix), scene, error)) << error;
+        return scene.warnings;
+    };
+    EXPECT_TRUE(warningsWith(osg::Matrixd::rotate(0.3, 0, 0, 1) * osg::Matrixd::translate(10, 0, 0)).empty());
+    const auto warnings = warningsWith(osg::Matrixd::scale(0.5, 0.5, 0.5) * osg::Matrixd::translate(10, 0, 0));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0], "1 node has bricks of another size than the first, which exist in one size only; expected "
+                           "equal cells, as with cell=");
+}
+
 TEST(LDrawWriter, ATransformAboveTheOnlyNodeDoesNotTurnItsStuds)
 {
     osg::ref_ptr<osg::MatrixTransform> transform =
