@@ -55,10 +55,11 @@ LaidParts getParts(const PartMap& map, const PartSizes& sizes)
 
 int getSeamCost(const LayoutProblem& problem)
 {
+    constexpr std::size_t SMALL = 1000;
     const auto numInside = std::count_if(problem.cells.begin(), problem.cells.end(),
                                          [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; });
     const bool isSolid = numInside > static_cast<std::ptrdiff_t>(problem.cells.size() / 5);
-    return isSolid ? LayoutCosts::HALF_SEAM_OF_SOLID : LayoutCosts::HALF_SEAM;
+    return isSolid && problem.cells.size() < SMALL ? LayoutCosts::HALF_SEAM_OF_SMALL_SOLID : LayoutCosts::HALF_SEAM;
 }
 
 /** The best of several layouts of the same cells. */

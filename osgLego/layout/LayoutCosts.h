@@ -7,10 +7,10 @@ namespace osgLego
 struct LayoutCosts
 {
     static constexpr int PART = 10000;
-    /** Half a unit of stacked seams: each of its two parts bears a half. In models with more interior than surface, few
-     * seams are stacked anyway. */
+    /** Half a unit of stacked seams: each of its two parts bears a half. In small solid models, few seams are stacked
+     * anyway. */
     static constexpr int HALF_SEAM = 1000;
-    static constexpr int HALF_SEAM_OF_SOLID = 500;
+    static constexpr int HALF_SEAM_OF_SMALL_SOLID = 500;
     static constexpr int COMPONENT = 10 * PART;
     /** A part that hangs on a single other part, which makes that an articulation part: in models with an interior that
      * is smaller than the surface, such as shells, and in others, where such parts are harder to avoid or matter less.
