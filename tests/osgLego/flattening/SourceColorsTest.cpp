@@ -208,7 +208,8 @@ TEST(SourcePalette, IsTheSameOnEveryRun)
     {
         std::vector<std::int32_t> codes;
         const osg::ref_ptr<const GridTriangles> triangles = createTriangles(*createRacingCar(), "64");
-        for (const PaletteColor& color : paletteOf(settings, *triangles, error)->getColors())
+        const osg::ref_ptr<const Palette> palette = paletteOf(settings, *triangles, error);
+        for (const PaletteColor& color : palette->getColors())
             codes.push_back(color.code);
         return codes;
     };
