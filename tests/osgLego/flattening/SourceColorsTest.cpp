@@ -166,7 +166,8 @@ TEST(SourceColors, SurfacesWithoutAreaCountToo)
         group->addChild(transform);
     }
     EXPECT_NEAR(shareOf(histogramOf(*createTriangles(*group, "16")), BLUE), 0.5, 0.1);
-    EXPECT_TRUE(histogramOf(*createTriangles(*new osg::Group, "8")).getShares().empty());
+    const osg::ref_ptr<osg::Group> empty = new osg::Group;
+    EXPECT_TRUE(histogramOf(*createTriangles(*empty, "8")).getShares().empty());
 }
 
 TEST(SourcePalette, IsTheBestChoiceForTheSource)
