@@ -1,11 +1,12 @@
 #include <osgLego/layout/CellFill.h>
 
+#include <osgLego/layout/UnionFind.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace osgLego
@@ -21,43 +22,19 @@ struct EmptyRun
     int end = 0;
 };
 
-/** The sets of runs that are connected, side by side. */
-class RunSets
-{
-public:
-    explicit RunSets(std::size_t count) : _parents(count) { std::iota(_parents.begin(), _parents.end(), 0u); }
-
-    std::uint32_t find(std::uint32_t run)
-    {
-        while (_parents[run] != run)
-            run = _parents[run] = _parents[_parents[run]];
-        return run;
-    }
-
-    /** The lower number represents both sets. */
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        _parents[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> _parents;
-};
-
-/** The empty cells of a grid as runs, and those that are inside. Run 0 is the outside of the grid. */
+/** The empty cells of a grid as runs, and those that are inside. */
 class EmptyCells
 {
 public:
     explicit EmptyCells(const BrickModel& model) : _size(model.getGrid().dimensions)
     {
         findRuns(model);
-        RunSets sets(_runs.size());
+        UnionFind sets;
+        sets.reset(_runs.size());
         joinRuns(sets);
         _isInside.resize(_runs.size());
         for (std::uint32_t run = 1; run < _runs.size(); ++run)
-            _isInside[run] = sets.find(run) != 0;
+            _isInside[run] = sets.find(static_cast<std::int32_t>(run)) != OUTSIDE;
     }
 
     /** Call a function with y, z and the run for each run inside, in the order of cells. */
@@ -90,7 +67,7 @@ private:
         _rows.push_back(static_cast<std::uint32_t>(_runs.size()));
     }
 
-    void joinRuns(RunSets& sets) const
+    void joinRuns(UnionFind& sets) const
     {
         for (int z = 0; z < _size.z; ++z)
             for (int y = 0; y < _size.y; ++y)
@@ -98,20 +75,22 @@ private:
                 const std::size_t row = rowOf(y, z);
                 const bool isAtEdge = y == 0 || z == 0 || y == _size.y - 1 || z == _size.z - 1;
                 for (std::uint32_t run = _rows[row]; run < _rows[row + 1]; ++run)
-                    if (isAtEdge || _runs[run].begin == 0 || _runs[run].end == _size.x) sets.join(0, run);
+                    if (isAtEdge || _runs[run].begin == 0 || _runs[run].end == _size.x)
+                        sets.join(OUTSIDE, static_cast<std::int32_t>(run));
                 if (y > 0) joinRows(rowOf(y - 1, z), row, sets);
                 if (z > 0) joinRows(rowOf(y, z - 1), row, sets);
             }
     }
 
     /** Join the runs of two adjacent rows where they overlap. */
-    void joinRows(std::size_t rowA, std::size_t rowB, RunSets& sets) const
+    void joinRows(std::size_t rowA, std::size_t rowB, UnionFind& sets) const
     {
         std::uint32_t a = _rows[rowA];
         std::uint32_t b = _rows[rowB];
         while (a < _rows[rowA + 1] && b < _rows[rowB + 1])
         {
-            if (_runs[a].begin < _runs[b].end && _runs[b].begin < _runs[a].end) sets.join(a, b);
+            if (_runs[a].begin < _runs[b].end && _runs[b].begin < _runs[a].end)
+                sets.join(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
             ++(_runs[a].end < _runs[b].end ? a : b);
         }
     }
@@ -120,6 +99,8 @@ private:
     {
         return static_cast<std::size_t>(z) * static_cast<std::size_t>(_size.y) + static_cast<std::size_t>(y);
     }
+
+    static constexpr std::int32_t OUTSIDE = 0; // the run that stands for the outside of the grid
 
     glm::ivec3 _size;
     std::vector<EmptyRun> _runs;

@@ -56,9 +56,7 @@ LaidParts getParts(const PartMap& map, const PartSizes& sizes)
 int getSeamCost(const LayoutProblem& problem)
 {
     constexpr std::size_t SMALL = 1000;
-    const auto numInside = std::count_if(problem.cells.begin(), problem.cells.end(),
-                                         [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; });
-    const bool isSolid = numInside > static_cast<std::ptrdiff_t>(problem.cells.size() / 5);
+    const bool isSolid = problem.countInterior() > problem.cells.size() / 5;
     return isSolid && problem.cells.size() < SMALL ? LayoutCosts::HALF_SEAM_OF_SMALL_SOLID : LayoutCosts::HALF_SEAM;
 }
 

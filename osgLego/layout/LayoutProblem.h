@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,6 +39,13 @@ struct LayoutProblem
     std::vector<LayoutColor> colors; //!< at least one
     /** False: a cell is as high as a brick. True: as high as a plate, and three plates may become a brick. */
     bool isOfPlates = false;
+
+    /** The number of cells that may have any colour. */
+    std::size_t countInterior() const
+    {
+        return static_cast<std::size_t>(std::count_if(
+            cells.begin(), cells.end(), [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; }));
+    }
 };
 
 /** A part in the coordinates of a layout. */

@@ -2,6 +2,7 @@
 
 #include <osgLego/PartType.h>
 #include <osgLego/layout/IndexLayer.h>
+#include <osgLego/layout/UnionFind.h>
 
 #include <algorithm>
 #include <numeric>
@@ -39,10 +40,9 @@ class ColumnSearch
 {
 public:
     explicit ColumnSearch(const LayoutProblem& problem) :
-        _problem(problem), _parents(problem.cells.size()), _isInColumn(problem.cells.size(), 0), _layer(problem.size),
-        _other(problem.size)
+        _problem(problem), _isInColumn(problem.cells.size(), 0), _layer(problem.size), _other(problem.size)
     {
-        std::iota(_parents.begin(), _parents.end(), 0u);
+        _sets.reset(problem.cells.size());
         for (const LayoutColor& color : problem.colors)
         {
             _sizes.push_back(problem.isOfPlates ? color.plates : color.bricks);
@@ -61,8 +61,9 @@ public:
                 numAlone += countAlone(joinAcross(begin, end));
             });
         std::size_t numRoots = 0;
-        for (std::uint32_t cell = 0; cell < _parents.size(); ++cell)
-            if (_isInColumn[cell] && _parents[cell] == cell) ++numRoots;
+        for (std::size_t cell = 0; cell < _isInColumn.size(); ++cell)
+            if (_isInColumn[cell] && _sets.find(static_cast<std::int32_t>(cell)) == static_cast<std::int32_t>(cell))
+                ++numRoots;
         return numRoots + numAlone;
     }
 
@@ -96,13 +97,10 @@ private:
         }
     }
 
-    std::uint32_t findRoot(std::uint32_t cell)
+    void join(std::uint32_t first, std::uint32_t second)
     {
-        while (_parents[cell] != cell)
-            cell = _parents[cell] = _parents[_parents[cell]];
-        return cell;
+        _sets.join(static_cast<std::int32_t>(first), static_cast<std::int32_t>(second));
     }
-    void join(std::uint32_t first, std::uint32_t second) { _parents[findRoot(second)] = findRoot(first); }
 
     /** The sizes of a colour; of all colours for LayoutCell::ANY_COLOR. */
     static unsigned int getSizes(const std::vector<unsigned int>& sizes, std::uint16_t color)
@@ -212,7 +210,7 @@ private:
     const std::vector<Footprint> _footprints = createFootprints();
     std::vector<unsigned int> _sizes;          //!< of each colour, in the height of one cell
     std::vector<unsigned int> _sizesOfColumns; //!< of each colour, in any height
-    std::vector<std::uint32_t> _parents;       //!< of the cells, in a forest with a tree for each component
+    UnionFind _sets;                           //!< of the cells of columns, one for each component
     std::vector<char> _isInColumn;
     IndexLayer _layer;
     IndexLayer _other; //!< the layer before

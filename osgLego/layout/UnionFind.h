@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** Disjoint sets of numbers from 0 on. */
+/** Disjoint sets of numbers from 0 on. The lowest number of a set represents it. */
 class UnionFind
 {
 public:

@@ -13,9 +13,8 @@ namespace
 
 int getLeafCost(const LayoutProblem& problem)
 {
-    const auto numInside = std::count_if(problem.cells.begin(), problem.cells.end(),
-                                         [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; });
-    const bool isShell = numInside > 0 && numInside < static_cast<std::ptrdiff_t>(problem.cells.size() / 2);
+    const std::size_t numInside = problem.countInterior();
+    const bool isShell = numInside > 0 && numInside < problem.cells.size() / 2;
     return isShell ? LayoutCosts::LEAF_OF_SHELL : LayoutCosts::LEAF;
 }
 
