@@ -109,6 +109,25 @@ osg::Vec3d readColor(const osg::Image& image, int column, int row)
     return {color.r(), color.g(), color.b()};
 }
 
+double brightnessAt(const osg::Image& image, int column, int row)
+{
+    const osg::Vec3d color = readColor(image, column, row);
+    return (color.x() + color.y() + color.z()) / 3.0;
+}
+
+double stepBetweenPixels(const osg::Image& image)
+{
+    constexpr int MARGIN = 5;
+    double squares = 0.0;
+    for (int row = 0; row < image.t(); ++row)
+        for (int column = MARGIN; column < image.s() - MARGIN; ++column)
+        {
+            const double step = brightnessAt(image, column, row) - brightnessAt(image, column - 1, row);
+            squares += step * step;
+        }
+    return std::sqrt(squares / (image.t() * (image.s() - 2 * MARGIN)));
+}
+
 double meanDifference(const osg::Image& a, const osg::Image& b)
 {
     double sum = 0.0;

@@ -65,6 +65,13 @@ osg::ref_ptr<LightProbe> createDarkProbe();
 /** The colour of a pixel of the picture, 0 to 1. */
 osg::Vec3d readColor(const osg::Image& image, int column, int row);
 
+/** The mean of its channels. */
+double brightnessAt(const osg::Image& image, int column, int row);
+
+/** The root mean square of the steps in brightness from a pixel to the next in its row, without five columns at each
+ * side. */
+double stepBetweenPixels(const osg::Image& image);
+
 /** The mean absolute difference of two pictures over pixels and channels, 0 to 255. */
 double meanDifference(const osg::Image& a, const osg::Image& b);
 
