@@ -1,10 +1,10 @@
 #include <osgLego/LegoNode.h>
 
+#include <osgLego/Palette.h>
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
-#include <osgLego/palette/SettingsPalette.h>
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
@@ -40,8 +40,9 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
+    std::string error;
     // A bad value is reported by setStoredSettings().
-    const std::string error = settings.check().empty() ? findPaletteError(settings) : "";
+    if (settings.check().empty()) Palette::read(settings, error);
     if (error.empty()) return setStoredSettings(settings);
     OSG_WARN << "osgLego: " << error << std::endl;
     return false;

@@ -1,5 +1,6 @@
 #include <osgLego/Palette.h>
 
+#include <osgLego/LegoSettings.h>
 #include <osgLego/palette/Dither.h>
 #include <osgLego/palette/KnownColors.h>
 #include <osgLego/palette/NearestTable.h>
@@ -39,6 +40,12 @@ osg::ref_ptr<const Palette> Palette::create(std::vector<PaletteColor> colors, st
 osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::string& error)
 {
     return nameOrFile == "ldraw" ? getDefaultPalette() : readPaletteFile(nameOrFile, error);
+}
+
+osg::ref_ptr<const Palette> Palette::read(const LegoSettings& settings, std::string& error)
+{
+    const std::string name = settings.getPalette();
+    return name == "none" ? nullptr : read(name, error);
 }
 
 std::span<const PaletteColor> Palette::getKnownColors()

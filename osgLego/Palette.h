@@ -15,6 +15,8 @@
 namespace osgLego
 {
 
+struct LegoSettings;
+
 /** A colour of plastic, and the sizes of parts that were made in it. */
 struct PaletteColor
 {
@@ -58,6 +60,11 @@ public:
      * time, but files with the same colours may share a palette.
      * @return null, with one sentence in `error` that names the file and the bad line, if it can't be read. */
     static osg::ref_ptr<const Palette> read(const std::string& nameOrFile, std::string& error);
+
+    /** Read the palette that settings name, with all of its colours. LegoSettings::check() does not, as it reads no
+     * files.
+     * @return null if the settings have no palette, and, with one sentence in `error`, if it can't be read. */
+    static osg::ref_ptr<const Palette> read(const LegoSettings& settings, std::string& error);
 
     /** All solid colours of LDraw that the library knows, in the order of their codes; palettes are parts of this list.
      */

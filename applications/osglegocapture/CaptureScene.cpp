@@ -141,8 +141,7 @@ void CaptureScene::legolize()
     {
         const LegoSettings settings = _options.settings.value_or(LegoSettings());
         std::string error;
-        if (settings.getPalette() != "none" && !Palette::read(settings.getPalette(), error))
-            throw CaptureError(EXIT_BAD_INPUT, error);
+        if (!Palette::read(settings, error) && !error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
         _lego = new LegoNode(settings);
         _lego->setName(_options.mesh);
         _lego->addChild(_source);
@@ -255,8 +254,7 @@ PartsList CaptureScene::createPartsList() const
     {
         std::string error;
         const osg::ref_ptr<const BrickModel> model = lego->getBricks();
-        const std::string name = lego->getSettings().getPalette();
-        const osg::ref_ptr<const Palette> palette = name == "none" ? nullptr : Palette::read(name, error);
+        const osg::ref_ptr<const Palette> palette = Palette::read(lego->getSettings(), error);
         if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
         if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
     }

@@ -23,8 +23,7 @@ std::vector<LayoutColor> findColors(const BrickModel& model, const LegoSettings&
                                     std::map<Color, std::uint16_t>& indices)
 {
     std::string ignored;
-    const osg::ref_ptr<const Palette> palette =
-        settings.getPalette() == "none" ? nullptr : Palette::read(settings.getPalette(), ignored);
+    const osg::ref_ptr<const Palette> palette = Palette::read(settings, ignored);
     std::vector<LayoutColor> colors;
     for (const Part& part : model.getParts())
     {

@@ -8,14 +8,6 @@ namespace osgLego
 namespace
 {
 
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view SPACE = " \t\r\n";
-    const auto begin = text.find_first_not_of(SPACE);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
-}
-
 std::string quoted(std::string_view text)
 {
     return "'" + std::string(text) + "'";
@@ -42,6 +34,14 @@ std::string missingComma(std::string_view item, std::size_t second)
 }
 
 } // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view SPACE = " \t\r\n";
+    const auto begin = text.find_first_not_of(SPACE);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
+}
 
 std::string badValue(std::string_view key, std::string_view value, std::string_view expected)
 {

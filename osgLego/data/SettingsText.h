@@ -33,6 +33,9 @@ std::string toText(Number number)
     return {buffer.data(), result.ptr};
 }
 
+/** A text without spaces, tabs and line ends at both ends. */
+std::string_view trimmed(std::string_view text);
+
 /** The error message for a bad value, in one sentence. @param expected the valid values, such as `y or z`. */
 std::string badValue(std::string_view key, std::string_view value, std::string_view expected);
 

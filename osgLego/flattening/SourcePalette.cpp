@@ -2,14 +2,13 @@
 
 #include <osgLego/flattening/SourceColors.h>
 #include <osgLego/palette/ColorChoice.h>
-#include <osgLego/palette/SettingsPalette.h>
 
 namespace osgLego
 {
 
 osg::ref_ptr<const Palette> paletteOf(const LegoSettings& settings, const GridTriangles& triangles, std::string& error)
 {
-    const osg::ref_ptr<const Palette> palette = readPalette(settings, error);
+    const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
     if (!palette || !settings.numColors || *settings.numColors >= palette->getColors().size()) return palette;
     return chooseColors(*palette, histogramOf(triangles), *settings.numColors);
 }

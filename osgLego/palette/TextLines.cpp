@@ -1,5 +1,7 @@
 #include <osgLego/palette/TextLines.h>
 
+#include <osgLego/data/SettingsText.h>
+
 #include <algorithm>
 
 namespace osgLego
@@ -19,14 +21,6 @@ std::string quoted(std::string_view text)
 }
 
 } // namespace
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view SPACE = " \t\r\n";
-    const auto begin = text.find_first_not_of(SPACE);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
-}
 
 TextLines::TextLines(std::string_view text) : _rest(text)
 {

@@ -7,9 +7,6 @@
 namespace osgLego
 {
 
-/** Remove spaces, tabs and line ends from both ends of a text. */
-std::string_view trimmed(std::string_view text);
-
 /** The lines of a text, one after the other, without spaces at their ends. A byte-order mark is ignored.
  *
  * Usage:

@@ -95,10 +95,9 @@ std::string findObstacle(const BrickModel& model, const std::string& name)
  * known without it. Only the codes of cells are lost, because parts store theirs. */
 osg::ref_ptr<const Palette> readPalette(const LegoSettings& settings, bool hasParts, LDrawScene& scene)
 {
-    if (settings.getPalette() == "none") return nullptr;
     std::string error;
-    osg::ref_ptr<const Palette> palette = Palette::read(settings.getPalette(), error);
-    if (!palette)
+    osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
+    if (!error.empty())
         scene.warnings.push_back(error + (hasParts ? "; the built-in colours tell which parts were made"
                                                    : "; its colours are written directly, without codes"));
     return palette;

@@ -75,8 +75,7 @@ public:
         std::string error;
         for (const std::string& text : {own.settings, parsed.settings})
             if (!text.empty() && !LegolizeSettings::parse(text, settings, error)) return ReadResult(error);
-        const std::string palette = settings.lego.getPalette();
-        if (palette != "none" && !osgLego::Palette::read(palette, error)) return ReadResult(error);
+        if (!osgLego::Palette::read(settings.lego, error) && !error.empty()) return ReadResult(error);
         const osg::ref_ptr<osgLego::LightProbe> probe = readProbe(settings, options, error);
         if (!probe) return ReadResult(error);
 

@@ -1,6 +1,6 @@
+#include <osgLego/LegoSettings.h>
 #include <osgLego/Palette.h>
 #include <osgLego/palette/KnownColors.h>
-#include <osgLego/palette/SettingsPalette.h>
 
 #include <TemporaryFolder.h>
 
@@ -272,13 +272,19 @@ TEST_F(PaletteFile, AFileMovedOverAnotherOfTheSameSizeAndTimeIsRead)
 TEST_F(PaletteFile, SettingsNameTheirPalette)
 {
     LegoSettings settings;
+    const auto findPaletteError = [](const LegoSettings& named)
+    {
+        std::string error;
+        Palette::read(named, error);
+        return error;
+    };
     EXPECT_EQ(findPaletteError(settings), "");
     std::string error;
-    EXPECT_FALSE(readPalette(settings, error));
+    EXPECT_FALSE(Palette::read(settings, error));
     EXPECT_EQ(error, "");
     settings.palette = "ldraw";
     EXPECT_EQ(findPaletteError(settings), "");
-    EXPECT_EQ(readPalette(settings, error)->getColors().size(), 33u);
+    EXPECT_EQ(Palette::read(settings, error)->getColors().size(), 33u);
     settings.palette = write("bad.csv", "x");
     EXPECT_EQ(findPaletteError(settings),
               pathOf("bad.csv") + ", line 1: expected code,name,rgb,edge,bricklink,bricks,plates, found 'x'");
