@@ -36,8 +36,7 @@ constexpr std::array EFFORT_NAMES{SettingName<Effort>{"instant", Effort::INSTANT
                                   SettingName<Effort>{"best", Effort::BEST}};
 constexpr std::array SWITCH_NAMES{SettingName<bool>{"off", false}, SettingName<bool>{"on", true}};
 constexpr std::string_view KEYS = "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, "
-                                  "palette, colors, dither, fill, "
-                                  "shell, parts, seed, effort, look, drawing";
+                                  "palette, colors, dither, fill, shell, parts, seed, effort, look, drawing";
 
 constexpr const char* EXPECTED_CELL = "a number of model units, 1e-9 to 1e+12";
 constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
