@@ -93,8 +93,7 @@ bool LegolizationPass::begin(osg::State& state, PassContext& context) const
 
 bool LegolizationPass::start(osg::State& state, PassContext& context, const PassPlan& plan) const
 {
-    const osg::ref_ptr<const LegoSource> source = _workspace->getSource();
-    const osg::ref_ptr<const BrickSet> bricks = _workspace->getBricks();
+    const auto [source, bricks] = _workspace->getWanted();
     const osg::ref_ptr<const ContextBricks> shown = _workspace->getStore().getContext(state.getContextID());
     if (!source || bricks->getRevision() != source->revision) return false;
     if (shown->getFailedRevision() == source->revision || shown->isOf(source->revision)) return false;

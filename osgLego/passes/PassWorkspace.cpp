@@ -8,31 +8,23 @@ namespace osgLego
 void PassWorkspace::setSource(const LegoSource& source, const BrickSet& bricks)
 {
     const std::lock_guard lock(_mutex);
-    if (_source == &source) return;
-    _source = &source;
-    _bricks = &bricks;
+    if (_wanted.source == &source) return;
+    _wanted = {&source, &bricks};
     _textures.clear();
 }
 
 void PassWorkspace::clearSource()
 {
     const std::lock_guard lock(_mutex);
-    _source = nullptr;
-    _bricks = nullptr;
+    _wanted = {};
     _textures.clear();
     _paletteTextures = nullptr;
 }
 
-osg::ref_ptr<const LegoSource> PassWorkspace::getSource() const
+WantedBricks PassWorkspace::getWanted() const
 {
     const std::lock_guard lock(_mutex);
-    return _source;
-}
-
-osg::ref_ptr<const BrickSet> PassWorkspace::getBricks() const
-{
-    const std::lock_guard lock(_mutex);
-    return _bricks;
+    return _wanted;
 }
 
 osg::ref_ptr<PassContext> PassWorkspace::getContext(unsigned int contextID) const

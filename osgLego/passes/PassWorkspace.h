@@ -77,6 +77,14 @@ struct PassContext : public osg::Referenced
     std::unique_ptr<Legolization> work;
 };
 
+/** The source that the passes are to legolize, and the set in which its bricks are delivered. Both are null if no
+ * bricks are wanted. */
+struct WantedBricks
+{
+    osg::ref_ptr<const LegoSource> source;
+    osg::ref_ptr<const BrickSet> bricks;
+};
+
 /** The data that the passes of a node share: the wanted source, the work in progress in each context, the textures of
  * surfaces, and the store to which bricks are delivered.
  *
@@ -93,10 +101,8 @@ public:
     void setSource(const LegoSource& source, const BrickSet& bricks);
     /** Want no bricks any more: passes that have not begun do nothing. */
     void clearSource();
-    /** The wanted source; null if there is none. */
-    osg::ref_ptr<const LegoSource> getSource() const;
-    /** The brick set of the wanted source. */
-    osg::ref_ptr<const BrickSet> getBricks() const;
+    /** The wanted source and its brick set, read together. */
+    WantedBricks getWanted() const;
 
     /** The work of a context ID; initially none. */
     osg::ref_ptr<PassContext> getContext(unsigned int contextID) const;
@@ -117,8 +123,7 @@ private:
 
     osg::ref_ptr<BrickStore> _store;
     mutable std::mutex _mutex;
-    osg::ref_ptr<const LegoSource> _source;
-    osg::ref_ptr<const BrickSet> _bricks;
+    WantedBricks _wanted;
     mutable std::map<unsigned int, osg::ref_ptr<PassContext>> _contexts;
     mutable std::map<const SurfaceTexture*, osg::ref_ptr<osg::Texture2D>> _textures;
     mutable osg::ref_ptr<const PaletteTextures> _paletteTextures;

@@ -31,7 +31,7 @@ void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
 {
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;
-    if (_workspace->getSource() != &source) _workspace->setSource(source, *createGpuBrickSet(source));
+    if (_workspace->getWanted().source != &source) _workspace->setSource(source, *createGpuBrickSet(source));
     const PassPlan plan = PassPlan::create(source);
     if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_workspace, plan);
     _passes->cull(visitor);
