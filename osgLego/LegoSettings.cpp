@@ -34,9 +34,11 @@ constexpr std::array PARTS_NAMES{SettingName<PartSet>{"none", PartSet::NONE},
 constexpr std::array EFFORT_NAMES{SettingName<Effort>{"instant", Effort::INSTANT},
                                   SettingName<Effort>{"normal", Effort::NORMAL},
                                   SettingName<Effort>{"best", Effort::BEST}};
+constexpr std::array SHOW_NAMES{SettingName<Show>{"color", Show::COLOR}, SettingName<Show>{"load", Show::LOAD}};
 constexpr std::array SWITCH_NAMES{SettingName<bool>{"off", false}, SettingName<bool>{"on", true}};
 constexpr std::string_view KEYS = "resolution, cell, origin, size, proportions, up, method, target, fbo, edge, device, "
-                                  "palette, colors, dither, fill, shell, parts, seed, effort, look, drawing";
+                                  "palette, colors, dither, fill, shell, parts, seed, effort, support, look, drawing, "
+                                  "progress, show";
 
 constexpr const char* EXPECTED_CELL = "a number of model units, 1e-9 to 1e+12";
 constexpr const char* EXPECTED_ORIGIN = "x:y:z in model units, each -1e+18 to 1e+18";
@@ -44,6 +46,7 @@ constexpr const char* EXPECTED_PALETTE = "none, ldraw or the path of a file, wit
                                          "surrounding spaces";
 constexpr const char* EXPECTED_COLORS = "a whole number, 1 to 255";
 constexpr const char* EXPECTED_SHELL = "a whole number of cells, 1 to 1024";
+constexpr const char* EXPECTED_PROGRESS = "a number, 0 to 1";
 constexpr const char* EXPECTED_SIZE = "w:d:h in cells, each 1 to 1024, and up to 2560 along the up axis";
 
 bool isNumber(std::string_view text)
@@ -77,8 +80,11 @@ std::string readSetting(std::string_view key, std::string_view value, LegoSettin
     if (key == "parts") return readName(key, value, PARTS_NAMES, settings.parts);
     if (key == "seed") return readNumber(key, value, "a whole number, 0 to 4294967295", settings.seed);
     if (key == "effort") return readName(key, value, EFFORT_NAMES, settings.effort);
+    if (key == "support") return readName(key, value, SWITCH_NAMES, settings.support);
     if (key == "look") return readName(key, value, LOOK_NAMES, settings.look);
     if (key == "drawing") return readName(key, value, DRAWING_NAMES, settings.drawing);
+    if (key == "progress") return readNumber(key, value, EXPECTED_PROGRESS, settings.progress);
+    if (key == "show") return readName(key, value, SHOW_NAMES, settings.show);
     return unknownKey(key, KEYS);
 }
 
@@ -187,6 +193,8 @@ std::string checkParts(const LegoSettings& settings)
         return "dither is on without a palette; expected palette=ldraw or a file";
     if (settings.parts != PartSet::NONE && settings.proportions == Proportions::CUBE)
         return "bad value 'cube' for proportions; expected brick or plate with parts";
+    if (settings.support && settings.parts == PartSet::NONE)
+        return "support is on without parts; expected parts=bricks";
     if (settings.needsCpu() && (settings.method != VoxelizationMethod::EXACT || settings.device == Device::GPU))
         return "parts, and fill other than surface, are made on the CPU; expected method=exact, and device=auto or cpu";
     return {};
@@ -243,6 +251,7 @@ std::string LegoSettings::check() const
         return rangeError("edge", edge, "a number of cells", MINIMUM_EDGE_LIMIT, MAXIMUM_EDGE_LIMIT);
     if (method == VoxelizationMethod::EXACT && getTarget() != VoxelizationTarget::ADDRESSED)
         return "bad value 'projected' for target; expected addressed with method=exact";
+    if (!(progress >= 0.0 && progress <= 1.0)) return badValue("progress", toText(progress), EXPECTED_PROGRESS);
     if (method == VoxelizationMethod::POINTS && device == Device::CPU)
         return "bad value 'cpu' for device; expected auto or gpu with method=points";
     return checkParts(*this);
@@ -258,6 +267,8 @@ bool LegoSettings::givesSameBricks(const LegoSettings& other) const
     LegoSettings alike = other;
     alike.look = look;
     alike.drawing = drawing;
+    alike.progress = progress;
+    alike.show = show;
     return alike == *this;
 }
 
@@ -300,8 +311,11 @@ std::string LegoSettings::toString() const
     if (parts != defaults.parts) text << ",parts=" << nameOf(PARTS_NAMES, parts);
     if (seed != defaults.seed) text << ",seed=" << seed;
     if (effort != defaults.effort) text << ",effort=" << nameOf(EFFORT_NAMES, effort);
+    if (support) text << ",support=on";
     if (look != defaults.look) text << ",look=" << nameOf(LOOK_NAMES, look);
     if (drawing != defaults.drawing) text << ",drawing=" << nameOf(DRAWING_NAMES, drawing);
+    if (progress != defaults.progress) text << ",progress=" << toText(progress);
+    if (show != defaults.show) text << ",show=" << nameOf(SHOW_NAMES, show);
     return text.str();
 }
 

@@ -86,6 +86,13 @@ enum class Effort
     BEST     //!< the fewest parts, however long that takes within half a minute
 };
 
+/** The colours in which parts are shown. */
+enum class Show
+{
+    COLOR, //!< their own
+    LOAD   //!< a scale from blue to red: the load on their joints, as a share of the capacity (StabilityReport::loads)
+};
+
 /** The settings that determine the bricks of a mesh and how they are drawn, and their text form.
  *
  * A plain value: copy it, change members, and pass it to LegoNode::setSettings() or legolizeOnCpu(), which check it.
@@ -118,8 +125,11 @@ enum class Effort
  * | parts       | none, bricks                               | none                                |
  * | seed        | 0 to 4294967295                            | 0                                   |
  * | effort      | instant, normal, best                      | normal                              |
+ * | support     | off, on                                    | off                                 |
  * | look        | plain, full                                | full                                |
  * | drawing     | auto, triangles, splats                    | auto                                |
+ * | progress    | 0 to 1                                     | 1                                   |
+ * | show        | color, load                                | color                               |
  *
  * Parts need `proportions=brick` or `plate`: `parts=bricks` in a text without proportions selects `brick`.
  *
@@ -185,9 +195,14 @@ struct OSGLEGO_EXPORT LegoSettings
      * has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
     std::uint32_t seed = 0;
     Effort effort = Effort::NORMAL;
-    // These two do not affect which cells become bricks.
+    /** Whether a model of parts that would fall is laid again to stand and, if that does not suffice, gets columns. */
+    bool support = false;
+    // These do not affect which cells become bricks.
     Look look = Look::FULL;
     Drawing drawing = Drawing::AUTO;
+    /** The share of parts that is shown, 0 to 1, in the order of building (LegoNode::setBuildProgress()). */
+    double progress = 1.0;
+    Show show = Show::COLOR;
 
     /** The target in effect: `target` if set, otherwise the method's default (points: projected, exact: addressed). */
     VoxelizationTarget getTarget() const;
@@ -220,7 +235,8 @@ struct OSGLEGO_EXPORT LegoSettings
      * cell. */
     std::string toString() const;
 
-    /** Whether a mesh gets the same bricks from both settings: they are equal except for the look and the drawing. */
+    /** Whether a mesh gets the same bricks from both settings: they are equal except for the look, the
+     * drawing, the progress and the colours shown. */
     bool givesSameBricks(const LegoSettings& other) const;
 
     bool operator==(const LegoSettings&) const = default;

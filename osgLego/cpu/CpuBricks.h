@@ -3,7 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/flattening/LegoSource.h>
-#include <osgLego/layout/ModelBuilder.h>
+#include <osgLego/building/ModelBuilder.h>
 
 #include <functional>
 #include <string>

@@ -42,7 +42,8 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.fboSize, 512u);
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
     const LegoSettings parts =
-        parsed("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best");
+        parsed("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best,"
+               "support=on,progress=0.25,show=load");
     EXPECT_EQ(parts.palette, "a.csv");
     EXPECT_EQ(parts.numColors, 6u);
     EXPECT_TRUE(parts.dither);
@@ -51,6 +52,9 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(parts.parts, PartSet::BRICKS);
     EXPECT_EQ(parts.seed, 7u);
     EXPECT_EQ(parts.effort, Effort::BEST);
+    EXPECT_TRUE(parts.support);
+    EXPECT_EQ(parts.progress, 0.25);
+    EXPECT_EQ(parts.show, Show::LOAD);
     const LegoSettings lattice = parsed("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
     EXPECT_EQ(lattice.cellPitch, 0.25);
     EXPECT_EQ(lattice.gridOrigin, glm::dvec3(-1.0, 2.5, 1e-3));
@@ -93,8 +97,9 @@ TEST(LegoSettings, TheTextFormRoundTrips)
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
           "64,palette=ldraw,colors=12,dither=on",
-          "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant",
-          "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain", "cell=2,up=y", "cell=1e-09,origin=0:0:0",
+          "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant,support=on",
+          "32,drawing=splats,progress=0.5,show=load", "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain",
+          "cell=2,up=y", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
         EXPECT_EQ(parsed(text).toString(), text);
@@ -134,6 +139,7 @@ TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
     const LegoSettings settings = parsed("32,method=points");
     EXPECT_TRUE(settings.givesSameBricks(settings));
     EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,look=plain")));
+    EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,progress=0,show=load")));
     EXPECT_NE(settings, parsed("32,method=points,look=plain"));
     for (const char* other : {"33,method=points", "32", "32,method=points,up=y", "32,method=points,proportions=plate",
                               "32,method=points,target=addressed", "32,method=points,fbo=64", "32,method=points,edge=3",
@@ -203,7 +209,7 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
 {
     EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, cell, origin, size, "
                                         "proportions, up, method, target, fbo, edge, device, palette, colors, dither, "
-                                        "fill, shell, parts, seed, effort, look, drawing");
+                                        "fill, shell, parts, seed, effort, support, look, drawing, progress, show");
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; expected a whole number, 1 to 1024");
@@ -226,6 +232,11 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_EQ(errorOf("shell=0"), "bad value '0' for shell; expected a whole number of cells, 1 to 1024");
     EXPECT_EQ(errorOf("parts=plates"), "bad value 'plates' for parts; expected none or bricks");
     EXPECT_EQ(errorOf("seed=-1"), "bad value '-1' for seed; expected a whole number, 0 to 4294967295");
+    EXPECT_EQ(errorOf("support=1"), "bad value '1' for support; expected off or on");
+    EXPECT_EQ(errorOf("support=on"), "support is on without parts; expected parts=bricks");
+    EXPECT_EQ(errorOf("progress=1.5"), "bad value '1.5' for progress; expected a number, 0 to 1");
+    EXPECT_EQ(errorOf("progress=nan"), "bad value 'nan' for progress; expected a number, 0 to 1");
+    EXPECT_EQ(errorOf("show=stress"), "bad value 'stress' for show; expected color or load");
     EXPECT_EQ(errorOf("effort=low"), "bad value 'low' for effort; expected instant, normal or best");
     EXPECT_EQ(errorOf("64,32"), "'resolution' is given twice");
     EXPECT_EQ(errorOf("target=projected"), "bad value 'projected' for target; expected addressed with method=exact");

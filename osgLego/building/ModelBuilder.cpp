@@ -1,4 +1,4 @@
-#include <osgLego/layout/ModelBuilder.h>
+#include <osgLego/building/ModelBuilder.h>
 
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/Layout.h>

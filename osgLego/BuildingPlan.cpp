@@ -1,0 +1,88 @@
+#include <osgLego/BuildingPlan.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Lists the parts of steps in the order in which they are put in place. */
+class PlacingOrder
+{
+public:
+    PlacingOrder(const std::vector<Submodel>& submodels, std::size_t numParts) :
+        _submodels(submodels), _isUsed(submodels.size(), false), _isPlaced(numParts, false)
+    {
+    }
+
+    /** @return false if a part or a submodel is unknown or is placed twice. */
+    bool add(const BuildingStep& step)
+    {
+        for (const std::uint32_t part : step.parts)
+        {
+            if (part >= _isPlaced.size() || _isPlaced[part]) return false;
+            _isPlaced[part] = true;
+            _order.push_back(part);
+        }
+        for (const std::uint32_t submodel : step.submodels)
+        {
+            if (submodel >= _isUsed.size() || _isUsed[submodel]) return false;
+            _isUsed[submodel] = true;
+            const std::vector<BuildingStep>& steps = _submodels[submodel].steps;
+            const bool isGood = std::all_of(steps.begin(), steps.end(), [this](const auto& own) { return add(own); });
+            if (steps.empty() || !isGood) return false;
+        }
+        return true;
+    }
+
+    bool isComplete() const
+    {
+        return _order.size() == _isPlaced.size() &&
+               std::all_of(_isUsed.begin(), _isUsed.end(), [](bool isUsed) { return isUsed; });
+    }
+
+    std::vector<std::uint32_t> take() { return std::move(_order); }
+    std::size_t getNumPlaced() const { return _order.size(); }
+
+private:
+    const std::vector<Submodel>& _submodels;
+    std::vector<bool> _isUsed;
+    std::vector<bool> _isPlaced;
+    std::vector<std::uint32_t> _order;
+};
+
+} // namespace
+
+osg::ref_ptr<const BuildingPlan> BuildingPlan::create(std::size_t numParts, std::vector<BuildingStep> steps,
+                                                      std::vector<Submodel> submodels,
+                                                      std::vector<std::uint32_t> unheld)
+{
+    osg::ref_ptr<BuildingPlan> plan = new BuildingPlan;
+    PlacingOrder order(submodels, numParts);
+    for (const BuildingStep& step : steps)
+    {
+        if (!order.add(step)) return nullptr;
+        plan->_numPlaced.push_back(order.getNumPlaced());
+    }
+    if (!order.isComplete()) return nullptr;
+    plan->_order = order.take();
+    plan->_ranks.resize(numParts);
+    for (std::size_t rank = 0; rank < numParts; ++rank)
+        plan->_ranks[plan->_order[rank]] = static_cast<std::uint32_t>(rank);
+    plan->_steps = std::move(steps);
+    plan->_submodels = std::move(submodels);
+    plan->_unheld = std::move(unheld);
+    return plan;
+}
+
+std::vector<std::uint32_t> BuildingPlan::getPlacedParts(const BuildingStep& step) const
+{
+    PlacingOrder order(_submodels, _ranks.size());
+    order.add(step);
+    return order.take();
+}
+
+} // namespace osgLego

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <osgLego/Export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <osg/Referenced>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The parts that are put in place together, and the picture of them. */
+struct BuildingStep
+{
+    /** Indices into BrickModel::getParts(), in the order of placing, without those of `submodels`. */
+    std::vector<std::uint32_t> parts;
+    /** Indices of submodels, each built before, that are attached after `parts`. */
+    std::vector<std::uint32_t> submodels;
+    /** The quarter turns, 0 to 3, of the view about the up axis, counter-clockwise from above. */
+    int turns = 0;
+    /** Whether the model is seen from below. */
+    bool isFromBelow = false;
+    /** Whether the partial model stands after this step. */
+    bool stands = true;
+
+    bool operator==(const BuildingStep&) const = default;
+};
+
+/** Parts that are built apart from the rest, and then attached to it as a whole. */
+struct Submodel
+{
+    std::vector<BuildingStep> steps; //!< at least one
+
+    bool operator==(const Submodel&) const = default;
+};
+
+/** An order in which a model can be built by hand, in steps.
+ *
+ * Every part of the model is in exactly one step, of the main sequence or of a submodel, and each submodel is attached
+ * in exactly one step.
+ *
+ * Usage:
+ *
+ *     osg::ref_ptr<const osgLego::BuildingPlan> plan = osgLego::planBuilding(*model, options);
+ *     for (const osgLego::BuildingStep& step : plan->getSteps()) ...
+ *
+ * Uses no GL. Immutable once created; every function may be called from any thread.
+ */
+class OSGLEGO_EXPORT BuildingPlan : public osg::Referenced
+{
+public:
+    /** Create a plan.
+     * @param numParts the number of parts in the model.
+     * @param unheld parts, in ascending order, that nothing holds when they are placed.
+     * @return null if the steps do not contain each part, and each submodel, exactly once, or if a submodel contains
+     * itself. */
+    static osg::ref_ptr<const BuildingPlan> create(std::size_t numParts, std::vector<BuildingStep> steps,
+                                                   std::vector<Submodel> submodels = {},
+                                                   std::vector<std::uint32_t> unheld = {});
+
+    const std::vector<BuildingStep>& getSteps() const { return _steps; }
+    const std::vector<Submodel>& getSubmodels() const { return _submodels; }
+    /** Parts that nothing holds when they are placed, in ascending order: a model with such parts can't be built. */
+    const std::vector<std::uint32_t>& getUnheldParts() const { return _unheld; }
+
+    /** The parts of a step and of its submodels, in the order in which they are put in place. */
+    std::vector<std::uint32_t> getPlacedParts(const BuildingStep& step) const;
+    /** All parts in the order of building: those of each main step in turn, a submodel's where it is attached. */
+    const std::vector<std::uint32_t>& getOrder() const { return _order; }
+    /** For each part, its place in getOrder(). */
+    const std::vector<std::uint32_t>& getRanks() const { return _ranks; }
+    /** The number of parts in place after a main step. @param step an index into getSteps(). */
+    std::size_t getNumPlaced(std::size_t step) const { return _numPlaced[step]; }
+
+private:
+    BuildingPlan() = default;
+    ~BuildingPlan() override = default;
+
+    std::vector<BuildingStep> _steps;
+    std::vector<Submodel> _submodels;
+    std::vector<std::uint32_t> _unheld;
+    std::vector<std::uint32_t> _order;
+    std::vector<std::uint32_t> _ranks;
+    std::vector<std::size_t> _numPlaced;
+};
+
+} // namespace osgLego
