@@ -28,8 +28,8 @@ struct Contact
     {
         SIDE_X, //!< `upper` is beside `lower`, towards +x
         SIDE_Y, //!< `upper` is beside `lower`, towards +y
-        STUDS,  //!< `upper` is on studs of `lower`
-        TABLE   //!< `upper` is on a table, and `lower` is BASE
+        TABLE,  //!< `upper` is on a table, and `lower` is BASE
+        STUDS   //!< `upper` is on studs of `lower`
     };
 
     std::uint32_t lower = BASE;
