@@ -40,10 +40,12 @@ std::string lowerLetters(std::string text)
     return text;
 }
 
+/** A time for people: in minutes, or from two hours on in hours. */
 std::string formatMinutes(double minutes)
 {
-    if (minutes < 90.0) return fmt::format("{:.0f} min", std::max(1.0, minutes));
-    return fmt::format("{:.1f} h", minutes / 60.0);
+    constexpr double HOUR = 60.0;
+    return minutes < 2.0 * HOUR ? fmt::format("{:.0f} min", std::max(1.0, minutes))
+                                : fmt::format("{:.0f} h", minutes / HOUR);
 }
 
 std::string formatTime(std::size_t numParts)
@@ -176,15 +178,27 @@ void BookletPage::writePartsList()
         const PartsList::Row& row = kinds[kind];
         *_stream << "<li>";
         writeUse("part-" + std::to_string(kind + 1), describeParts(row, row.quantity), _kindSizes[kind]);
-        *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span class=\"name\">"
-                 << escapedForHtml(row.type->getName()) << "</span><br>" << row.type->number << ' '
-                 << escapedForHtml(nameColor(row.color)) << "<br><span class=\"code\">";
-        if (row.color.code != Part::NO_CODE) *_stream << "LDraw " << row.color.code;
-        if (row.color.brickLink >= 0)
-            *_stream << "<br>BrickLink " << row.color.brickLink << ' ' << escapedForHtml(nameBrickLinkColor(row.color));
-        *_stream << "</span></p></li>\n";
+        writeDetails(row);
+        *_stream << "</li>\n";
     }
     *_stream << "</ul>\n</section>\n";
+}
+
+/** The text below the picture of a part: all that is needed to order it. */
+void BookletPage::writeDetails(const PartsList::Row& row)
+{
+    const std::string name = nameColor(row.color);
+    const std::string brickLinkName = nameBrickLinkColor(row.color);
+    const bool hasCode = row.color.code != Part::NO_CODE;
+    *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span class=\"name\">"
+             << escapedForHtml(nameType(*row.type)) << "</span> "
+             << escapedForHtml(brickLinkName.empty() ? name : brickLinkName) << " <span class=\"code\">Part "
+             << row.type->number << "</span>";
+    if (row.color.brickLink >= 0) *_stream << " <span class=\"code\">BrickLink " << row.color.brickLink << "</span>";
+    if (hasCode)
+        *_stream << " <span class=\"code\">LDraw " << row.color.code
+                 << (name == brickLinkName ? std::string() : " " + escapedForHtml(name)) << "</span>";
+    *_stream << "</p>";
 }
 
 void BookletPage::writeSteps()
@@ -286,7 +300,7 @@ void BookletPage::writeSymbol(const std::string& id, const BookletPicture& pictu
 void BookletPage::writeUse(const std::string& id, const std::string& text, const glm::dvec2& size)
 {
     *_stream << fmt::format(
-        R"(<svg role="img" aria-label="{0}" width="{2:.0f}" height="{3:.0f}" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
+        R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}px" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
         escapedForHtml(text), id, size.x, size.y);
 }
 

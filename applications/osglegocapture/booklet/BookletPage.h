@@ -50,6 +50,7 @@ private:
     void writeCover();
     void writeFacts();
     void writePartsList();
+    void writeDetails(const PartsList::Row& row);
     void writeSteps();
     void writeSubmodels(const BookletStep& step);
     void writeSubmodel(std::size_t chapter);

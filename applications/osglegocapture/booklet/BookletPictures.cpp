@@ -22,7 +22,7 @@ constexpr double LARGEST_WIDTH = 1600;  // pixels
 constexpr double LARGEST_HEIGHT = 1400; // pixels
 constexpr double LARGEST_PITCH = 120;   // pixels; larger bricks would look odd beside those of the parts lists
 constexpr double PART_DENSITY = 3.0;    // pictures of parts are small, and printed as large
-constexpr double PART_PITCH = 17.0;     // pixels of CSS
+constexpr double PART_PITCH = 20.0;     // pixels of CSS
 constexpr double MARGIN = 0.15;         // pitches around a model, for outlines and rounding
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
@@ -130,6 +130,7 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     const osg::ref_ptr<const BrickModel> model = createModelOfKind(_model.getKinds()[kind]);
     _renderer.setModel(*model, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
+    _renderer.setOcclusion(false);
     _shown = NONE;
     const BookletCamera camera(model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
@@ -142,6 +143,7 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
+    _renderer.setOcclusion(true);
     const BookletCamera camera(own.model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(own.model->getParts()));
     const double pixels =
@@ -156,6 +158,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
+    _renderer.setOcclusion(false);
 
     std::vector<Part> placed;
     for (std::size_t rank = 0; rank < shown.numPlaced; ++rank)

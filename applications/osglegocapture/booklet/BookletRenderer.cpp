@@ -89,6 +89,11 @@ void BookletRenderer::setModel(const BrickModel& model, const BuildingPlan& plan
     _lego->setStoredBricks(&model);
 }
 
+void BookletRenderer::setOcclusion(bool hasOcclusion)
+{
+    _occlusion->setEnabled(hasOcclusion);
+}
+
 void BookletRenderer::setPlaced(std::size_t numPlaced, std::size_t numNew)
 {
     (void)numNew;

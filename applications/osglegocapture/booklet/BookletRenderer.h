@@ -34,6 +34,9 @@ public:
     /** Show the first parts in the order of building, and highlight the last of them. */
     void setPlaced(std::size_t numPlaced, std::size_t numNew);
 
+    /** Set whether pictures have ambient occlusion, which takes two thirds of the time. */
+    void setOcclusion(bool hasOcclusion);
+
     /** Draw the model over white.
      * @param size in pixels.
      * @return 8-bit RGB, bottom row first. */

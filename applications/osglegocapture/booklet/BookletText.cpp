@@ -68,6 +68,12 @@ std::string countOf(std::size_t number, std::string_view noun)
     return formatNumber(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
 }
 
+std::string nameType(const PartType& type)
+{
+    const char* family = type.family == PartFamily::BRICK ? "Brick" : "Plate";
+    return std::string(family) + "\u00a0" + std::to_string(type.width) + "\u202f×\u202f" + std::to_string(type.length);
+}
+
 std::string nameColor(const PaletteColor& color)
 {
     std::string name = color.name;

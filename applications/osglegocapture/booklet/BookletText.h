@@ -18,6 +18,9 @@ std::string countOf(std::size_t number, std::string_view noun);
 /** A number with commas between groups of three digits. */
 std::string formatNumber(std::size_t number);
 
+/** The name of a type, such as "Brick 2 x 4", with a multiplication sign, and without spaces at which lines break. */
+std::string nameType(const PartType& type);
+
 /** The name of a colour for readers, such as "Dark Turquoise"; #RRGGBB for a colour of no palette. */
 std::string nameColor(const PaletteColor& color);
 
