@@ -24,7 +24,7 @@ std::string BrickAppearance::check() const
 {
     for (const std::string& error :
          {rangeError("reliefHeight", reliefHeight, 0.0, 0.2), rangeError("roughness", roughness, 0.05, 1.0),
-          rangeError("variation", variation, 0.0, 5.0)})
+          rangeError("variation", variation, 0.0, 5.0), rangeError("outline", outline, 0.0, 8.0)})
         if (!error.empty()) return error;
     if (!reliefImage) return {};
     const bool hasPixels = reliefImage->data() && !reliefImage->isCompressed() && reliefImage->s() > 0 &&

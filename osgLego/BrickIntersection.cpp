@@ -9,14 +9,24 @@ namespace osgLego
 namespace
 {
 
-/** The bricks that a drawable consists of; null if it is not made of bricks. */
-osg::ref_ptr<const BrickModel> findModel(const osg::Drawable* drawable)
+/** The models of a drawable that is made of bricks; null for others. */
+struct Models
 {
-    if (const auto* bricks = dynamic_cast<const BrickDrawable*>(drawable)) return bricks->getModel();
-    if (!drawable) return nullptr;
-    const auto* holder = dynamic_cast<const BrickModelHolder*>(drawable->getUserData());
-    return holder ? &holder->getModel() : nullptr;
-}
+    explicit Models(const osg::Drawable* drawable)
+    {
+        if (const auto* bricks = dynamic_cast<const BrickDrawable*>(drawable))
+        {
+            all = bricks->getModel();
+            placed = bricks->getPlacedModel();
+        }
+        else if (drawable)
+            if (const auto* holder = dynamic_cast<const BrickModelHolder*>(drawable->getUserData()))
+                all = placed = &holder->getModel();
+    }
+
+    osg::ref_ptr<const BrickModel> all;
+    osg::ref_ptr<const BrickModel> placed; // of the parts in place, whose triangles were intersected
+};
 
 osg::ref_ptr<LegoNode> findNode(const osg::NodePath& path)
 {
@@ -31,13 +41,16 @@ std::optional<BrickIntersection>
 BrickIntersection::find(const osgUtil::LineSegmentIntersector::Intersection& intersection)
 {
     BrickIntersection found;
-    found.model = findModel(intersection.drawable);
-    if (!found.model) return std::nullopt;
-    const std::optional<BrickTriangle> triangle = findBrickTriangle(*found.model, intersection.primitiveIndex);
+    const Models models(intersection.drawable);
+    if (!models.all || !models.placed) return std::nullopt;
+    const std::optional<BrickTriangle> triangle = findBrickTriangle(*models.placed, intersection.primitiveIndex);
     if (!triangle) return std::nullopt;
+    const Brick* brick = models.all->find(triangle->brick.getCell());
+    if (!brick) return std::nullopt; // other bricks have replaced those that were intersected
+    found.model = models.all;
     found.node = findNode(intersection.nodePath);
-    found.brick = triangle->brick;
-    found.part = found.model->findPart(triangle->brick.getCell());
+    found.brick = *brick;
+    found.part = found.model->findPart(brick->getCell());
     found.side = triangle->side;
     found.isStud = triangle->isStud;
     return found;

@@ -33,6 +33,8 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setAppearance(node.getAppearance());
     setLightProbe(node.getLightProbe());
     setStoredBricks(node.getStoredBricks());
+    setBuildingPlan(node.getBuildingPlan());
+    setNumNewParts(node.getNumNewParts());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
@@ -170,6 +172,44 @@ void LegoNode::setStoredBricks(const BrickModel* bricks)
 osg::ref_ptr<const BrickModel> LegoNode::getStoredBricks() const
 {
     return _pipeline->getStoredBricks();
+}
+
+bool LegoNode::setBuildProgress(double progress)
+{
+    LegoSettings settings;
+    settings.progress = progress;
+    if (const std::string error = settings.check(); !error.empty())
+    {
+        OSG_WARN << "osgLego: " << error << std::endl;
+        return false;
+    }
+    _pipeline->setProgress(progress);
+    return true;
+}
+
+double LegoNode::getBuildProgress() const
+{
+    return getSettings().progress;
+}
+
+void LegoNode::setBuildingPlan(const BuildingPlan* plan)
+{
+    _pipeline->getBuilding().setPlan(plan);
+}
+
+osg::ref_ptr<const BuildingPlan> LegoNode::getBuildingPlan() const
+{
+    return _pipeline->getBuilding().getPlan();
+}
+
+void LegoNode::setNumNewParts(std::size_t count)
+{
+    _pipeline->setNumNewParts(count);
+}
+
+std::size_t LegoNode::getNumNewParts() const
+{
+    return _pipeline->getNumNewParts();
 }
 
 LegoStatistics LegoNode::getStatistics(unsigned int contextID) const

@@ -2,11 +2,13 @@
 
 #include <osgLego/BrickAppearance.h>
 #include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
 #include <osgLego/Export.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/LightProbe.h>
 
+#include <cstddef>
 #include <string>
 
 #include <osg/Group>
@@ -150,6 +152,33 @@ public:
      * model is immutable. */
     void setStoredBricks(const BrickModel* bricks);
     osg::ref_ptr<const BrickModel> getStoredBricks() const;
+
+    /** Show the parts that come first in the order of building; this is LegoSettings::progress. Parts appear and
+     * disappear in the shaders, so that a change in every frame costs no more than a still model. A model without parts
+     * grows brick by brick, from bottom to top.
+     *
+     * The number of parts in place is that of all parts times `progress`, rounded: k / n, in double precision, shows
+     * exactly k of n parts. Other parts are neither drawn nor picked, but the bounds of the node and getBricks() are
+     * those of all parts. An AmbientOcclusionScene draws an incomplete model without distant occlusion. Bricks that the
+     * GPU made appear in the order of getBricks(), which then makes them on the CPU, too.
+     *
+     * The order is prepared in the background when it is first needed, and again after the bricks have changed. All
+     * parts are shown until it is ready, or those of the bricks before; if setWaiting(), frames wait for it instead.
+     * @param progress 0 (no part) to 1 (all parts).
+     * @return false, with a warning and no change, for other values. */
+    bool setBuildProgress(double progress);
+    double getBuildProgress() const;
+
+    /** Set the order of building; null: the order of planBuilding(), without checks of stability. A plan for another
+     * number of parts than the bricks have is ignored. */
+    void setBuildingPlan(const BuildingPlan* plan);
+    osg::ref_ptr<const BuildingPlan> getBuildingPlan() const;
+
+    /** Highlight the parts that were put in place last: they are drawn in their full colour and with outlines, and
+     * earlier parts are faded. BrickAppearance::outline is the width of lines.
+     * @param count the number of these parts; 0: no highlight. */
+    void setNumNewParts(std::size_t count);
+    std::size_t getNumNewParts() const;
 
     /** The bricks: those stored, or else those of the source, made on the CPU by the first call and kept until the
      * source changes; null without triangles.

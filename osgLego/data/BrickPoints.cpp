@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include <glm/common.hpp>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -15,15 +14,6 @@ namespace
 {
 
 constexpr int SIDE = BrickPoints::BLOCK_SIDE;
-
-void include(const Brick& brick, BrickBlock& block)
-{
-    const glm::ivec3 cell = brick.getCell();
-    block.minimum = block.count == 0 ? cell : glm::min(block.minimum, cell);
-    block.maximum = block.count == 0 ? cell : glm::max(block.maximum, cell);
-    block.openSides |= brick.openSides;
-    ++block.count;
-}
 
 /** Sorts the bricks of one layer of blocks into blocks: first the bricks with studs, then the others. */
 class BlockLayer
@@ -40,7 +30,7 @@ public:
     BrickPoints sort(std::span<const Brick> bricks)
     {
         for (const Brick& brick : bricks)
-            if (brick.openSides != 0) include(brick, blockOf(brick));
+            if (brick.openSides != 0) blockOf(brick).include(brick);
 
         BrickPoints result;
         int next = 0;
@@ -182,7 +172,7 @@ std::vector<BrickBlock> findBlocks(std::span<const BrickPoint> points)
             blocks.back().first = static_cast<int>(&point - points.data());
             last = place;
         }
-        include(brick, blocks.back());
+        blocks.back().include(brick);
     }
     return blocks;
 }

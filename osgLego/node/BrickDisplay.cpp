@@ -10,13 +10,18 @@ BrickDisplay::BrickDisplay(BrickStore& store) : _store(&store), _lightProbe(new 
 
 osg::ref_ptr<const BrickNodes> BrickDisplay::getNodes() const
 {
+    const BuildingState state = _store->getState();
     const std::lock_guard lock(_mutex);
-    if (!_nodes)
+    BrickNodes::Kind kind;
+    kind.isPartial = !state.isWhole() && _store->getBuilding();
+    kind.hasLines = _appearance.outline > 0.0 || (kind.isPartial && state.numNew > 0);
+    osg::ref_ptr<const BrickNodes>& nodes = _nodes[(kind.isPartial ? 1u : 0u) + (kind.hasLines ? 2u : 0u)];
+    if (!nodes)
     {
-        _nodes = new BrickNodes(*_store, _look, _drawing, _appearance, *_lightProbe);
-        _nodes->getBound();
+        nodes = new BrickNodes(*_store, _look, _drawing, _appearance, *_lightProbe, kind);
+        nodes->getBound();
     }
-    return _nodes;
+    return nodes;
 }
 
 void BrickDisplay::setLook(Look look, Drawing drawing)
@@ -25,7 +30,7 @@ void BrickDisplay::setLook(Look look, Drawing drawing)
     if (look == _look && drawing == _drawing) return;
     _look = look;
     _drawing = drawing;
-    _nodes = nullptr;
+    dropNodes();
 }
 
 void BrickDisplay::setAppearance(const BrickAppearance& appearance)
@@ -33,7 +38,7 @@ void BrickDisplay::setAppearance(const BrickAppearance& appearance)
     const std::lock_guard lock(_mutex);
     if (appearance == _appearance) return;
     _appearance = appearance;
-    _nodes = nullptr;
+    dropNodes();
 }
 
 BrickAppearance BrickDisplay::getAppearance() const
@@ -46,7 +51,7 @@ void BrickDisplay::setLightProbe(const LightProbe& probe)
 {
     const std::lock_guard lock(_mutex);
     _lightProbe = &probe;
-    _nodes = nullptr;
+    dropNodes();
 }
 
 osg::ref_ptr<const LightProbe> BrickDisplay::getLightProbe() const
@@ -82,21 +87,26 @@ osg::ref_ptr<osg::StateSet> BrickDisplay::getViewState(osgUtil::CullVisitor& vis
 void BrickDisplay::dirtyBound()
 {
     const std::lock_guard lock(_mutex);
-    if (!_nodes) return;
-    _nodes->dirtyBound();
-    _nodes->getBound(); // computed here, so that cull threads don't compute it concurrently
+    for (const osg::ref_ptr<const BrickNodes>& nodes : _nodes)
+    {
+        if (!nodes) continue;
+        nodes->dirtyBound();
+        nodes->getBound(); // computed here, so that cull threads don't compute it concurrently
+    }
 }
 
 void BrickDisplay::resizeGLObjectBuffers(unsigned int maxSize)
 {
     const std::lock_guard lock(_mutex);
-    if (_nodes) _nodes->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<const BrickNodes>& nodes : _nodes)
+        if (nodes) nodes->resizeGLObjectBuffers(maxSize);
 }
 
 void BrickDisplay::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
-    if (_nodes) _nodes->releaseGLObjects(state);
+    for (const osg::ref_ptr<const BrickNodes>& nodes : _nodes)
+        if (nodes) nodes->releaseGLObjects(state);
 }
 
 } // namespace osgLego

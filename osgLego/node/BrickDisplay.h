@@ -7,6 +7,7 @@
 #include <osgLego/polygonization/BrickNodes.h>
 #include <osgLego/store/BrickStore.h>
 
+#include <array>
 #include <mutex>
 
 #include <osg/Geode>
@@ -47,6 +48,7 @@ public:
 
 private:
     osg::ref_ptr<const BrickNodes> getNodes() const;
+    void dropNodes() { _nodes.fill(nullptr); }
     osg::ref_ptr<osg::StateSet> getViewState(osgUtil::CullVisitor& visitor);
 
     osg::ref_ptr<BrickStore> _store;
@@ -55,7 +57,8 @@ private:
     Drawing _drawing = Drawing::AUTO;
     BrickAppearance _appearance;
     osg::ref_ptr<const LightProbe> _lightProbe;
-    mutable osg::ref_ptr<const BrickNodes> _nodes;
+    /** For each kind of nodes (BrickNodes::Kind). */
+    mutable std::array<osg::ref_ptr<const BrickNodes>, 4> _nodes;
     PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;
 };
 

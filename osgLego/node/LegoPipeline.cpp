@@ -13,7 +13,8 @@ namespace osgLego
 LegoPipeline::LegoPipeline(const LegoSettings& settings) :
     _store(new BrickStore), _display(*_store),
     _cpuProducer(new CpuProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
-    _gpuProducer(new GpuProducer(*_store))
+    _gpuProducer(new GpuProducer(*_store)),
+    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
 {
     setSettings(settings);
 }
@@ -24,6 +25,30 @@ void LegoPipeline::setSettings(const LegoSettings& settings)
     if (!settings.givesSameBricks(_request.settings)) _isDirty = true;
     _request.settings = settings;
     _display.setLook(settings.look, settings.drawing);
+    applyProgress();
+}
+
+void LegoPipeline::setProgress(double progress)
+{
+    const std::lock_guard lock(_mutex);
+    _request.settings.progress = progress;
+    applyProgress();
+}
+
+/** Show the parts that the settings ask for. The caller holds the mutex. */
+void LegoPipeline::applyProgress()
+{
+    BuildingState state = _store->getState();
+    state.progress = _request.settings.progress;
+    _store->setState(state);
+}
+
+void LegoPipeline::setNumNewParts(std::size_t count)
+{
+    const std::lock_guard lock(_mutex);
+    BuildingState state = _store->getState();
+    state.numNew = count;
+    _store->setState(state);
 }
 
 LegoSettings LegoPipeline::getSettings() const
@@ -145,6 +170,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
         if (mustDrawSource(state, *bricks, revision)) return false;
     }
+    prepareBuilding(source);
     _display.cull(visitor);
     return true;
 }
@@ -165,6 +191,17 @@ bool LegoPipeline::mustWait(const ContextBricks& bricks) const
     if (_waiting) return true;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     return bricks.isEmpty() && !(newest && newest->hasPoints());
+}
+
+/** If not all parts are shown alike, have the set made that shows them. @param source null for stored bricks. */
+void LegoPipeline::prepareBuilding(const LegoSource* source)
+{
+    if (_store->getState().isWhole()) return;
+    osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    // Passes deliver their bricks only when they have been drawn.
+    const bool isOnItsWay = source && !(newest && newest->getRevision() == source->revision);
+    if (_waiting && isOnItsWay) newest = createGpuBrickSet(*source);
+    if (newest) _building->produce(*newest, _waiting);
 }
 
 bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const
@@ -237,14 +274,19 @@ osg::ref_ptr<const BrickSet> LegoPipeline::makeOnCpu(const LegoSource& source)
 void LegoPipeline::prepareForPicking()
 {
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (!source) return;
+    if (source) preparePickedBricks(*source);
+    prepareBuilding(source);
+}
+
+void LegoPipeline::preparePickedBricks(const LegoSource& source)
+{
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     // A set that is shown is picked until the next set is shown. A set made only for picking must match the source.
-    const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source->revision);
+    const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source.revision);
     if (isShown) return;
     // Bricks that the GPU can't make take long to make again, so those made for picking are shown, too.
     const osg::ref_ptr<const BrickSet> bricks =
-        source->settings.needsCpu() ? makeOnCpu(*source) : createGpuBrickSet(*source);
+        source.settings.needsCpu() ? makeOnCpu(source) : createGpuBrickSet(source);
     if (bricks) _store->deliver(*bricks);
 }
 

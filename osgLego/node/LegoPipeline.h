@@ -2,12 +2,14 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/node/BrickDisplay.h>
+#include <osgLego/node/BuildingProducer.h>
 #include <osgLego/node/SourceWatch.h>
 #include <osgLego/producer/CpuProducer.h>
 #include <osgLego/producer/GpuProducer.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,6 +37,12 @@ public:
 
     void setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
+    /** Change LegoSettings::progress alone. */
+    void setProgress(double progress);
+    void setNumNewParts(std::size_t count);
+    std::size_t getNumNewParts() const { return _store->getState().numNew; }
+    /** The order of building, and the sets for drawing the bricks partly built. */
+    BuildingProducer& getBuilding() { return *_building; }
     void setTiming(bool timing);
     bool getTiming() const;
     void setReadBack(bool readBack);
@@ -104,6 +112,9 @@ private:
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
     bool mustWait(const ContextBricks& bricks) const;
     void warnOfObstacle();
+    void applyProgress();
+    void prepareBuilding(const LegoSource* source);
+    void preparePickedBricks(const LegoSource& source);
     osg::ref_ptr<const BrickSet> makeOnCpu(const LegoSource& source);
 
     mutable std::mutex _mutex; // guards the request, the watch, the stored bricks, the last bounds and the geometry
@@ -133,6 +144,7 @@ private:
     std::shared_ptr<Announcement> _announcement = std::make_shared<Announcement>();
     osg::ref_ptr<CpuProducer> _cpuProducer;
     osg::ref_ptr<GpuProducer> _gpuProducer;
+    std::unique_ptr<BuildingProducer> _building;
 };
 
 } // namespace osgLego

@@ -56,11 +56,12 @@ bool isClockwise(const osg::State& state)
 
 } // namespace
 
-BrickDrawable::BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState,
-                             osg::StateSet& splatState, osg::StateSet& splatStateByOneLight, bool hasDistantOcclusion) :
-    _store(&store),
-    _drawing(drawing), _noOcclusion(hasDistantOcclusion ? new DistantOcclusionTexture : nullptr),
-    _geometryState(&geometryState), _splats(splatState, splatStateByOneLight)
+BrickDrawable::BrickDrawable(const Options& options, osg::StateSet& geometryState, osg::StateSet& splatState,
+                             osg::StateSet& splatStateByOneLight) :
+    _store(options.store),
+    _drawing(options.drawing), _isPartial(options.isPartial), _outline(options.outline),
+    _noOcclusion(options.hasDistantOcclusion ? new DistantOcclusionTexture : nullptr), _geometryState(&geometryState),
+    _splats(splatState, splatStateByOneLight, options.isPartial)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
@@ -84,16 +85,13 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         bricks->markUnsupported(contextID, missing);
         return;
     }
-    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
-    if (newest && newest->hasPoints()) bricks->upload(state, *newest);
-    bricks->pollBlocks(state);
-    if (bricks->numBricks == 0 || !state.getLastAppliedProgramObject()) return;
+    if (!prepare(state, *bricks) || !state.getLastAppliedProgramObject()) return;
 
     // Bricks have cell coordinates. The transform to eye coordinates is computed in double precision, so that models
     // far from the origin of their coordinates do not jitter.
-    const BrickGrid& grid = bricks->bricks->getGrid();
+    const BrickGrid& grid = _isPartial ? bricks->building->getModel().getGrid() : bricks->bricks->getGrid();
     // osg::State accepts matrices only as osg::RefMatrix.
     const osg::ref_ptr<const osg::RefMatrix> modelView =
         static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
@@ -102,26 +100,43 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+    const osg::Viewport* viewport = state.getCurrentViewport();
+    const double width = viewport ? viewport->width() : 1.0;
     std::optional<DistantOcclusionView> distant;
     if (_noOcclusion)
     {
-        DistantOcclusionTexture* texture = bricks->findDistantOcclusion(state);
-        const osg::Viewport* viewport = state.getCurrentViewport();
-        distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(),
-                        viewport ? viewport->width() : 1.0);
+        // The distant occlusion is that of all bricks.
+        DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks->findDistantOcclusion(state);
+        distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(), width);
     }
-    drawBricks(state, *bricks, workspace, distant ? &*distant : nullptr);
+    const BuildingState building = _store->getState();
+    const BrickLines lines(_outline, _isPartial && building.numNew > 0, *workspace.cellsToEye,
+                           state.getProjectionMatrix(), width);
+    drawBricks(state, _isPartial ? DrawnBricks(*bricks, building, lines) : DrawnBricks(*bricks, lines), workspace,
+               distant ? &*distant : nullptr);
     state.applyModelViewMatrix(modelView.get());
 }
 
-void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace,
+/** Upload the newest bricks if they are not there yet. The caller holds the mutex of `bricks`.
+ * @return whether there are bricks to draw. */
+bool BrickDrawable::prepare(osg::State& state, ContextBricks& bricks) const
+{
+    // Also if they are drawn partly built, so that the last frame of an animation has nothing to upload.
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    if (newest && newest->hasPoints()) bricks.upload(state, *newest);
+    bricks.pollBlocks(state);
+    if (!_isPartial) return bricks.numBricks > 0;
+    const osg::ref_ptr<const BuildingSet> building = _store->getBuilding();
+    return building && bricks.upload(state, *building) && !building->getPoints().points.empty();
+}
+
+void BrickDrawable::drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
                                const DistantOcclusionView* distant) const
 {
-    const BrickGrid& grid = bricks.bricks->getGrid();
-    CellView view(grid, *workspace.cellsToEye, state.getProjectionMatrix());
+    CellView view(bricks.grid, *workspace.cellsToEye, state.getProjectionMatrix());
     view.isMirrored = view.isMirrored != isClockwise(state);
     const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
-    workspace.ranges.find(bricks.blocks, grid, view, showsInsides);
+    workspace.ranges.find(bricks.blocks, bricks.grid, view, showsInsides, bricks.numPlaced);
     // Polygon offset depends on the slopes of triangles.
     const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
     if (!showsInsides && !isOffset && _drawing != Drawing::TRIANGLES)
@@ -133,20 +148,30 @@ void BrickDrawable::drawBricks(osg::State& state, const ContextBricks& bricks, W
     }
     // Front to back, so that fewer hidden pixels are shaded.
     if (!showsInsides) workspace.ranges.sortFrontToBack();
-    setBrickUniforms(state, grid, view, showsInsides);
+    setBrickUniforms(state, bricks, view, showsInsides);
     if (distant) distant->apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
 }
 
 osg::ref_ptr<const BrickModel> BrickDrawable::getModel() const
 {
+    if (_isPartial)
+        if (const osg::ref_ptr<const BuildingSet> building = _store->getBuilding()) return &building->getModel();
     const osg::ref_ptr<const BrickSet> bricks = _store->getBricks();
     return bricks ? bricks->getModel() : nullptr;
 }
 
+osg::ref_ptr<const BrickModel> BrickDrawable::getPlacedModel() const
+{
+    if (_isPartial)
+        if (const osg::ref_ptr<const BuildingSet> building = _store->getBuilding())
+            return building->getPlacedModel(building->getNumPlaced(_store->getState().progress));
+    return getModel();
+}
+
 void BrickDrawable::accept(osg::PrimitiveFunctor& functor) const
 {
-    if (const osg::ref_ptr<const BrickModel> model = getModel()) acceptBrickTriangles(*model, functor);
+    if (const osg::ref_ptr<const BrickModel> model = getPlacedModel()) acceptBrickTriangles(*model, functor);
 }
 
 void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)

@@ -5,6 +5,7 @@
 #include <osgLego/polygonization/BrickSplats.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
+#include <osgLego/polygonization/DrawnBricks.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <osg/Drawable>
@@ -24,20 +25,30 @@ namespace osgLego
 class BrickDrawable : public osg::Drawable
 {
 public:
+    struct Options
+    {
+        BrickStore* store = nullptr;
+        Drawing drawing = Drawing::AUTO;
+        bool isPartial = false; //!< whether the programs draw the model partly built (BrickStore::getBuilding())
+        double outline = 0.0;   //!< see BrickAppearance
+        bool hasDistantOcclusion = false; //!< whether the programs use distant occlusion
+    };
+
     /** @param geometryState the state for drawing with the geometry shader, including its program.
      * @param splatState the state for drawing splats, with the program that shades them.
-     * @param splatStateByOneLight likewise, for scenes with one light.
-     * @param hasDistantOcclusion whether the programs use distant occlusion. */
-    BrickDrawable(BrickStore& store, Drawing drawing, osg::StateSet& geometryState, osg::StateSet& splatState,
-                  osg::StateSet& splatStateByOneLight, bool hasDistantOcclusion);
+     * @param splatStateByOneLight likewise, for scenes with one light. */
+    BrickDrawable(const Options& options, osg::StateSet& geometryState, osg::StateSet& splatState,
+                  osg::StateSet& splatStateByOneLight);
 
     osg::BoundingBox computeBoundingBox() const override;
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
-    /** The bricks that accept() visits; null if there are none. */
+    /** The model that is shown, of all parts; null if there is none. */
     osg::ref_ptr<const BrickModel> getModel() const;
+    /** The model of the parts in place, which accept() visits; null if there is none. */
+    osg::ref_ptr<const BrickModel> getPlacedModel() const;
 
     // For picking; see acceptBrickTriangles.
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
@@ -64,11 +75,14 @@ private:
         BrickRanges ranges;
     };
 
-    void drawBricks(osg::State& state, const ContextBricks& bricks, Workspace& workspace,
+    bool prepare(osg::State& state, ContextBricks& bricks) const;
+    void drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
                     const DistantOcclusionView* distant) const;
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;
+    bool _isPartial;
+    double _outline;
     /** Shown until there is distant occlusion; null if the programs don't use it. */
     osg::ref_ptr<DistantOcclusionTexture> _noOcclusion;
     osg::ref_ptr<osg::StateSet> _geometryState;

@@ -43,8 +43,7 @@ osg::ref_ptr<osg::Texture2D> createReliefTexture(const BrickAppearance& appearan
     return texture;
 }
 
-osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fragments,
-                                        const std::string& definitions = {})
+osg::ref_ptr<osg::StateSet> createState(const std::string& name, const char* fragments, const std::string& definitions)
 {
     osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
     stateSet->setAttributeAndModes(
@@ -65,16 +64,15 @@ osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& triangles, con
 }
 
 /** Create a node with the given state for triangles. */
-osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::StateSet& triangles,
-                                    const std::string& name, const char* fragments, const std::string& definitions = {},
-                                    bool hasDistantOcclusion = false)
+osg::ref_ptr<osg::Geode> createNode(const BrickDrawable::Options& options, osg::StateSet& triangles,
+                                    const std::string& name, const char* fragments, const std::string& definitions)
 {
     constexpr const char* SPLATS = "#define SPLATS\n";
     constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(new BrickDrawable(
-        store, drawing, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
-        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT), hasDistantOcclusion));
+    node->addDrawable(
+        new BrickDrawable(options, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
     node->setStateSet(&triangles);
     return node;
 }
@@ -82,24 +80,28 @@ osg::ref_ptr<osg::Geode> createNode(BrickStore& store, Drawing drawing, osg::Sta
 } // namespace
 
 BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
-                       const LightProbe& probe)
+                       const LightProbe& probe, const Kind& kind)
 {
+    BrickDrawable::Options options{&store, drawing, kind.isPartial, appearance.outline};
+    const std::string definitions =
+        std::string(kind.isPartial ? "#define PARTIAL\n" : "") + (kind.hasLines ? "#define LINES\n" : "");
     if (look == Look::PLAIN)
     {
+        constexpr const char* NAME = "polygonization";
         constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
-        _frameNode = createNode(store, drawing, *createState("polygonization", FRAGMENTS), "polygonization", FRAGMENTS);
+        _frameNode = createNode(options, *createState(NAME, FRAGMENTS, definitions), NAME, FRAGMENTS, definitions);
         _bufferNode = _frameNode;
         _distantNode = _frameNode;
         return;
     }
     constexpr const char* NAME = "polygonization_full";
     constexpr const char* FRAGMENTS = "polygonization/polygonization_full.frag";
-    constexpr const char* BUFFER = "#define GEOMETRY_BUFFER\n";
-    constexpr const char* DISTANT = "#define GEOMETRY_BUFFER\n#define DISTANT_OCCLUSION\n";
-    const std::string light = defineLightProbe(probe);
-    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS, light);
-    const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, BUFFER);
-    const osg::ref_ptr<osg::StateSet> distant = createState(NAME, FRAGMENTS, DISTANT);
+    const std::string forFrame = definitions + defineLightProbe(probe);
+    const std::string forBuffer = definitions + "#define GEOMETRY_BUFFER\n";
+    const std::string withDistant = forBuffer + "#define DISTANT_OCCLUSION\n";
+    const osg::ref_ptr<osg::StateSet> frame = createState(NAME, FRAGMENTS, forFrame);
+    const osg::ref_ptr<osg::StateSet> buffer = createState(NAME, FRAGMENTS, forBuffer);
+    const osg::ref_ptr<osg::StateSet> distant = createState(NAME, FRAGMENTS, withDistant);
     const osg::ref_ptr<osg::Texture2D> relief = createReliefTexture(appearance);
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {frame, buffer, distant})
         applyAppearance(appearance, *relief, *stateSet);
@@ -111,9 +113,10 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
             stateSet->setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
     distant->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
     distant->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
-    _frameNode = createNode(store, drawing, *frame, NAME, FRAGMENTS, light);
-    _bufferNode = createNode(store, drawing, *buffer, NAME, FRAGMENTS, BUFFER);
-    _distantNode = createNode(store, drawing, *distant, NAME, FRAGMENTS, DISTANT, true);
+    _frameNode = createNode(options, *frame, NAME, FRAGMENTS, forFrame);
+    _bufferNode = createNode(options, *buffer, NAME, FRAGMENTS, forBuffer);
+    options.hasDistantOcclusion = true;
+    _distantNode = createNode(options, *distant, NAME, FRAGMENTS, withDistant);
 }
 
 void BrickNodes::dirtyBound() const

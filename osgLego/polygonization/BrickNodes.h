@@ -18,8 +18,15 @@ namespace osgLego
 class BrickNodes : public osg::Referenced
 {
 public:
+    /** Programs differ in these properties. */
+    struct Kind
+    {
+        bool isPartial = false; //!< whether the model is drawn partly built (BrickStore::getBuilding())
+        bool hasLines = false;  //!< whether lines are drawn at the edges of parts, or parts are faded
+    };
+
     BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
-               const LightProbe& probe);
+               const LightProbe& probe, const Kind& kind);
 
     /** Draws into a frame without AmbientOcclusionScene. */
     osg::Geode& getFrameNode() const { return *_frameNode; }

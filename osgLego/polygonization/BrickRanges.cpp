@@ -102,7 +102,7 @@ void BrickRanges::Parts::add(const BrickBlock& block)
 }
 
 void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view,
-                       bool showsInsides)
+                       bool showsInsides, std::uint32_t numPlaced)
 {
     const BlockTest test(view, grid.getUpIndex(), static_cast<float>(grid.getStudHeight()));
     _seen.clear();
@@ -110,6 +110,7 @@ void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& g
     _others.clear();
     for (const BrickBlock& block : blocks)
     {
+        if (numPlaced <= block.firstRank || numPlaced > block.lastRank) continue;
         if (!test.isInPicture(block) || !(showsInsides || test.isTurnedToEye(block))) continue;
         _seen.push_back({test.distanceOf(block), &block});
         (test.hasSeenStuds(block) ? _studded : _others).add(block);

@@ -5,6 +5,8 @@
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/PictureTiles.h>
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,8 +34,10 @@ public:
 
     /** Find the ranges, in the order of the buffer. Consecutive blocks are merged into one range, since each range
      * costs a draw.
-     * @param showsInsides whether back-facing sides are drawn, too. */
-    void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, bool showsInsides);
+     * @param showsInsides whether back-facing sides are drawn, too.
+     * @param numPlaced the number of parts in place, for the blocks of BuildingPoints; others ignore it. */
+    void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, bool showsInsides,
+              std::uint32_t numPlaced = std::numeric_limits<std::uint32_t>::max());
 
     /** Sort blocks from front to back, so that fewer hidden pixels are shaded. */
     void sortFrontToBack();

@@ -30,6 +30,8 @@ constexpr unsigned int BRICKS_UNIT = 1;
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
 constexpr GLsizei WORDS_PER_BRICK = 3;
+// The bricks that a splat of a model drawn partly built can number; see splat_rays.glsl.
+constexpr GLsizei MAXIMUM_PARTIAL = 1 << 23;
 
 /** Create a texture to draw into and to fetch texels from; its size is set later. */
 osg::ref_ptr<osg::Texture2D> createTexture(GLint internalFormat, GLenum format, GLenum type)
@@ -79,10 +81,10 @@ private:
 class BrickTexture
 {
 public:
-    BrickTexture(osg::State& state, const GlTexture& texture, const ContextBricks& bricks) : _state(state)
+    BrickTexture(osg::State& state, const GlTexture& texture, const DrawnBricks& bricks) : _state(state)
     {
         bind(texture.get());
-        attach(bricks.buffer.get());
+        attach(bricks.buffer);
     }
     ~BrickTexture()
     {
@@ -256,8 +258,9 @@ private:
 
 } // namespace
 
-BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight) :
-    _boxes(createPointState("")), _studded(createPointState("#define STUDS\n")), _shading(&shading),
+BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight, bool isPartial) :
+    _boxes(createPointState(isPartial ? "#define PARTIAL\n" : "")),
+    _studded(createPointState(isPartial ? "#define STUDS\n#define PARTIAL\n" : "#define STUDS\n")), _shading(&shading),
     _shadingByOneLight(&shadingByOneLight)
 {
     for (const osg::ref_ptr<osg::StateSet>& stateSet : {_shading, _shadingByOneLight})
@@ -271,7 +274,7 @@ BrickSplats::BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLigh
 
 BrickSplats::~BrickSplats() = default;
 
-bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
+bool BrickSplats::draw(osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges, const CellView& view,
                        Drawing drawing, const DistantOcclusionView* distant) const
 {
     osg::ref_ptr<SplatTarget>& held = _targets[state.getContextID()];
@@ -282,7 +285,8 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     // Rays do not support other depth conventions.
     if (state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     const Destination destination(state);
-    if (!target.isPossible(destination.getSize()) || bricks.numBricks > target.getMaximumBricks()) return false;
+    if (!target.isPossible(destination.getSize()) || bricks.count > target.getMaximumBricks()) return false;
+    if (bricks.ranks != 0 && bricks.count > MAXIMUM_PARTIAL) return false;
     const CellView::Rays rays = view.computeRays(destination.getSize());
     if (!view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
@@ -298,7 +302,7 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     state.applyTextureAttribute(SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(DEPTHS_UNIT, &target.getDepths());
     const BrickTexture texture(state, target.getBricks(), bricks);
-    setBrickUniforms(state, bricks.bricks->getGrid(), view, false);
+    setBrickUniforms(state, bricks, view, false);
     if (distant) distant->apply(state);
     setRays(state, rays, destination.getSize());
     static const UniformName ORIGIN("origin");
@@ -307,11 +311,11 @@ bool BrickSplats::draw(osg::State& state, const ContextBricks& bricks, const Bri
     return true;
 }
 
-bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks,
+bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const DrawnBricks& bricks,
                              const BrickRanges& ranges, const CellView& view, const CellView::Rays& rays,
                              const glm::ivec2& size) const
 {
-    const BrickGrid& grid = bricks.bricks->getGrid();
+    const BrickGrid& grid = bricks.grid;
     bool isCleared = false;
     for (const bool hasStuds : {false, true})
     {
@@ -325,14 +329,14 @@ bool BrickSplats::drawPoints(osg::State& state, SplatTarget& target, const Conte
         glViewport(-size.x, 0, 2 * size.x, size.y);
         if (!isCleared) target.clearDepths(size);
         isCleared = true;
-        setBrickUniforms(state, grid, view, false);
+        setBrickUniforms(state, bricks, view, false);
         setRays(state, rays.onAxesOfStud(grid.getUpIndex()), size);
         drawBrickPoints(state, bricks, parts);
     }
     return true;
 }
 
-void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
+void BrickSplats::drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges,
                             const CellView& view, const glm::ivec2& size) const
 {
     PictureTiles& tiles = _tiles[state.getContextID()];
@@ -340,7 +344,7 @@ void BrickSplats::drawTiles(const osg::State& state, const ContextBricks& bricks
     if (bricks.blocks.empty())
         tiles.add(view.area);
     else
-        ranges.addTo(tiles, bricks.bricks->getGrid(), view);
+        ranges.addTo(tiles, bricks.grid, view);
     tiles.findRuns();
     static const UniformName NUM_ACROSS("tilesAcross");
     static const UniformName SIDE("tileSide");

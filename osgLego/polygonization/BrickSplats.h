@@ -3,8 +3,8 @@
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
+#include <osgLego/polygonization/DrawnBricks.h>
 #include <osgLego/polygonization/PictureTiles.h>
-#include <osgLego/store/BrickStore.h>
 
 #include <osg/State>
 #include <osg/StateSet>
@@ -27,8 +27,9 @@ class BrickSplats
 public:
     /** @param shading the state of the last pass: its program has splat_shading.vert and a fragment shader with SPLATS
      * defined.
-     * @param shadingByOneLight likewise for scenes with one light: ONE_LIGHT is defined, too. */
-    BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight);
+     * @param shadingByOneLight likewise for scenes with one light: ONE_LIGHT is defined, too.
+     * @param isPartial whether the model is drawn partly built: PARTIAL is defined, too. */
+    BrickSplats(osg::StateSet& shading, osg::StateSet& shadingByOneLight, bool isPartial);
     ~BrickSplats();
 
     /** Draw the bricks. Leaves a state set of this class applied. Needs the context of `state` current.
@@ -36,7 +37,7 @@ public:
      * @param drawing SPLATS: on any renderer; AUTO: only on software renderers.
      * @return false, with nothing drawn, if splats are not to be used on this renderer, or can't draw these bricks or
      * into the bound frame buffer. */
-    bool draw(osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges, const CellView& view,
+    bool draw(osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges, const CellView& view,
               Drawing drawing, const DistantOcclusionView* distant) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -44,12 +45,12 @@ public:
 
 private:
     /** Find the brick that each pixel of a target shows. Returns false if a program or the target can't be created. */
-    bool drawPoints(osg::State& state, SplatTarget& target, const ContextBricks& bricks, const BrickRanges& ranges,
+    bool drawPoints(osg::State& state, SplatTarget& target, const DrawnBricks& bricks, const BrickRanges& ranges,
                     const CellView& view, const CellView::Rays& rays, const glm::ivec2& size) const;
 
     /** Draw a point for each tile of the picture that may contain bricks, with the applied program. */
-    void drawTiles(const osg::State& state, const ContextBricks& bricks, const BrickRanges& ranges,
-                   const CellView& view, const glm::ivec2& size) const;
+    void drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges, const CellView& view,
+                   const glm::ivec2& size) const;
 
     osg::ref_ptr<osg::StateSet> _boxes;   // for bricks without visible studs
     osg::ref_ptr<osg::StateSet> _studded; // for the other bricks

@@ -3,6 +3,7 @@
 #include <osgLego/gl/ProgramUniforms.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace osgLego
@@ -11,7 +12,6 @@ namespace osgLego
 namespace
 {
 
-constexpr GLsizei BRICK_BYTES = 3 * sizeof(std::uint32_t);
 constexpr int NUM_LIGHTS = 8;
 
 /** The lights that a state has enabled. */
@@ -39,9 +39,51 @@ void setLights(const ProgramUniforms& uniforms, const osg::State& state)
     uniforms.set(NUMBERS, lights.numbers.data(), NUM_LIGHTS);
 }
 
+/** Set the uniforms of lines, of shaders/polygonization/part_lines.glsl. */
+void setLines(const ProgramUniforms& uniforms, const BrickLines& lines)
+{
+    static const UniformName WIDTH("lineWidth");
+    static const UniformName OLD_WIDTH("oldLineWidth");
+    static const UniformName PIXEL_WIDTH("linePixelWidth");
+    uniforms.set(WIDTH, lines.width);
+    uniforms.set(OLD_WIDTH, lines.oldWidth);
+    uniforms.set(PIXEL_WIDTH, lines.pixelWidth);
+}
+
+/** Set the uniforms of shaders/polygonization/partial_bricks.glsl. */
+void setParts(const ProgramUniforms& uniforms, const DrawnBricks& bricks)
+{
+    static const UniformName NUM_PLACED("numPlaced");
+    static const UniformName NUM_OLD("numOld");
+    uniforms.set(NUM_PLACED, static_cast<int>(bricks.numPlaced));
+    uniforms.set(NUM_OLD, static_cast<int>(bricks.numOld));
+}
+
+/** Let a vertex attribute read a member of the items in the bound buffer. */
+void setAttribute(const osg::GLExtensions& extensions, GLuint location, GLint count, std::size_t stride,
+                  std::size_t offset)
+{
+    extensions.glEnableVertexAttribArray(location);
+    extensions.glVertexAttribIPointer(location, count, GL_UNSIGNED_INT, static_cast<GLsizei>(stride),
+                                      reinterpret_cast<const void*>(offset));
+}
+
+/** Set the attributes of the vertex shaders, and return their number. */
+GLuint setAttributes(const osg::GLExtensions& extensions, const DrawnBricks& bricks)
+{
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, bricks.buffer);
+    setAttribute(extensions, 0, 3, sizeof(BrickPoint), 0);
+    if (bricks.ranks == 0) return 1;
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, bricks.ranks);
+    setAttribute(extensions, 1, 1, sizeof(CellRanks), offsetof(CellRanks, own));
+    setAttribute(extensions, 2, 3, sizeof(CellRanks), offsetof(CellRanks, lower));
+    setAttribute(extensions, 3, 3, sizeof(CellRanks), offsetof(CellRanks, upper));
+    return 4;
+}
+
 } // namespace
 
-void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides)
+void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, bool showsInsides)
 {
     static const UniformName UP_AXIS("upAxis");
     static const UniformName STUD_HEIGHT("studHeight");
@@ -49,11 +91,14 @@ void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const Cell
     static const UniformName EYE("eye");
     static const UniformName SHOWS_INSIDES("showsInsides");
     const ProgramUniforms uniforms(state);
+    const BrickGrid& grid = bricks.grid;
     uniforms.set(UP_AXIS, grid.getUpIndex());
     uniforms.set(STUD_HEIGHT, static_cast<float>(grid.getStudHeight()));
     uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
     uniforms.set(EYE, view.eye);
     uniforms.set(SHOWS_INSIDES, showsInsides ? 1 : 0);
+    if (bricks.ranks != 0) setParts(uniforms, bricks);
+    setLines(uniforms, bricks.lines);
     setFog(uniforms, state);
     setLights(uniforms, state);
 }
@@ -76,20 +121,19 @@ void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ive
     uniforms.set(SIZE, glm::vec2(pictureSize));
 }
 
-void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges::Parts& parts)
+void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRanges::Parts& parts)
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, bricks.buffer.get());
-    extensions.glEnableVertexAttribArray(0);
-    extensions.glVertexAttribIPointer(0, 3, GL_UNSIGNED_INT, BRICK_BYTES, nullptr);
+    const GLuint numAttributes = setAttributes(extensions, bricks);
     if (bricks.blocks.empty())
-        glDrawArrays(GL_POINTS, 0, bricks.numBricks);
+        glDrawArrays(GL_POINTS, 0, bricks.count);
     else
         extensions.glMultiDrawArrays(GL_POINTS, parts.firsts.data(), parts.counts.data(),
                                      static_cast<GLsizei>(parts.firsts.size()));
-    extensions.glDisableVertexAttribArray(0);
+    for (GLuint location = 0; location < numAttributes; ++location)
+        extensions.glDisableVertexAttribArray(location);
     extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

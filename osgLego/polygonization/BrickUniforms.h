@@ -1,9 +1,8 @@
 #pragma once
 
-#include <osgLego/BrickGrid.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/CellView.h>
-#include <osgLego/store/BrickStore.h>
+#include <osgLego/polygonization/DrawnBricks.h>
 
 #include <glm/vec2.hpp>
 #include <osg/State>
@@ -11,10 +10,10 @@
 namespace osgLego
 {
 
-/** Set the uniforms of the grid, the view, the lights and the fog in the program that a state has applied. Like all
+/** Set the uniforms of the bricks, the view, the lights and the fog in the program that a state has applied. Like all
  * functions in this file, needs the context of the state current.
  * @param showsInsides whether back-facing sides are drawn, too. */
-void setBrickUniforms(const osg::State& state, const BrickGrid& grid, const CellView& view, bool showsInsides);
+void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, bool showsInsides);
 
 /** Set the uniforms of a picture's rays and their depth. */
 void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize);
@@ -23,6 +22,6 @@ void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ive
 bool hasOneLight(const osg::State& state);
 
 /** Draw a point for each brick or, if the blocks of the bricks are known, for each brick in the given ranges. */
-void drawBrickPoints(osg::State& state, const ContextBricks& bricks, const BrickRanges::Parts& parts);
+void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRanges::Parts& parts);
 
 } // namespace osgLego

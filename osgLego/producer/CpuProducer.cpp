@@ -1,16 +1,13 @@
 #include <osgLego/producer/CpuProducer.h>
 
 #include <osgLego/cpu/CpuBricks.h>
+#include <osgLego/producer/BackgroundTask.h>
 
-#include <atomic>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
 
 namespace osgLego
 {
@@ -28,44 +25,23 @@ class CpuProducer::Job
 public:
     /** @param layout of the set before, if there is one. */
     Job(const LegoSource& source, PreviousLayout layout, const std::function<void()>& announce) :
-        _source(&source), _layout(std::move(layout)), _announce(announce)
+        _source(&source), _layout(std::move(layout)), _announce(announce), _task([this] { run(); })
     {
-        // A task that is cancelled before it begins never runs, but it is always destroyed, and this with it.
-        const std::shared_ptr<void> end(nullptr, [this](void*) { _hasEnded = true; });
-        // Enqueued, so that a worker runs it even on a machine with one core, and even if no thread ever waits for it.
-        _arena.enqueue(_group.defer([this, end] { run(); }));
     }
-    ~Job()
-    {
-        cancel();
-        wait();
-    }
-    Job(const Job&) = delete;
-    Job& operator=(const Job&) = delete;
 
     bool isOf(const LegoSource& source) const { return _source->revision == source.revision; }
     /** Whether the task has ended, with or without a set. */
-    bool hasEnded() const { return _hasEnded; }
+    bool hasEnded() const { return _task.hasEnded(); }
     /** The set; null until the task has ended, and also if it was cancelled or has failed. */
-    osg::ref_ptr<const BrickSet> getBricks() const { return _hasEnded ? _bricks : nullptr; }
+    osg::ref_ptr<const BrickSet> getBricks() const { return hasEnded() ? _bricks : nullptr; }
     /** The reason why there is no set after the task has ended, unless it was cancelled. */
     const std::string& getError() const { return _error; }
     /** The parts of the set, for the next one. Only after the task has ended. */
     const PreviousLayout& getLayout() const { return _layout; }
 
-    void cancel()
-    {
-        _isCancelled = true;
-        _group.cancel();
-    }
-    bool isCancelled() const { return _isCancelled; }
-
-    /** Wait until the task has ended; this thread may work on it meanwhile. */
-    void wait()
-    {
-        const std::lock_guard lock(_waitMutex);
-        _arena.execute([this] { _group.wait(); });
-    }
+    void cancel() { _task.cancel(); }
+    bool isCancelled() const { return _task.isCancelled(); }
+    void wait() { _task.wait(); }
 
 private:
     void run()
@@ -73,7 +49,7 @@ private:
         try
         {
             CpuBricksWork work;
-            work.isCancelled = [this] { return _isCancelled.load(); };
+            work.isCancelled = [this] { return _task.isCancelled(); };
             work.previous = &_layout;
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
             if (model) _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout);
@@ -92,7 +68,7 @@ private:
             _error = std::string("the bricks can't be made: ") + exception.what();
         }
         const bool isMade = _bricks.valid();
-        _hasEnded = true;
+        _task.end();
         if (isMade && _announce) _announce();
     }
 
@@ -101,11 +77,7 @@ private:
     std::function<void()> _announce;
     osg::ref_ptr<const BrickSet> _bricks;
     std::string _error;
-    std::atomic<bool> _hasEnded{false};
-    std::atomic<bool> _isCancelled{false};
-    oneapi::tbb::task_arena _arena;
-    oneapi::tbb::task_group _group;
-    std::mutex _waitMutex;
+    BackgroundTask _task; // last, so that it has ended before the other members are destroyed
 };
 
 CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :

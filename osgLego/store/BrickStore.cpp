@@ -26,8 +26,34 @@ void BrickStore::clear(std::uint64_t revision)
     _expectedRevision = 0;
     _leastRevision = revision;
     _bricks = nullptr;
+    _building = nullptr;
     for (const auto& [contextID, bricks] : _contexts)
         bricks->hide(revision);
+}
+
+void BrickStore::deliver(const BuildingSet& building)
+{
+    const std::lock_guard lock(_mutex);
+    const std::uint64_t least = _building ? _building->getRevision() : _leastRevision;
+    if (building.getRevision() >= least) _building = &building;
+}
+
+osg::ref_ptr<const BuildingSet> BrickStore::getBuilding() const
+{
+    const std::lock_guard lock(_mutex);
+    return _building;
+}
+
+void BrickStore::setState(const BuildingState& state)
+{
+    const std::lock_guard lock(_mutex);
+    _state = state;
+}
+
+BuildingState BrickStore::getState() const
+{
+    const std::lock_guard lock(_mutex);
+    return _state;
 }
 
 osg::BoundingBoxd BrickStore::getBounds() const

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <osgLego/data/BrickSet.h>
+#include <osgLego/data/BuildingSet.h>
 #include <osgLego/store/ContextBricks.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -14,6 +16,15 @@
 
 namespace osgLego
 {
+
+/** How much of a model is shown. */
+struct BuildingState
+{
+    double progress = 1.0;  //!< the share of parts in place, 0 to 1
+    std::size_t numNew = 0; //!< the number of parts to highlight
+
+    bool isWhole() const { return progress >= 1.0 && numNew == 0; }
+};
 
 /** The bricks that a LegoNode shows. Producers deliver them; drawing, picking, bounds and export read them.
  *
@@ -30,6 +41,13 @@ public:
     void clear(std::uint64_t revision);
     /** The newest set delivered; null if there is none. */
     osg::ref_ptr<const BrickSet> getBricks() const;
+
+    /** Show a set while the model is drawn partly built, unless one for newer bricks has been delivered. */
+    void deliver(const BuildingSet& building);
+    /** The last such set, which may be older than the bricks; null if there is none. */
+    osg::ref_ptr<const BuildingSet> getBuilding() const;
+    void setState(const BuildingState& state);
+    BuildingState getState() const;
 
     /** The bounds of the newest set and, until it is the expected one, of the expected bricks. In model units, studs
      * included; invalid if there are no bricks. */
@@ -51,6 +69,8 @@ private:
     BrickGrid _expectedGrid;
     std::uint64_t _leastRevision = 0; // sets of older sources are not shown any more
     osg::ref_ptr<const BrickSet> _bricks;
+    osg::ref_ptr<const BuildingSet> _building;
+    BuildingState _state;
     mutable std::map<unsigned int, osg::ref_ptr<ContextBricks>> _contexts;
 };
 

@@ -3,6 +3,7 @@
 #include <osgLego/gl/GlMemory.h>
 
 #include <map>
+#include <span>
 #include <utility>
 
 #include <osg/Notify>
@@ -10,6 +11,30 @@
 
 namespace osgLego
 {
+
+namespace
+{
+
+/** Create a buffer. The caller checks for lack of memory. */
+template <typename Item>
+GlBuffer createBuffer(const osg::State& state, const std::vector<Item>& items)
+{
+    GlBuffer buffer(state);
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(),
+                            GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    return buffer;
+}
+
+std::string describeLackOfMemory(std::size_t numBricks)
+{
+    return "there is not enough memory on the GPU for " + std::to_string(numBricks) +
+           " bricks; expected a lower resolution";
+}
+
+} // namespace
 
 std::string ContextBricks::getFailure() const
 {
@@ -62,16 +87,10 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
         return;
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const std::vector<BrickPoint>& points = wanted.getPoints().points;
-    GlBuffer uploaded(state);
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, uploaded.get());
-    extensions.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(BrickPoint)), points.data(),
-                            GL_STATIC_DRAW);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    GlBuffer uploaded = createBuffer(state, points);
     if (takeOutOfMemoryError())
     {
-        setFailure(wanted.getRevision(), "there is not enough memory on the GPU for " + std::to_string(points.size()) +
-                                             " bricks; expected a lower resolution");
+        setFailure(wanted.getRevision(), describeLackOfMemory(points.size()));
         return;
     }
     bricks = &wanted;
@@ -87,6 +106,24 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     _statistics.extraction = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     _failure.clear();
     _revision = wanted.getRevision();
+}
+
+bool ContextBricks::upload(const osg::State& state, const BuildingSet& wanted)
+{
+    if (building == &wanted) return true;
+    if (_failedRevision == wanted.getRevision()) return false;
+    const BuildingPoints& points = wanted.getPoints();
+    GlBuffer uploaded = createBuffer(state, points.points);
+    GlBuffer ranks = createBuffer(state, points.ranks);
+    if (takeOutOfMemoryError())
+    {
+        setFailure(wanted.getRevision(), describeLackOfMemory(points.points.size()));
+        return false;
+    }
+    building = &wanted;
+    buildingBuffer = std::move(uploaded);
+    rankBuffer = std::move(ranks);
+    return true;
 }
 
 void ContextBricks::pollBlocks(const osg::State& state)
@@ -154,7 +191,10 @@ void ContextBricks::hide(std::uint64_t revision)
 void ContextBricks::clear()
 {
     bricks = nullptr;
+    building = nullptr;
     buffer = GlBuffer();
+    buildingBuffer = GlBuffer();
+    rankBuffer = GlBuffer();
     numBricks = 0;
     blocks.clear();
     _distantOcclusion = nullptr;

@@ -4,6 +4,7 @@
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/data/BrickBlock.h>
 #include <osgLego/data/BrickSet.h>
+#include <osgLego/data/BuildingSet.h>
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/store/BlockReader.h>
 #include <osgLego/store/DistantOcclusionTexture.h>
@@ -58,6 +59,10 @@ public:
     /** Upload the points of bricks made on the CPU, and show them, unless newer ones are shown. The caller holds the
      * mutex, and the context is current. */
     void upload(const osg::State& state, const BrickSet& wanted);
+    /** Upload a set for drawing the model partly built, unless it is there. The caller holds the mutex, and the context
+     * is current.
+     * @return whether there was enough memory. */
+    bool upload(const osg::State& state, const BuildingSet& wanted);
     /** Check for the blocks of bricks made on the GPU. The caller holds the mutex, and the context is current. */
     void pollBlocks(const osg::State& state);
     /** The distant occlusion of the bricks as a texture, created by the first call after they were shown. For bricks
@@ -80,6 +85,11 @@ public:
     GlBuffer buffer;
     GLsizei numBricks = 0;
     std::vector<BrickBlock> blocks; //!< all bricks, block by block; empty while the blocks are unknown
+
+    // The set for drawing the model partly built. The caller holds the mutex.
+    osg::ref_ptr<const BuildingSet> building;
+    GlBuffer buildingBuffer; //!< of BrickPoint
+    GlBuffer rankBuffer;     //!< of CellRanks
 
 private:
     ~ContextBricks() override = default;

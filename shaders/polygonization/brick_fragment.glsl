@@ -24,6 +24,7 @@ vec4 coordinateSlopes; // by pixel: those of the first coordinate, those of the 
 uint color;
 uint detail;
 const bool isOutside = true;
+bool isNew = true; // whether the part is drawn in full colour
 
 // A plane in a cell, and functions of the position that give the coordinates on it.
 struct Plane
@@ -93,9 +94,17 @@ bool findFragment()
     if (depth == 1.0) return false;
     gl_FragDepth = sceneRays[2].w + sceneRays[3].w * depth;
     uint splat = texelFetch(splats, ivec2(pixel), 0).x;
+#if defined(PARTIAL)
+    int word = 3 * int(splat >> 9);
+#else
     int word = 3 * int(splat >> 2);
+#endif
     uvec3 brick = uvec3(texelFetch(splatBricks, word).x, texelFetch(splatBricks, word + 1).x,
                         texelFetch(splatBricks, word + 2).x);
+#if defined(PARTIAL)
+    brick.y = (brick.y & ~(63u << 16)) | (splat >> 2 & 63u) << 16;
+    isNew = (splat >> 8 & 1u) != 0u;
+#endif
     vec3 cell = vec3(brick.x & 0xffffu, brick.x >> 16, brick.y & 0xffffu);
 
     Plane plane;
@@ -142,6 +151,12 @@ in vec3 eyeNormal;
 in vec2 coordinate;
 flat in uint color;
 flat in uint detail;
+#if defined(PARTIAL)
+flat in uint novelty;
+#define isNew (novelty != 0u)
+#else
+const bool isNew = true;
+#endif
 
 #define normalMatrix gl_NormalMatrix
 // gl_FrontFacing can't be used: in wireframe mode, llvmpipe draws lines all over the window if a fragment shader that

@@ -4,9 +4,12 @@
 
 #include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"
+#if defined(LINES)
+#include "polygonization/part_lines.glsl"
+#endif
 
 uniform vec3 cellProportions; // the cell's edge lengths, divided by its width
-#if !defined(SPLATS)
+#if !defined(SPLATS) && !defined(LINES)
 uniform int upAxis;
 #endif
 uniform bool hasJoints;
@@ -227,5 +230,10 @@ Surface surfaceHere(vec3 toEye)
     mergeFaces(surface, toEye, wide);
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);
+#if defined(LINES)
+    float line = lineHere(toEye);
+    surface.color = drawnColor(surface.color, line);
+    surface.roughness = mix(isNew ? surface.roughness : max(surface.roughness, FADED_ROUGHNESS), 1.0, line);
+#endif
     return surface;
 }

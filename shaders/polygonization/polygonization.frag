@@ -3,6 +3,9 @@
 #include "polygonization/brick_fragment.glsl"
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
+#if defined(LINES)
+#include "polygonization/part_lines.glsl"
+#endif
 
 const float SPECULAR = 0.1; // fraction of the light; the rest is diffuse
 const float SHININESS = 48.0;
@@ -31,6 +34,10 @@ vec3 shade(vec3 albedo)
 void main()
 {
     if (!findFragment()) discard;
-    vec3 shaded = shade(unpackUnorm4x8(color).rgb);
+    vec3 albedo = unpackUnorm4x8(color).rgb;
+#if defined(LINES)
+    albedo = drawnColor(albedo, lineHere(towardsEye(eyePosition)));
+#endif
+    vec3 shaded = shade(albedo);
     gl_FragColor = vec4(mix(fogColor, shaded, transmittanceAt(eyePosition.z)), 1.0);
 }

@@ -9,6 +9,10 @@ layout(points, invocations = 2) in;
 layout(triangle_strip, max_vertices = 50) out; // for a stud: 3 * STUD_SIDES + 2
 
 flat in uvec3 brick[];
+#if defined(PARTIAL)
+flat in uint vertexNovelty[];
+flat out uint novelty;
+#endif
 
 uniform int upAxis;       // 1 or 2
 uniform float studHeight; // in cells; the radius needs no scale, since a cell is as wide as the pitch
@@ -53,6 +57,9 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
     coordinate = where;
     color = colors;
     detail = details;
+#if defined(PARTIAL)
+    novelty = vertexNovelty[0];
+#endif
     gl_Position = place.clip;
     gl_ClipVertex = vec4(place.eye, 1.0);
     EmitVertex();

@@ -3,8 +3,17 @@
 layout(location = 0) in uvec3 vertexBrick; // see BrickPoint
 
 flat out uvec3 brick;
+#if defined(PARTIAL)
+#include "polygonization/partial_bricks.glsl"
+
+flat out uint vertexNovelty; // see noveltyHere
+#endif
 
 void main()
 {
     brick = vertexBrick;
+#if defined(PARTIAL)
+    brick = placedBrick(vertexBrick);
+    vertexNovelty = noveltyHere();
+#endif
 }

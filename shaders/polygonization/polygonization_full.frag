@@ -48,6 +48,16 @@ vec3 directLight(Surface surface, vec3 albedo)
     return albedo * diffuse + reflectance * specular;
 }
 
+// The colour without lighting.
+vec3 unlitColor()
+{
+    vec3 own = unpackUnorm4x8(color).rgb;
+#if defined(LINES)
+    own = drawnColor(own, lineHere(towardsEye(eyePosition)));
+#endif
+    return own;
+}
+
 #if defined(GEOMETRY_BUFFER)
 
 void main()
@@ -58,7 +68,7 @@ void main()
     float transmittance = transmittanceAt(eyePosition.z);
     if (numLights < 0)
     {
-        vec3 shown = mix(fogColor, unpackUnorm4x8(color).rgb, transmittance);
+        vec3 shown = mix(fogColor, unlitColor(), transmittance);
         gl_FragData[0] = vec4(shown, 1.0);
         gl_FragData[1] = vec4(0.0);
         gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
@@ -83,7 +93,7 @@ void main()
     if (!findFragment()) discard;
     Surface surface = surfaceHere(towardsEye(eyePosition));
     float transmittance = transmittanceAt(eyePosition.z);
-    vec3 shown = unpackUnorm4x8(color).rgb;
+    vec3 shown = unlitColor();
     if (numLights >= 0)
     {
         vec3 albedo = toLight(surface.color);

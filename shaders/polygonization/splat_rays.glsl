@@ -3,7 +3,8 @@
 // Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as in the geometry shader.
 //
 // A splat is the number of its brick in the buffer, and the part of it that the ray hits in the lowest two bits: the axis of a
-// face in stud coordinates, whose last axis is up, or STUD.
+// face in stud coordinates, whose last axis is up, or STUD. For models drawn partly built (#define PARTIAL), 6 bits with the
+// open sides of the brick and one that is set for a highlighted part are between the two.
 
 #include "osgLego/BrickDimensions.h"
 

@@ -11,6 +11,9 @@ PASSED vec4 sceneRows[3];  // the matrix from cells to eye coordinates
 PASSED vec4 sceneNormals[3]; // xyz: the columns of the normal matrix; w: the picture's width and height, and 0 in perspective
 PASSED vec4 sceneFog[2];     // colour and density; end and scale
 PASSED vec4 sceneAmbient;    // gl_LightModel.ambient
+#if defined(LINES)
+PASSED vec4 sceneLines; // see part_lines.glsl: the widths of lines and of those on faded parts, and that of a pixel
+#endif
 #if defined(ONE_LIGHT)
 // The position; ambient, diffuse and specular colour; attenuation; spotlight direction. The alphas of the colours: spotlight
 // cutoff, the cosine of the cutoff, and the exponent.

@@ -13,6 +13,11 @@ uniform ivec2 origin; // the picture's lower left pixel
 uniform int tilesAcross;
 uniform float tileSide; // pixels
 uniform int fogMode;
+#if defined(LINES)
+uniform float lineWidth;
+uniform float oldLineWidth;
+uniform vec2 linePixelWidth;
+#endif
 #if defined(ONE_LIGHT)
 uniform int lightNumbers[8];
 #endif
@@ -59,6 +64,9 @@ void main()
     passLight();
     sceneNumbers = ivec4(upAxis, origin, fogMode);
     sceneFog[0] = vec4(gl_Fog.color.rgb, gl_Fog.density);
+#if defined(LINES)
+    sceneLines = vec4(lineWidth, oldLineWidth, linePixelWidth);
+#endif
     sceneFog[1] = vec4(gl_Fog.end, gl_Fog.scale, 0.0, 0.0);
 
     vec2 tile = vec2(gl_VertexID % tilesAcross, gl_VertexID / tilesAcross);

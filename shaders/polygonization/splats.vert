@@ -2,6 +2,9 @@
 
 #include "polygonization/splat_rays.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
+#if defined(PARTIAL)
+#include "polygonization/partial_bricks.glsl"
+#endif
 
 layout(location = 0) in uvec3 vertexBrick; // see BrickPoint
 
@@ -77,11 +80,17 @@ void main()
 {
     vec3 cell = vec3(vertexBrick.x & 0xffffu, vertexBrick.x >> 16, vertexBrick.y & 0xffffu);
     vec3 toEye = eye.xyz - eye.w * cell;
+#if defined(PARTIAL)
+    uint open = placedBrick(vertexBrick).y >> 16;
+    uint number = uint(gl_VertexID) << 9 | noveltyHere() << 8 | (open & 63u) << 2;
+#else
     uint open = vertexBrick.y >> 16;
+    uint number = uint(gl_VertexID) << 2;
+#endif
     bvec3 seen = seenSides(toEye, open);
     Box box = boxAround(seen, toEye);
     uvec3 bits = uvec3(1u, 2u, 4u) * uvec3(toStud(vec3(seen)));
-    splat = uvec3(uint(gl_VertexID) << 2, bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
+    splat = uvec3(number, bits.x | bits.y | bits.z, floatBitsToUint(studHeight));
 #if defined(STUDS)
     vec3 fromFoot = toStud(toEye) - eye.w * vec3(0.5, 0.5, 1.0);
     if ((open & (2u << (2 * upAxis))) != 0u && isStudSeen(length(fromFoot.xy), -fromFoot.z, studHeight, eye.w))
