@@ -22,7 +22,8 @@ struct BuildingStep
     std::vector<std::uint32_t> submodels;
     /** The quarter turns, 0 to 3, of the view about the up axis, counter-clockwise from above. */
     int turns = 0;
-    /** Whether the model is seen from below. */
+    /** Whether the submodel is built, and seen, upside down: all its steps are, or none. Steps of the model never are.
+     */
     bool isFromBelow = false;
     /** Whether the partial model stands after this step. */
     bool stands = true;

@@ -26,9 +26,11 @@ struct PlanningOptions
 
 /** Plan the steps in which a model is built.
  *
- * Steps go from bottom to top. No part is placed where nothing holds it, as far as the model allows: parts that can
- * only hang from others become submodels together with those, which are built apart and attached from above. A step
- * has 5 to 10 parts where possible, and at most 12.
+ * Steps go from bottom to top, region by region. No part is placed where nothing holds it, or below others: parts that
+ * hang become submodels together with a part above them, which are built apart, some of them upside down, and attached
+ * from above. Parts that no joints connect to the lowest layer can't be placed; they come last. A step has 5 to 10
+ * parts where possible, and at most 12, a submodel counting as two; a step with submodels may have fewer.
+ * docs/building.md has the rules.
  *
  * Needs no GL context; may be called from any thread.
  * @param model with parts that are in getPartTypes(); without parts, the plan has no steps.

@@ -1,0 +1,79 @@
+#include <osgLego/building/PartOrder.h>
+
+#include <osgLego/building/BuildingRegions.h>
+
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr std::size_t LONGEST_WALK = 2000; // parts; a walk takes time that grows with their square
+
+} // namespace
+
+PartOrder::PartOrder(const std::vector<PartBox>& boxes, const Symmetry& symmetry) :
+    _boxes(boxes), _symmetry(symmetry), _ranks(boxes.size(), 0), _groups(boxes.size(), 0)
+{
+    const BuildingRegions regions(boxes, symmetry);
+    std::map<std::pair<std::uint32_t, int>, std::vector<std::uint32_t>> layers;
+    for (std::uint32_t part = 0; part < boxes.size(); ++part)
+        layers[{regions.getRank(part), boxes[part].lower.z}].push_back(part);
+    glm::ivec3 place(0);
+    std::uint32_t rank = 0;
+    std::uint32_t group = 0;
+    for (auto& [key, parts] : layers)
+    {
+        if (parts.size() <= LONGEST_WALK)
+            walk(parts, place);
+        else
+            sortByBands(parts);
+        for (const std::uint32_t part : parts)
+        {
+            _ranks[part] = rank++;
+            _groups[part] = group;
+        }
+        ++group;
+    }
+}
+
+/** Sort parts along a walk to the nearest part each time. @param place where it starts, and then where it ends. */
+void PartOrder::walk(std::vector<std::uint32_t>& parts, glm::ivec3& place) const
+{
+    const auto toPlace = [this](std::uint32_t part) { return _symmetry.fold(_boxes[part].lower + _boxes[part].upper); };
+    for (auto next = parts.begin(); next != parts.end(); ++next)
+    {
+        const auto distance = [&](std::uint32_t part)
+        {
+            const glm::ivec3 way = toPlace(part) - place;
+            return std::pair(std::abs(way.x) + std::abs(way.y), part);
+        };
+        const auto nearest = std::min_element(
+            next, parts.end(), [&](std::uint32_t a, std::uint32_t b) { return distance(a) < distance(b); });
+        std::rotate(next, nearest, nearest + 1);
+        place = toPlace(*next);
+        const auto twin = std::find(next + 1, parts.end(), _symmetry.getTwin(*next));
+        if (twin == parts.end()) continue;
+        ++next;
+        std::rotate(next, twin, twin + 1);
+    }
+}
+
+/** Sort many parts along bands, there and back. */
+void PartOrder::sortByBands(std::vector<std::uint32_t>& parts) const
+{
+    constexpr int BAND = 4; // studs
+    const auto key = [this](std::uint32_t part)
+    {
+        const glm::ivec3& lower = _boxes[part].lower;
+        const int band = lower.y / BAND;
+        return std::tuple(band, band % 2 == 0 ? lower.x : -lower.x, lower.y);
+    };
+    std::sort(parts.begin(), parts.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+}
+
+} // namespace osgLego

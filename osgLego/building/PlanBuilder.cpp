@@ -1,0 +1,157 @@
+#include <osgLego/building/PlanBuilder.h>
+
+#include <osgLego/building/StepBuilder.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The area on which boxes stand, in studs. */
+int measureBase(const JointGraph& graph)
+{
+    int area = 0;
+    for (std::uint32_t part = 0; part < graph.getNumParts(); ++part)
+    {
+        const glm::ivec3 size = graph.getBox(part).upper - graph.getBox(part).lower;
+        if (graph.isOnBase(part)) area += size.x * size.y;
+    }
+    return area;
+}
+
+/** The number of submodels within boxes. */
+std::size_t countSubmodels(const JointGraph& graph)
+{
+    BuildingUnits units(graph);
+    const std::vector<bool> none(graph.getNumParts(), false);
+    units.group(none, none);
+    return static_cast<std::size_t>(std::count_if(units.getUnits().begin(), units.getUnits().end(),
+                                                  [](const BuildingUnits::Unit& unit)
+                                                  { return unit.parts.size() > 1; }));
+}
+
+} // namespace
+
+PlanBuilder::PlanBuilder(const BrickModel& model, const PlanningOptions& options) :
+    _model(model), _options(options), _boxes(createPartBoxes(model)), _turnedBoxes(turnUpsideDown(_boxes))
+{
+}
+
+osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
+{
+    const std::vector<PartList> pieces = findPieces();
+    if (pieces.empty()) return BuildingPlan::create(0, {});
+    std::vector<BuildingStep> steps = planSteps(pieces.front(), {false, _options.base});
+    const std::size_t numHeldSteps = steps.size();
+    for (const PartList& piece : std::span(pieces).subspan(1))
+    {
+        if (_isCancelled) return nullptr;
+        const bool isFull =
+            !steps.empty() &&
+            steps.back().parts.size() + UnitQueue::SUBMODEL_WEIGHT * steps.back().submodels.size() >= UnitQueue::USUAL;
+        if (steps.size() == numHeldSteps || isFull) steps.emplace_back();
+        addUnheld(piece, steps.back());
+    }
+    if (_isCancelled) return nullptr;
+    std::sort(_unheld.begin(), _unheld.end());
+    return BuildingPlan::create(_boxes.size(), std::move(steps), std::move(_submodels), std::move(_unheld));
+}
+
+/** The parts that joints connect to the base, and then each connected group of others. */
+std::vector<PlanBuilder::PartList> PlanBuilder::findPieces() const
+{
+    const JointGraph graph(_boxes);
+    UnionFind sets;
+    sets.reset(_boxes.size() + 1); // the first one stands for the base
+    for (std::uint32_t part = 0; part < _boxes.size(); ++part)
+    {
+        if (graph.isOnBase(part)) sets.join(0, static_cast<std::int32_t>(part + 1));
+        for (const PartLink& joint : graph.getJointsAbove(part))
+            sets.join(static_cast<std::int32_t>(part + 1), static_cast<std::int32_t>(joint.part + 1));
+    }
+    std::map<std::int32_t, PartList> pieces;
+    for (std::uint32_t part = 0; part < _boxes.size(); ++part)
+        pieces[sets.find(static_cast<std::int32_t>(part + 1))].push_back(part);
+    std::vector<PartList> lists;
+    for (auto& [set, parts] : pieces)
+        lists.push_back(std::move(parts));
+    return lists;
+}
+
+std::vector<PartBox> PlanBuilder::select(const PartList& parts, bool isUpsideDown) const
+{
+    std::vector<PartBox> boxes;
+    boxes.reserve(parts.size());
+    for (const std::uint32_t part : parts)
+        boxes.push_back((isUpsideDown ? _turnedBoxes : _boxes)[part]);
+    return boxes;
+}
+
+std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Setting& setting)
+{
+    const JointGraph graph(select(parts, setting.isUpsideDown));
+    StepBuilder builder(graph, {}, [this](std::size_t numPlaced) { return proceed(numPlaced); });
+    const auto toParts = [&parts](const PartList& local)
+    {
+        PartList result;
+        for (const std::uint32_t index : local)
+            result.push_back(parts[index]);
+        return result;
+    };
+    std::vector<BuildingStep> steps;
+    for (const AssemblyStep& assembly : builder.build())
+    {
+        BuildingStep& step = steps.emplace_back();
+        step.parts = toParts(assembly.parts);
+        for (const PartList& submodel : assembly.submodels)
+            step.submodels.push_back(planSubmodel(toParts(submodel)));
+        step.stands = assembly.stands;
+        step.isFromBelow = setting.isUpsideDown;
+    }
+    return steps;
+}
+
+/** @return the index of the submodel. Those within it come before it. */
+std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
+{
+    std::vector<BuildingStep> steps = planSteps(parts, {isBetterUpsideDown(parts), BuildingBase::TABLE});
+    _submodels.push_back({std::move(steps)});
+    return static_cast<std::uint32_t>(_submodels.size() - 1);
+}
+
+/** Whether fewer submodels are needed upside down, or parts stand on a far larger base. */
+bool PlanBuilder::isBetterUpsideDown(const PartList& parts) const
+{
+    constexpr int FAR_LARGER = 2;
+    const JointGraph upright(select(parts, false));
+    const JointGraph turned(select(parts, true));
+    const std::size_t numUpright = countSubmodels(upright);
+    const std::size_t numTurned = countSubmodels(turned);
+    if (numUpright != numTurned) return numTurned < numUpright;
+    return measureBase(turned) > FAR_LARGER * measureBase(upright);
+}
+
+/** Add parts that can't be placed where they belong. */
+void PlanBuilder::addUnheld(const PartList& parts, BuildingStep& step)
+{
+    if (parts.size() == 1)
+        step.parts.push_back(parts.front());
+    else
+        step.submodels.push_back(planSubmodel(parts));
+    step.stands = false;
+    _unheld.insert(_unheld.end(), parts.begin(), parts.end());
+}
+
+bool PlanBuilder::proceed(std::size_t)
+{
+    _isCancelled = _isCancelled || (_options.isCancelled && _options.isCancelled());
+    return !_isCancelled;
+}
+
+} // namespace osgLego

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/building/JointGraph.h>
+
+#include <vector>
+
+namespace osgLego
+{
+
+/** Makes the steps of a model and of its submodels, which are built by the same rules.
+ *
+ * Usage:
+ *
+ *     PlanBuilder builder(model, options);
+ *     osg::ref_ptr<const BuildingPlan> plan = builder.build(); // null if it was cancelled
+ *
+ * One thread.
+ */
+class PlanBuilder
+{
+public:
+    /** The arguments must outlive this object. */
+    PlanBuilder(const BrickModel& model, const PlanningOptions& options);
+
+    osg::ref_ptr<const BuildingPlan> build();
+
+private:
+    using PartList = std::vector<std::uint32_t>;
+
+    /** Whether parts are built upright or upside down, and on what. */
+    struct Setting
+    {
+        bool isUpsideDown = false;
+        BuildingBase base = BuildingBase::TABLE;
+    };
+
+    std::vector<PartList> findPieces() const;
+    std::vector<BuildingStep> planSteps(const PartList& parts, const Setting& setting);
+    std::uint32_t planSubmodel(const PartList& parts);
+    bool isBetterUpsideDown(const PartList& parts) const;
+    std::vector<PartBox> select(const PartList& parts, bool isUpsideDown) const;
+    void addUnheld(const PartList& parts, BuildingStep& step);
+    bool proceed(std::size_t numPlaced);
+
+    const BrickModel& _model;
+    const PlanningOptions& _options;
+    std::vector<PartBox> _boxes;
+    std::vector<PartBox> _turnedBoxes; // upside down
+    std::vector<Submodel> _submodels;
+    PartList _unheld;
+    bool _isCancelled = false;
+};
+
+} // namespace osgLego

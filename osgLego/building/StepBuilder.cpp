@@ -1,0 +1,158 @@
+#include <osgLego/building/StepBuilder.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgLego
+{
+
+StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed) :
+    _graph(graph), _symmetry(graph.getBoxes()), _order(graph.getBoxes(), _symmetry),
+    _findFalling(std::move(findFalling)), _proceed(std::move(proceed)), _units(graph),
+    _isPlaced(graph.getNumParts(), false), _isHung(graph.getNumParts(), false), _isLost(graph.getNumParts(), false)
+{
+}
+
+std::vector<AssemblyStep> StepBuilder::build()
+{
+    regroup();
+    while (!_queue->isEmpty())
+    {
+        const UnitList units = proposeStep();
+        const std::vector<std::uint32_t> falling = findFalling(units);
+        if (falling.empty())
+            place(units, true);
+        else if (!repair(units, falling))
+        {
+            for (const std::uint32_t part : falling)
+                _isLost[part] = true;
+            place(units, false);
+        }
+        if (!_proceed(_numPlaced)) return {};
+    }
+    return std::move(_steps);
+}
+
+void StepBuilder::regroup()
+{
+    _units.group(_isPlaced, _isHung);
+    _queue = std::make_unique<UnitQueue>(_units, _order, _symmetry);
+    _isDelayed.assign(_units.getUnits().size(), false);
+}
+
+/** The next step, without units that fell before as long as others can be placed. */
+UnitList StepBuilder::proposeStep()
+{
+    UnitList units = _queue->propose(_isDelayed);
+    if (_queue->getWeight(units) >= UnitQueue::LEAST) return units;
+    _isDelayed.assign(_isDelayed.size(), false);
+    return _queue->propose(_isDelayed);
+}
+
+void StepBuilder::mark(const UnitList& units, bool isPlaced)
+{
+    for (const std::uint32_t unit : units)
+        for (const std::uint32_t part : _units.getUnits()[unit].parts)
+            _isPlaced[part] = isPlaced;
+}
+
+void StepBuilder::place(const UnitList& units, bool stands)
+{
+    AssemblyStep step;
+    step.stands = stands;
+    for (const std::uint32_t unit : units)
+    {
+        const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
+        _numPlaced += parts.size();
+        if (_queue->isSubmodel(unit))
+            step.submodels.push_back(parts);
+        else
+            step.parts.push_back(parts.front());
+    }
+    _steps.push_back(std::move(step));
+    mark(units, true);
+    _queue->take(units);
+}
+
+/** The parts that fall if units are added. */
+std::vector<std::uint32_t> StepBuilder::findFalling(const UnitList& units)
+{
+    if (!_findFalling) return {};
+    mark(units, true);
+    std::vector<std::uint32_t> falling = _findFalling(_isPlaced);
+    mark(units, false);
+    return falling;
+}
+
+/** Place other parts than units with which parts fall, or group the parts in another way.
+ * @return whether the situation has changed. */
+bool StepBuilder::repair(const UnitList& units, const std::vector<std::uint32_t>& falling)
+{
+    // Once parts fall, whatever is above them falls too.
+    const bool isKnown =
+        std::any_of(falling.begin(), falling.end(), [this](std::uint32_t part) { return _isLost[part]; });
+    return !isKnown && (clamp(units, falling) || postpone(units, falling) || hang(units, falling));
+}
+
+/** Place the falling parts in one step with parts above that hold them, if these stand. */
+bool StepBuilder::clamp(const UnitList& units, const std::vector<std::uint32_t>& falling)
+{
+    UnitList step;
+    for (const std::uint32_t part : falling)
+    {
+        const std::uint32_t unit = _units.getUnitOf(part);
+        const bool isNew = std::find(units.begin(), units.end(), unit) != units.end();
+        if (isNew && !_queue->addWithAllBefore(unit, step)) return false;
+        UnitList shortest;
+        for (const PartLink& joint : _graph.getJointsAbove(part))
+        {
+            UnitList longer = step;
+            if (_isPlaced[joint.part] || !_queue->addWithAllBefore(_units.getUnitOf(joint.part), longer)) continue;
+            if (shortest.empty() || longer.size() < shortest.size()) shortest = longer;
+        }
+        if (!shortest.empty()) step = shortest;
+    }
+    // The other units of the step as far as there is room for them.
+    for (const std::uint32_t unit : units)
+        if (UnitList longer = step; _queue->addWithAllBefore(unit, longer)) step = longer;
+    if (step.size() <= 1 || !_queue->isOneStep(step) || !findFalling(step).empty()) return false;
+    std::stable_partition(step.begin(), step.end(), [this](std::uint32_t unit) { return !_queue->isSubmodel(unit); });
+    place(step, true);
+    return true;
+}
+
+/** Place other units, and these later. */
+bool StepBuilder::postpone(const UnitList& units, const std::vector<std::uint32_t>& falling)
+{
+    bool hasChanged = false;
+    for (const std::uint32_t part : falling)
+    {
+        const std::uint32_t unit = _units.getUnitOf(part);
+        if (std::find(units.begin(), units.end(), unit) == units.end() || _isDelayed[unit]) continue;
+        _isDelayed[unit] = true;
+        hasChanged = true;
+    }
+    if (!hasChanged) return false;
+    const UnitList others = _queue->propose(_isDelayed);
+    if (_queue->getWeight(others) < UnitQueue::LEAST || !findFalling(others).empty()) return false;
+    place(others, true);
+    return true;
+}
+
+/** Let the falling parts hang from those above them. */
+bool StepBuilder::hang(const UnitList& units, const std::vector<std::uint32_t>& falling)
+{
+    bool hasChanged = false;
+    for (const std::uint32_t part : falling)
+    {
+        const std::uint32_t unit = _units.getUnitOf(part);
+        const bool isNew = std::find(units.begin(), units.end(), unit) != units.end();
+        if (!isNew || _isHung[part] || _graph.isOnBase(part) || _graph.getJointsAbove(part).empty()) continue;
+        _isHung[part] = true;
+        hasChanged = true;
+    }
+    if (hasChanged) regroup();
+    return hasChanged;
+}
+
+} // namespace osgLego

@@ -1,0 +1,170 @@
+#include "PlanCheck.h"
+
+#include "../../support/Meshes.h"
+#include "../../support/PartModels.h"
+
+#include <common/RacingCar.h>
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/CpuLegolizer.h>
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+Part makePart(const glm::ivec3& cell, const glm::ivec3& size)
+{
+    Part part;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        part.cell[axis] = static_cast<std::uint16_t>(cell[static_cast<int>(axis)]);
+        part.size[axis] = static_cast<std::uint8_t>(size[static_cast<int>(axis)]);
+    }
+    return part;
+}
+
+osg::ref_ptr<const BrickModel> createModel(std::vector<Part> parts, const glm::ivec3& size = glm::ivec3(40))
+{
+    return BrickModel::createOfParts(createPartGrid(size, 1.2), std::move(parts));
+}
+
+/** The index of the part in a cell. */
+std::uint32_t indexOf(const BrickModel& model, const glm::ivec3& cell)
+{
+    return static_cast<std::uint32_t>(model.findPart(cell) - model.getParts().data());
+}
+
+osg::ref_ptr<const BuildingPlan> planFast(const BrickModel& model)
+{
+    PlanningOptions options;
+    options.checksStability = false;
+    return planBuilding(model, options);
+}
+
+/** Expect a plan without mistakes. */
+osg::ref_ptr<const BuildingPlan> expectGoodPlan(const BrickModel& model)
+{
+    osg::ref_ptr<const BuildingPlan> plan = planFast(model);
+    EXPECT_EQ(plan ? PlanCheck(model, *plan).toString() : "there is no plan", "");
+    return plan;
+}
+
+osg::ref_ptr<const BrickModel> createWall(int length, int height)
+{
+    std::vector<Part> parts;
+    for (int z = 0; z < height; ++z)
+        for (int x = z % 2 == 0 ? 0 : 2; x + 4 <= length; x += 4)
+            parts.push_back(makePart({x, 0, z}, {4, 2, 1}));
+    return createModel(std::move(parts), {length, 2, height});
+}
+
+TEST(BuildingPlanner, AModelWithoutPartsHasNoSteps)
+{
+    const auto plan = planFast(*createModel({}));
+    ASSERT_TRUE(plan);
+    EXPECT_TRUE(plan->getSteps().empty());
+}
+
+TEST(BuildingPlanner, OnePartIsOneStep)
+{
+    const auto plan = expectGoodPlan(*createModel({makePart({3, 4, 5}, {2, 2, 1})}));
+    ASSERT_EQ(plan->getSteps().size(), 1u);
+    EXPECT_EQ(plan->getSteps()[0].parts, std::vector<std::uint32_t>{0});
+}
+
+TEST(BuildingPlanner, AWallIsBuiltInOrdinaryStepsWithoutSubmodels)
+{
+    const auto model = createWall(40, 12);
+    const auto plan = expectGoodPlan(*model);
+    EXPECT_TRUE(plan->getSubmodels().empty());
+    EXPECT_LE(plan->getSteps().size(), model->getParts().size() / 7);
+}
+
+TEST(BuildingPlanner, AHangingBrickIsASubmodelWithTheBrickAboveIt)
+{
+    // A column with a beam on it, and a brick below the end of the beam.
+    const auto model = createModel({makePart({0, 0, 0}, {2, 2, 1}), makePart({0, 0, 1}, {2, 2, 1}),
+                                    makePart({0, 0, 2}, {8, 2, 1}), makePart({6, 0, 1}, {2, 2, 1})});
+    const auto plan = expectGoodPlan(*model);
+    ASSERT_EQ(plan->getSubmodels().size(), 1u);
+    std::vector<std::uint32_t> parts;
+    for (const BuildingStep& step : plan->getSubmodels()[0].steps)
+        for (const std::uint32_t part : plan->getPlacedParts(step))
+            parts.push_back(part);
+    EXPECT_EQ(parts, (std::vector<std::uint32_t>{indexOf(*model, {0, 0, 2}), indexOf(*model, {6, 0, 1})}))
+        << "the beam is the base, upside down";
+    EXPECT_TRUE(plan->getSubmodels()[0].steps[0].isFromBelow);
+}
+
+TEST(BuildingPlanner, BricksThatHangInAHookBecomeSubmodelsWithinEachOther)
+{
+    // Two bars hang from a beam at different heights, so that the shorter one hangs in the submodel of both.
+    const auto model =
+        createModel({makePart({0, 0, 0}, {2, 2, 1}), makePart({0, 0, 1}, {2, 2, 1}), makePart({0, 0, 2}, {2, 2, 1}),
+                     makePart({0, 0, 3}, {8, 2, 1}), makePart({3, 0, 2}, {2, 2, 1}), makePart({6, 0, 2}, {2, 2, 1}),
+                     makePart({6, 0, 1}, {2, 2, 1})});
+    expectGoodPlan(*model);
+}
+
+TEST(BuildingPlanner, PartsThatTouchNothingAreListedAndComeLast)
+{
+    const auto model =
+        createModel({makePart({0, 0, 0}, {2, 2, 1}), makePart({0, 0, 1}, {2, 2, 1}), makePart({10, 0, 3}, {2, 2, 1}),
+                     makePart({20, 0, 5}, {2, 2, 1}), makePart({20, 0, 6}, {2, 2, 1})});
+    const auto plan = expectGoodPlan(*model);
+    EXPECT_EQ(plan->getUnheldParts(),
+              (std::vector<std::uint32_t>{indexOf(*model, {10, 0, 3}), indexOf(*model, {20, 0, 5}),
+                                          indexOf(*model, {20, 0, 6})}));
+    EXPECT_EQ(plan->getSteps().size(), 2u);
+    EXPECT_EQ(plan->getSubmodels().size(), 1u) << "two parts that hold each other";
+}
+
+TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
+{
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+        for (std::uint32_t seed = 1; seed < 9; ++seed)
+        {
+            PartFilling filling;
+            filling.heights = {1, 3};
+            filling.seed = seed;
+            filling.isCovered = [](const glm::ivec3& cell) { return (cell.x * 7 + cell.y * 5 + cell.z * 3) % 11 > 2; };
+            const auto model = createParts(createPartGrid({17, 14, 15}, 0.4, up), filling);
+            const auto plan = planFast(*model);
+            ASSERT_TRUE(plan);
+            const PlanCheck check(*model, *plan);
+            EXPECT_TRUE(check.getUnheld().empty()) << check.toString();
+            EXPECT_TRUE(check.getDisconnected().empty()) << check.toString();
+            EXPECT_TRUE(check.getLong().empty()) << check.toString();
+            EXPECT_LE(check.getUnreachable().size(), 4u) << "hooks within each other";
+        }
+}
+
+osg::ref_ptr<const BrickModel> createBricks(const osg::Node& node, const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
+    return legolizeOnCpu(node, settings);
+}
+
+TEST(BuildingPlanner, TheRacingCarCanBeBuilt)
+{
+    expectGoodPlan(*createBricks(*createRacingCar(), "32,proportions=brick,parts=bricks"));
+}
+
+TEST(BuildingPlanner, TheBunnyCanBeBuilt)
+{
+    const auto bunny = readBunny();
+    if (!bunny) GTEST_SKIP() << "bunny.ply was not downloaded";
+    expectGoodPlan(*createBricks(*bunny, "32,up=y,proportions=brick,parts=bricks"));
+    expectGoodPlan(*createBricks(*bunny, "24,up=y,proportions=plate,parts=bricks"));
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace osgLego::test
+{
+
+/** Builds a model as a plan says, cell by cell, and counts the mistakes that hands would notice. */
+class PlanCheck
+{
+public:
+    PlanCheck(const BrickModel& model, const BuildingPlan& plan);
+
+    /** Parts and submodels that nothing holds when they are placed; those that the plan itself lists are left out. */
+    const std::vector<std::string>& getUnheld() const { return _unheld; }
+    /** Parts and submodels that are placed below others, where no hand comes from above. */
+    const std::vector<std::string>& getUnreachable() const { return _unreachable; }
+    /** Submodels that joints do not connect. */
+    const std::vector<std::string>& getDisconnected() const { return _disconnected; }
+    /** Steps of fewer than 5 parts, which neither attach a submodel nor are the last of their sequence. */
+    const std::vector<std::string>& getShort() const { return _short; }
+    /** Steps of more than 12 parts, a submodel counting as two, or without any. */
+    const std::vector<std::string>& getLong() const { return _long; }
+
+    /** All mistakes, one in each line; empty if there are none. */
+    std::string toString() const;
+
+private:
+    using PartList = std::vector<std::uint32_t>;
+
+    void checkSequence(const std::vector<BuildingStep>& steps, const std::string& name);
+    void place(const PartList& parts, const std::string& name);
+    bool isConnected(const PartList& parts) const;
+    template <typename Visitor>
+    void visitCells(std::uint32_t part, const Visitor& visit) const;
+    std::size_t toIndex(const glm::ivec3& cell) const;
+    bool isCovered(const glm::ivec3& cell) const;
+
+    const BrickModel& _model;
+    const BuildingPlan& _plan;
+    int _up;
+    int _way = 1;       // of building: 1 upwards, -1 if the sequence is built upside down
+    int _baseLayer = 0; // of the sequence
+    std::vector<bool> _isPlaced;
+    std::vector<std::string> _unheld;
+    std::vector<std::string> _unreachable;
+    std::vector<std::string> _disconnected;
+    std::vector<std::string> _short;
+    std::vector<std::string> _long;
+};
+
+/** The parts of `all` alone, in the grid of the model. */
+osg::ref_ptr<const BrickModel> selectParts(const BrickModel& model, const std::vector<std::uint32_t>& parts);
+
+} // namespace osgLego::test
