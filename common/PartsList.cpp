@@ -110,13 +110,18 @@ std::string describe(const std::vector<PartsList::Row>& rows, const std::functio
 
 } // namespace
 
+PartsList::Key PartsList::toKey(const Part& part, const PartType& type)
+{
+    return {&type - getPartTypes().data(), part.colorCode, part.color};
+}
+
 void PartsList::add(const BrickModel& model, std::span<const PaletteColor> palette)
 {
     for (const Part& part : model.getParts())
     {
         const PartType* type = findPartType(part, model.getGrid());
         if (!type) continue;
-        Row& row = _rows[{type - getPartTypes().data(), part.colorCode, part.color}];
+        Row& row = _rows[toKey(part, *type)];
         if (row.quantity++ > 0) continue;
         row.type = type;
         row.color = findColor(part, palette);
@@ -130,6 +135,21 @@ std::vector<PartsList::Row> PartsList::getRows() const
     rows.reserve(_rows.size());
     for (const auto& [key, row] : _rows)
         rows.push_back(row);
+    return rows;
+}
+
+std::vector<std::size_t> PartsList::findRows(const BrickModel& model) const
+{
+    std::map<Key, std::size_t> places;
+    for (const auto& [key, row] : _rows)
+        places.emplace_hint(places.end(), key, places.size());
+    std::vector<std::size_t> rows;
+    rows.reserve(model.getParts().size());
+    for (const Part& part : model.getParts())
+    {
+        const PartType* type = findPartType(part, model.getGrid());
+        rows.push_back(type ? places.at(toKey(part, *type)) : NO_ROW);
+    }
     return rows;
 }
 

@@ -43,6 +43,10 @@ public:
     /** The rows: bricks before plates, each from small to large and in the order of colours. */
     std::vector<Row> getRows() const;
 
+    /** For each part of a model that was added, the index of its row; NO_ROW for parts in no real shape. */
+    std::vector<std::size_t> findRows(const BrickModel& model) const;
+    static constexpr std::size_t NO_ROW = static_cast<std::size_t>(-1);
+
     /** Write a table: part, name, LDraw's code and name of the colour, BrickLink's number of the colour, quantity, mass
      * of one part and of all in grams; the last row has the totals. Values are quoted as RFC 4180 demands. */
     void writeCsv(std::ostream& stream) const;
@@ -59,6 +63,8 @@ public:
 private:
     /** The type and the colour; the index of a type in getPartTypes() orders types. */
     using Key = std::tuple<std::ptrdiff_t, std::int32_t, std::array<std::uint8_t, 3>>;
+
+    static Key toKey(const Part& part, const PartType& type);
 
     std::map<Key, Row> _rows;
 };

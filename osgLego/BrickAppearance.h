@@ -42,8 +42,8 @@ struct OSGLEGO_EXPORT BrickAppearance
     /** Whether highlights are those of the osg::Material in the state above the node (specular, shininess), instead of
      * those of plastic. */
     bool materialSpecular = false;
-    /** The width of lines at the edges of parts and studs, in pixels, 0 (none) to 8: dark, or light on dark parts, as in
-     * building instructions. Also in the plain look. */
+    /** The width of lines at the edges of parts and studs, in pixels, 0 (none) to 8: dark, or light on dark parts, as
+     * in building instructions. Also in the plain look. */
     double outline = 0.0;
 
     /** The first error in these values and what is expected instead, in one sentence; empty if there is none. */

@@ -14,6 +14,20 @@ std::string counted(std::size_t count, const char* singular, const char* plural)
     return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
+/** One sentence on the means by which a model was made to stand. */
+std::string describe(const SupportStatistics& support)
+{
+    std::string text = "support: ";
+    if (!support.isLaidAgain && support.numColumns == 0)
+        text += support.stands ? "the model stands without it" : "nothing was found that helps";
+    if (support.isLaidAgain) text += "parts were laid again";
+    if (support.numColumns > 0)
+        text += (support.isLaidAgain ? ", and " : "") + counted(support.numColumns, "column", "columns") + " of " +
+                counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") +
+                " added";
+    return text + (support.stands ? "" : "; the model still falls");
+}
+
 } // namespace
 
 std::string LayoutStatistics::toString() const
@@ -34,6 +48,7 @@ std::string LayoutStatistics::toString() const
         text << '\n'
              << counted(numUnavailable, "part has a size that was never made in its colour",
                         "parts have sizes that were never made in their colour");
+    if (support) text << '\n' << describe(*support);
     return text.str();
 }
 

@@ -9,6 +9,16 @@
 namespace osgLego
 {
 
+/** The means by which a model was made to stand (LegoSettings::support). */
+struct SupportStatistics
+{
+    bool stands = true;             //!< whether it stands now
+    bool isLaidAgain = false;       //!< whether some parts were laid again
+    std::size_t numColumns = 0;     //!< columns added below the model
+    std::size_t numColumnParts = 0; //!< their parts
+    double milliseconds = 0.0;      //!< the time taken
+};
+
 /** Figures of the parts that cells were joined to (LegoSettings::parts). Times are in milliseconds. */
 struct OSGLEGO_EXPORT LayoutStatistics
 {
@@ -27,6 +37,7 @@ struct OSGLEGO_EXPORT LayoutStatistics
     std::size_t numUnavailable = 0; //!< parts of a size that was never made in their colour
     double meanColorError = 0.0;    //!< the mean distance of visible cells from their surface's colour, in Oklab
     double maximumColorError = 0.0;
+    std::optional<SupportStatistics> support; //!< unset unless LegoSettings::support is on
     double palette = 0.0; //!< the time taken to look up colours
     double fill = 0.0;    //!< likewise to find interior cells
     double layout = 0.0;  //!< likewise to lay parts

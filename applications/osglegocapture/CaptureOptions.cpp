@@ -88,6 +88,18 @@ std::string readNumber(const char* option, const std::string& text, const Number
     return {};
 }
 
+std::string readSteps(const std::string& text, CaptureOptions& options)
+{
+    unsigned long first = 0;
+    unsigned long last = 0;
+    char rest = 0;
+    const bool isRead = text.find_first_not_of("0123456789-") == std::string::npos &&
+                        std::sscanf(text.c_str(), "%9lu-%9lu%c", &first, &last, &rest) == 2;
+    if (!isRead || first < 1 || last < first) return badValue("--steps", text, "FIRST-LAST, for example 1-50");
+    options.bookletSteps = {first, last};
+    return {};
+}
+
 std::string readContext(const std::string& text, ContextKind& kind)
 {
     static const std::map<std::string, ContextKind> kinds{
@@ -113,12 +125,24 @@ void checkBound(const CaptureOptions& options)
             "--bound counts bricks; expected parts=bricks and proportions=brick among the settings of --legolize");
 }
 
+/** Throws if options of a booklet can't be combined with others. */
+void checkInstructions(const CaptureOptions& options)
+{
+    if (options.instructions.empty() && options.bookletSteps)
+        throw CLI::ValidationError("--steps has no booklet; expected --instructions with it");
+    if (options.instructions.empty() && options.isBookletConfirmed)
+        throw CLI::ValidationError("--yes has no booklet; expected --instructions with it");
+    if (options.original && !options.instructions.empty())
+        throw CLI::ValidationError("--original has no parts; expected --instructions without --original");
+}
+
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
-    if (!options.needsContext() && options.partsList.empty())
-        throw CLI::ValidationError(
-            "nothing to do; expected one or more of -o, --stats, --cells, --parts-list and --compare");
+    if (!options.needsContext() && options.partsList.empty() && options.instructions.empty())
+        throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells, --parts-list, "
+                                   "--instructions and --compare");
+    checkInstructions(options);
     if (options.original && !options.cells.empty())
         throw CLI::ValidationError("--original has no cells; expected --cells without --original");
     if (options.original && !options.partsList.empty())
@@ -256,6 +280,13 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "
                    "table to standard output")
         ->type_name("FILE");
+    app.add_option("--instructions", options.instructions,
+                   "Write a booklet of building instructions, DIR/NAME.html; DIR is created if it does not exist")
+        ->type_name("DIR");
+    app.add_option("--steps", toCallback([&](const std::string& text) { return readSteps(text, options); }),
+                   "For --instructions: write only these steps, for example 1-50")
+        ->type_name("FIRST-LAST");
+    app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
     app.add_option("--compare", options.reference,
                    "Compare with a picture: print the differences, write a picture of them beside the output, and exit "
                    "with 1 if more than 0.1 % of the pixels are off or the mean error is more than a quarter of "

@@ -5,8 +5,10 @@
 #include <osgLego/AmbientOcclusionSettings.h>
 #include <osgLego/LegoSettings.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace osgLego
 {
@@ -60,7 +62,11 @@ struct CaptureOptions
     bool bound = false;     //!< whether the statistics have the fewest parts possible
     std::string statistics; //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
-    std::string partsList; //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output
+    std::string partsList;    //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output
+    std::string instructions; //!< the folder for a booklet; empty: none
+    /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
+    std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
+    bool isBookletConfirmed = false; //!< whether a very large booklet is written without asking
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 

@@ -50,6 +50,12 @@ nlohmann::ordered_json toJson(const LayoutStatistics& layout)
                    {"fill", rounded(layout.fill)},
                    {"layout", rounded(layout.layout)},
                    {"figures", rounded(layout.figures)}}}});
+    if (layout.support)
+        json["support"] = {{"stands", layout.support->stands},
+                           {"laidAgain", layout.support->isLaidAgain},
+                           {"columns", layout.support->numColumns},
+                           {"columnParts", layout.support->numColumnParts},
+                           {"milliseconds", rounded(layout.support->milliseconds)}};
     return json;
 }
 

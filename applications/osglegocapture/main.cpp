@@ -7,6 +7,8 @@
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
 
+#include "booklet/Booklet.h"
+
 #include <offscreen/OffscreenContext.h>
 
 #include <cstdio>
@@ -158,6 +160,7 @@ int capture(const CaptureOptions& options)
     checkPlace(statisticsFile);
     checkPlace(options.cells);
     checkPartsListPlace(partsFile);
+    if (!options.instructions.empty()) checkBookletPlace(options);
     checkAreDistinct({options.output, statisticsFile, options.cells, partsFile});
 
     OIIO::ImageBuf reference;
@@ -176,7 +179,9 @@ int capture(const CaptureOptions& options)
     CaptureScene scene(options);
     progress.clear();
     if (!options.partsList.empty()) writePartsList(options, scene, output);
-    return options.needsContext() ? drawAndWrite(options, scene, output, reference) : EXIT_FINE;
+    const int code = options.needsContext() ? drawAndWrite(options, scene, output, reference) : EXIT_FINE;
+    if (!options.instructions.empty()) writeBooklet(options, *scene.getLegoNode(), createContext);
+    return code;
 }
 
 #if !defined(OSGLEGO_OSMESA)

@@ -1,5 +1,6 @@
 #include <osgLego/building/ModelBuilder.h>
 
+#include <osgLego/building/SupportBuilder.h>
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/Layout.h>
 #include <osgLego/layout/LayoutFigures.h>
@@ -75,6 +76,17 @@ struct Layout
     LaidParts parts;
 };
 
+/** Make a layout stand. @return false if it was cancelled. */
+bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& statistics)
+{
+    SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
+    if (!SupportBuilder(options).build(supported)) return false;
+    layout.problem = std::move(supported.problem);
+    layout.parts = std::move(supported.parts);
+    statistics.support = {supported.stands, supported.isLaidAgain, supported.numColumns, supported.numColumnParts};
+    return true;
+}
+
 /** Add the figures of a layout to those that are known. */
 LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
 {
@@ -132,10 +144,16 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     layout->problem = createProblem(cells, grid, colors);
     const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
     if (isCancelled()) return nullptr;
-    layout->parts = layOut(layout->problem, {_settings.effort, _settings.seed, _isCancelled, _progress},
-                           isAlike ? _previous->parts : LaidParts());
+    const LayoutOptions options{
+        .effort = _settings.effort, .seed = _settings.seed, .isCancelled = _isCancelled, .progress = _progress};
+    layout->parts = layOut(layout->problem, options, isAlike ? _previous->parts : LaidParts());
     if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
+    if (_settings.support)
+    {
+        if (!support(options, *layout, statistics)) return nullptr;
+        statistics.support->milliseconds = stopwatch.lap();
+    }
     statistics.numInterior = cells.numInterior;
     osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors);
     _measureLayout = [layout, statistics] { return measure(*layout, statistics); };

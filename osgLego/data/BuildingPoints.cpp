@@ -118,9 +118,9 @@ BuildingPoints createBuildingPoints(const BrickModel& model, std::span<const std
             result.points.empty() || blockKeyOf(unpackBrick(result.points.back()), stud) != blockKeyOf(brick, stud);
         if (isNext) result.blocks.emplace_back().first = static_cast<int>(result.points.size());
         include(brick, table.get()[cell], result.blocks.back());
-        result.points.push_back(
-            model.getParts().empty() ? packBrick(brick)
-                                     : packBrick(brick, model.getParts()[model.getPartIndices()[cell]], up));
+        result.points.push_back(model.getParts().empty()
+                                    ? packBrick(brick)
+                                    : packBrick(brick, model.getParts()[model.getPartIndices()[cell]], up));
         result.ranks.push_back(table.get()[cell]);
     }
     return result;

@@ -108,7 +108,7 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
     const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
-    const int seamCost = getSeamCost(map.getLattice().getProblem());
+    const int seamCost = options.bond * getSeamCost(map.getLattice().getProblem());
     BestLayout best(sizes, seamCost);
     for (int round = 0; round < numRounds; ++round)
     {

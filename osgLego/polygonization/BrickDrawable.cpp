@@ -121,15 +121,13 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
  * @return whether there are bricks to draw. */
 bool BrickDrawable::prepare(osg::State& state, ContextBricks& bricks) const
 {
-    if (_isPartial)
-    {
-        const osg::ref_ptr<const BuildingSet> building = _store->getBuilding();
-        return building && bricks.upload(state, *building) && !building->getPoints().points.empty();
-    }
+    // Also if they are drawn partly built, so that the last frame of an animation has nothing to upload.
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     if (newest && newest->hasPoints()) bricks.upload(state, *newest);
     bricks.pollBlocks(state);
-    return bricks.numBricks > 0;
+    if (!_isPartial) return bricks.numBricks > 0;
+    const osg::ref_ptr<const BuildingSet> building = _store->getBuilding();
+    return building && bricks.upload(state, *building) && !building->getPoints().points.empty();
 }
 
 void BrickDrawable::drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,

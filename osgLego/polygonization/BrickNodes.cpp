@@ -70,9 +70,9 @@ osg::ref_ptr<osg::Geode> createNode(const BrickDrawable::Options& options, osg::
     constexpr const char* SPLATS = "#define SPLATS\n";
     constexpr const char* ONE_LIGHT = "#define ONE_LIGHT\n";
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
-    node->addDrawable(new BrickDrawable(
-        options, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
-        *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
+    node->addDrawable(
+        new BrickDrawable(options, triangles, *createSplatState(triangles, name, fragments, definitions + SPLATS),
+                          *createSplatState(triangles, name, fragments, definitions + SPLATS + ONE_LIGHT)));
     node->setStateSet(&triangles);
     return node;
 }
@@ -89,8 +89,7 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     {
         constexpr const char* NAME = "polygonization";
         constexpr const char* FRAGMENTS = "polygonization/polygonization.frag";
-        _frameNode =
-            createNode(options, *createState(NAME, FRAGMENTS, definitions), NAME, FRAGMENTS, definitions);
+        _frameNode = createNode(options, *createState(NAME, FRAGMENTS, definitions), NAME, FRAGMENTS, definitions);
         _bufferNode = _frameNode;
         _distantNode = _frameNode;
         return;

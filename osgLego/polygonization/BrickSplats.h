@@ -49,8 +49,8 @@ private:
                     const CellView& view, const CellView::Rays& rays, const glm::ivec2& size) const;
 
     /** Draw a point for each tile of the picture that may contain bricks, with the applied program. */
-    void drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges,
-                   const CellView& view, const glm::ivec2& size) const;
+    void drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges, const CellView& view,
+                   const glm::ivec2& size) const;
 
     osg::ref_ptr<osg::StateSet> _boxes;   // for bricks without visible studs
     osg::ref_ptr<osg::StateSet> _studded; // for the other bricks

@@ -20,8 +20,8 @@ namespace osgLego
 /** How much of a model is shown. */
 struct BuildingState
 {
-    double progress = 1.0;     //!< the share of parts in place, 0 to 1
-    std::size_t numNew = 0;    //!< the number of parts to highlight
+    double progress = 1.0;  //!< the share of parts in place, 0 to 1
+    std::size_t numNew = 0; //!< the number of parts to highlight
 
     bool isWhole() const { return progress >= 1.0 && numNew == 0; }
 };

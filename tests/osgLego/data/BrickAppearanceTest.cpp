@@ -29,7 +29,8 @@ TEST(BrickAppearance, NumbersHaveRanges)
     EXPECT_TRUE(BrickAppearance().check().empty());
     for (const Range& range : {Range{&BrickAppearance::reliefHeight, "reliefHeight", 0.0, 0.2},
                                Range{&BrickAppearance::roughness, "roughness", 0.05, 1.0},
-                               Range{&BrickAppearance::variation, "variation", 0.0, 5.0}})
+                               Range{&BrickAppearance::variation, "variation", 0.0, 5.0},
+                               Range{&BrickAppearance::outline, "outline", 0.0, 8.0}})
     {
         const auto errorOf = [&](double value)
         {

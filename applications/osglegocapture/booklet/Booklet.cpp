@@ -1,0 +1,254 @@
+#include "Booklet.h"
+
+#include "BookletModel.h"
+#include "BookletPage.h"
+#include "BookletPictures.h"
+#include "BookletProgress.h"
+#include "BookletRenderer.h"
+#include "BookletText.h"
+#include "Cancellation.h"
+
+#include "../ExitCode.h"
+
+#include <common/CompleteFile.h>
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/Palette.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <osgDB/Registry>
+
+namespace osgLego
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_PARTS_UNASKED = 2000;
+constexpr double PLANNING_SHARE = 0.1; // of the time, on the progress bar
+
+std::string nameModel(const CaptureOptions& options)
+{
+    return options.mesh.empty() ? "the built-in model" : "'" + options.mesh + "'";
+}
+
+std::string nameFiles(const CaptureOptions& options)
+{
+    return options.mesh.empty() ? "racing-car" : nameBooklet(options.mesh);
+}
+
+CaptureError cannotWrite(const std::string& fileName, const std::string& why)
+{
+    return {EXIT_BAD_OUTPUT, "can't write '" + fileName + "': " + why};
+}
+
+/** The parts to build. */
+osg::ref_ptr<const BrickModel> findModel(const CaptureOptions& options, const LegoNode& lego)
+{
+    osg::ref_ptr<const BrickModel> model = lego.getBricks();
+    if (!model || model->getParts().empty())
+        throw CaptureError(EXIT_BAD_INPUT,
+                           nameModel(options) + " has no parts to build; expected parts=bricks among its settings");
+    const BrickGrid& grid = model->getGrid();
+    if (!std::all_of(model->getParts().begin(), model->getParts().end(),
+                     [&grid](const Part& part) { return findPartType(part, grid) != nullptr; }))
+        throw CaptureError(EXIT_BAD_INPUT,
+                           nameModel(options) + " has parts of other shapes; expected bricks and plates of 1x1 to 2x8");
+    return model;
+}
+
+osg::ref_ptr<const BuildingPlan> plan(const BrickModel& model, BookletProgress& progress)
+{
+    PlanningOptions options;
+    options.isCancelled = Cancellation::isRequested;
+    options.progress = [&progress](double share)
+    { progress.show(PLANNING_SHARE * share, "planning the order of building"); };
+    osg::ref_ptr<const BuildingPlan> plan = planBuilding(model, options);
+    Cancellation::check();
+    return plan;
+}
+
+/** Throws if the booklet would be very large, unless that is wanted. */
+void checkSize(const CaptureOptions& options, const BrickModel& model)
+{
+    const std::size_t numParts = model.getParts().size();
+    if (numParts <= MOST_PARTS_UNASKED || options.isBookletConfirmed || options.bookletSteps) return;
+    PlanningOptions quick;
+    quick.checksStability = false;
+    const osg::ref_ptr<const BuildingPlan> plan = planBuilding(model, quick);
+    throw CaptureError(
+        EXIT_BAD_INPUT,
+        fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or --steps FIRST-LAST",
+                    nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size())));
+}
+
+std::string createMpd(const LegoNode& lego)
+{
+    osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension("mpd");
+    if (!writer) throw CaptureError(EXIT_BAD_OUTPUT, "there is no plugin osgdb_ldraw to write .mpd");
+    std::ostringstream stream;
+    const osgDB::ReaderWriter::WriteResult result = writer->writeNode(lego, stream);
+    if (!result.success()) throw CaptureError(EXIT_BAD_OUTPUT, result.message());
+    return stream.str();
+}
+
+std::vector<BookletDownload> createDownloads(const std::string& name, const BookletModel& model, const LegoNode& lego)
+{
+    std::ostringstream wanted;
+    model.getPartsList().writeWantedList(wanted);
+    std::ostringstream table;
+    model.getPartsList().writeCsv(table);
+    return {{"Wanted list (BrickLink)", name + ".xml", "application/xml", wanted.str()},
+            {"Parts list (CSV)", name + ".csv", "text/csv", table.str()},
+            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego)}};
+}
+
+/** Sentences for the cover if the model can't be built as planned. */
+std::vector<std::string> createWarnings(const BookletModel& model)
+{
+    std::vector<std::string> warnings;
+    const std::vector<BookletStep>& steps = model.getMainChapter().steps;
+    if (const std::size_t unheld = model.getNumUnheld())
+        warnings.push_back("This model can't be built as it is: nothing holds " + countOf(unheld, "part") + " when " +
+                           (unheld == 1 ? "it is" : "they are") + " placed.");
+    if (model.getNumPieces() > 1)
+        warnings.push_back(
+            fmt::format("This model consists of {} that no stud connects.", countOf(model.getNumPieces(), "piece")));
+    const auto numFalling =
+        std::count_if(steps.begin(), steps.end(), [](const BookletStep& step) { return !step.stands; });
+    if (numFalling > 0)
+        warnings.push_back(fmt::format("After {} the model does not stand by itself: hold it there.",
+                                       countOf(static_cast<std::size_t>(numFalling), "step")));
+    for (const std::string& warning :
+         {model.getPartsList().describeNeverMade(), model.getPartsList().describeWithoutNumber()})
+        if (!warning.empty()) warnings.push_back("Parts " + warning + ".");
+    return warnings;
+}
+
+void setSteps(const CaptureOptions& options, std::size_t numSteps, BookletFacts& facts)
+{
+    facts.endStep = numSteps;
+    if (!options.bookletSteps) return;
+    const auto [first, last] = *options.bookletSteps;
+    if (first > numSteps)
+        throw CaptureError(EXIT_BAD_OPTIONS,
+                           fmt::format("bad value '{}-{}' for --steps; expected FIRST-LAST from 1 to {}, the number of "
+                                       "steps of {}",
+                                       first, last, numSteps, nameModel(options)));
+    facts.firstStep = first - 1;
+    facts.endStep = std::min(last, numSteps);
+}
+
+/** Creates the folder of a booklet, and removes it if no booklet is written. */
+class BookletFolder
+{
+public:
+    explicit BookletFolder(const std::string& name) : _name(name)
+    {
+        std::error_code error;
+        _isNew = fs::create_directory(_name, error);
+        if (error) throw cannotWrite(name, error.message());
+    }
+    BookletFolder(const BookletFolder&) = delete;
+    BookletFolder& operator=(const BookletFolder&) = delete;
+    ~BookletFolder()
+    {
+        std::error_code ignored;
+        if (_isNew) fs::remove(_name, ignored);
+    }
+
+    void keep() { _isNew = false; }
+
+private:
+    std::string _name;
+    bool _isNew;
+};
+
+/** Write a file by a function that may throw. */
+void writeFile(const std::string& fileName, const std::function<void(std::ostream&)>& write)
+{
+    std::exception_ptr failure; // a temporary file is removed only if its writer returns
+    const auto writeTemporary = [&](const std::string& temporaryName) -> std::string
+    {
+        std::ofstream file(temporaryName, std::ios::binary);
+        try
+        {
+            if (file) write(file);
+        }
+        catch (...)
+        {
+            failure = std::current_exception();
+            return "cancelled";
+        }
+        file.close();
+        return file ? std::string() : std::string(std::strerror(errno));
+    };
+    const std::string why = writeCompleteFile(fileName, writeTemporary);
+    if (failure) std::rethrow_exception(failure);
+    if (!why.empty()) throw cannotWrite(fileName, why);
+}
+
+} // namespace
+
+std::string getBookletFile(const CaptureOptions& options)
+{
+    return (fs::path(options.instructions) / (nameFiles(options) + ".html")).string();
+}
+
+void checkBookletPlace(const CaptureOptions& options)
+{
+    std::error_code ignored;
+    const fs::path folder = fs::path(options.instructions);
+    // A folder that does not exist yet is created by the rules for a file in its place.
+    const std::string file = fs::exists(folder, ignored) ? getBookletFile(options) : folder.string();
+    if (const std::string obstacle = findObstacleToWriting(file); !obstacle.empty())
+        throw cannotWrite(getBookletFile(options), obstacle);
+}
+
+void writeBooklet(const CaptureOptions& options, const LegoNode& lego,
+                  const std::function<osg::ref_ptr<osg::GraphicsContext>()>& createContext)
+{
+    const Cancellation cancellation;
+    const osg::ref_ptr<const BrickModel> bricks = findModel(options, lego);
+    checkSize(options, *bricks);
+    BookletProgress progress;
+    const osg::ref_ptr<const BuildingPlan> order = plan(*bricks, progress);
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read(lego.getSettings(), error);
+    const BookletModel model(*bricks, *order, palette ? palette->getColors() : std::span<const PaletteColor>());
+
+    BookletFacts facts;
+    facts.title = titleOf(nameFiles(options));
+    facts.warnings = createWarnings(model);
+    facts.downloads = createDownloads(nameFiles(options), model, lego);
+    setSteps(options, model.getMainChapter().steps.size(), facts);
+
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    BookletRenderer renderer(*context);
+    BookletPictures pictures(model, renderer);
+    std::size_t numDone = 0;
+    std::size_t numPictures = 0;
+    BookletPage page(model, facts, pictures,
+                     [&](const std::string& work)
+                     {
+                         Cancellation::check();
+                         const double share = static_cast<double>(numDone++) / static_cast<double>(numPictures);
+                         progress.show(PLANNING_SHARE + (1.0 - PLANNING_SHARE) * share, work);
+                     });
+    numPictures = page.countPictures();
+    BookletFolder folder(options.instructions);
+    writeFile(getBookletFile(options), [&page](std::ostream& stream) { page.write(stream); });
+    folder.keep();
+}
+
+} // namespace osgLego

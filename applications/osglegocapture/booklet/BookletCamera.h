@@ -1,0 +1,53 @@
+#pragma once
+
+#include <osgLego/BrickGrid.h>
+#include <osgLego/Part.h>
+
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <osg/Camera>
+#include <osg/Vec3d>
+
+namespace osgLego
+{
+
+/** A rectangle in the plane of a picture, in pitches: x to the right, y upwards. */
+struct BookletFrame
+{
+    glm::dvec2 lowest{0.0};
+    glm::dvec2 highest{0.0};
+
+    glm::dvec2 getSize() const { return highest - lowest; }
+};
+
+/** A direction in which a model is seen, without perspective. */
+struct BookletView
+{
+    int turns = 0;            //!< quarter turns about the up axis, counter-clockwise from above
+    bool isFromBelow = false; //!< the same elevation below the horizon
+};
+
+/** Places cameras so that pictures of a model from one direction have the same scale. */
+class BookletCamera
+{
+public:
+    BookletCamera(const BrickGrid& grid, const BookletView& view);
+
+    /** The part of the picture's plane that parts cover, studs included. @param parts at least one. */
+    BookletFrame findFrame(std::span<const Part> parts) const;
+    /** A point in cell units, in the picture's plane. */
+    glm::dvec2 project(const glm::dvec3& cell) const;
+    /** The up axis in the picture's plane, per pitch. */
+    glm::dvec2 getUp() const;
+    /** Let a camera show a frame. */
+    void apply(osg::Camera& camera, const BookletFrame& frame) const;
+
+private:
+    const BrickGrid _grid;
+    osg::Vec3d _right;
+    osg::Vec3d _up;
+    osg::Vec3d _toEye;
+};
+
+} // namespace osgLego

@@ -1,0 +1,199 @@
+#include "BookletModel.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** A letter for a submodel: A to Z, then AA, AB and so on. */
+std::string letterOf(std::size_t index)
+{
+    std::string letters;
+    for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26)
+        letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
+    return letters;
+}
+
+/** Set whether the view of each step differs from that of the step before. */
+void markTurns(std::vector<BookletStep>& steps)
+{
+    for (std::size_t step = 1; step < steps.size(); ++step)
+        steps[step].isTurned =
+            steps[step].turns != steps[step - 1].turns || steps[step].isFromBelow != steps[step - 1].isFromBelow;
+}
+
+/** The model of some parts of another, and for each of these its index there. */
+osg::ref_ptr<const BrickModel> createPartialModel(const BrickModel& model, const std::vector<std::uint32_t>& parts,
+                                                  std::map<std::uint32_t, std::uint32_t>& indices)
+{
+    // Parts of all models are sorted by their cells, so that the chosen ones keep their order.
+    for (const std::uint32_t part : parts)
+        indices[part] = 0;
+    std::vector<Part> chosen;
+    for (auto& [part, index] : indices)
+    {
+        index = static_cast<std::uint32_t>(chosen.size());
+        chosen.push_back(model.getParts()[part]);
+    }
+    return BrickModel::createOfParts(model.getGrid(), std::move(chosen));
+}
+
+/** Sets of parts that are held together. */
+class Pieces
+{
+public:
+    explicit Pieces(std::size_t numParts) : _parents(numParts), _number(numParts)
+    {
+        std::iota(_parents.begin(), _parents.end(), std::size_t(0));
+    }
+
+    void join(std::size_t part, std::size_t other)
+    {
+        part = findRoot(part);
+        other = findRoot(other);
+        if (part == other) return;
+        _parents[part] = other;
+        --_number;
+    }
+
+    std::size_t getNumber() const { return _number; }
+
+private:
+    std::size_t findRoot(std::size_t part)
+    {
+        while (_parents[part] != part)
+            part = _parents[part] = _parents[_parents[part]];
+        return part;
+    }
+
+    std::vector<std::size_t> _parents;
+    std::size_t _number;
+};
+
+std::size_t countPieces(const BrickModel& model)
+{
+    Pieces pieces(model.getParts().size());
+    glm::ivec3 up(0);
+    up[model.getGrid().getUpIndex()] = 1;
+    for (std::size_t brick = 0; brick < model.getBricks().size(); ++brick)
+    {
+        const std::uint32_t part = model.getPartIndices()[brick];
+        if (const Part* above = model.findPart(model.getBricks()[brick].getCell() + up))
+            pieces.join(part, static_cast<std::size_t>(above - model.getParts().data()));
+    }
+    return pieces.getNumber();
+}
+
+} // namespace
+
+BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette) :
+    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
+{
+    _list.add(model, palette);
+    _kinds = _list.getRows();
+    _kindOfPart = _list.findRows(model);
+    _chapters.push_back(createChapter(plan, plan.getSteps()));
+    for (const Submodel& submodel : plan.getSubmodels())
+        _chapters.push_back(createChapter(plan, submodel.steps));
+    std::size_t numNamed = 0;
+    nameSteps(_chapters.front(), numNamed);
+}
+
+BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const
+{
+    BookletChapter chapter;
+    std::vector<std::vector<std::uint32_t>> placed;
+    std::vector<std::uint32_t> all;
+    for (const BuildingStep& step : steps)
+    {
+        placed.push_back(plan.getPlacedParts(step));
+        all.insert(all.end(), placed.back().begin(), placed.back().end());
+        BookletStep& own = chapter.steps.emplace_back();
+        own.items = countKinds(step.parts);
+        for (const std::uint32_t submodel : step.submodels)
+            own.submodels.push_back(submodel + 1);
+        own.turns = step.turns;
+        own.isFromBelow = step.isFromBelow;
+        own.stands = step.stands;
+        own.numNew = placed.back().size();
+        own.numPlaced = all.size();
+    }
+    markTurns(chapter.steps);
+    chapter.items = countKinds(all);
+
+    std::map<std::uint32_t, std::uint32_t> indices;
+    chapter.model = createPartialModel(*_model, all, indices);
+    std::vector<BuildingStep> flat;
+    for (std::size_t step = 0; step < steps.size(); ++step)
+    {
+        flat.push_back(steps[step]);
+        flat.back().submodels.clear();
+        flat.back().parts.clear();
+        for (const std::uint32_t part : placed[step])
+            flat.back().parts.push_back(indices[part]);
+    }
+    chapter.plan = BuildingPlan::create(all.size(), std::move(flat));
+    return chapter;
+}
+
+std::vector<BookletItem> BookletModel::countKinds(const std::vector<std::uint32_t>& parts) const
+{
+    std::map<std::size_t, std::size_t> quantities;
+    for (const std::uint32_t part : parts)
+        ++quantities[_kindOfPart[part]];
+    std::vector<BookletItem> items;
+    items.reserve(quantities.size());
+    for (const auto& [kind, quantity] : quantities)
+        items.push_back({kind, quantity});
+    return items;
+}
+
+/** Number the steps of a chapter, and give letters to its submodels in the order in which they are built. */
+void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
+{
+    for (std::size_t step = 0; step < chapter.steps.size(); ++step)
+    {
+        chapter.steps[step].name = chapter.letter + std::to_string(step + 1);
+        for (const std::size_t submodel : chapter.steps[step].submodels)
+        {
+            _chapters[submodel].letter = letterOf(numNamed++);
+            nameSteps(_chapters[submodel], numNamed);
+        }
+    }
+}
+
+std::size_t BookletModel::getNumParts() const
+{
+    return _model->getParts().size();
+}
+
+double BookletModel::getMass() const
+{
+    return std::accumulate(_kinds.begin(), _kinds.end(), 0.0,
+                           [](double mass, const PartsList::Row& row) { return mass + row.getMass(); });
+}
+
+glm::dvec3 BookletModel::getSize() const
+{
+    constexpr double PITCH = 8.0;        // millimetres
+    constexpr double PLATE_HEIGHT = 3.2; // millimetres
+    const BrickGrid& grid = _model->getGrid();
+    glm::ivec3 lowest(grid.dimensions);
+    glm::ivec3 end(0);
+    for (const Part& part : _model->getParts())
+    {
+        lowest = glm::min(lowest, part.getCell());
+        end = glm::max(end, part.getCell() + part.getSize());
+    }
+    const glm::dvec3 cells(end - lowest);
+    const int up = grid.getUpIndex();
+    return {cells.x * PITCH, cells[3 - up] * PITCH, cells[up] * getCellPlates(grid) * PLATE_HEIGHT};
+}
+
+} // namespace osgLego

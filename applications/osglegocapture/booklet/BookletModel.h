@@ -1,0 +1,93 @@
+#pragma once
+
+#include <common/PartsList.h>
+#include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Parts of one type and colour that are needed together. */
+struct BookletItem
+{
+    std::size_t kind = 0; //!< an index into BookletModel::getKinds()
+    std::size_t quantity = 0;
+};
+
+/** A step as it is printed. */
+struct BookletStep
+{
+    std::string name;                   //!< such as "12", or "A3" in a submodel
+    std::vector<BookletItem> items;     //!< the parts it adds, without those of submodels, in the order of kinds
+    std::vector<std::size_t> submodels; //!< chapters that are built before this step and attached in it
+    int turns = 0;                      //!< as BuildingStep::turns
+    bool isFromBelow = false;           //!< as BuildingStep::isFromBelow
+    bool isTurned = false;              //!< whether the view differs from that of the step before
+    bool stands = true;                 //!< as BuildingStep::stands
+    std::size_t numPlaced = 0;          //!< the parts in place after this step, those of submodels included
+    std::size_t numNew = 0;             //!< the parts that this step puts in place, those of submodels included
+};
+
+/** The steps of the main model, or of a submodel. */
+struct BookletChapter
+{
+    std::string letter;                    //!< of a submodel, such as "A"; empty for the main model
+    osg::ref_ptr<const BrickModel> model;  //!< of the parts of this chapter, those of submodels included
+    osg::ref_ptr<const BuildingPlan> plan; //!< of that model, with one step for each of `steps`, and no submodels
+    std::vector<BookletItem> items;        //!< all parts, those of submodels included, in the order of kinds
+    std::vector<BookletStep> steps;
+};
+
+/** The content of a booklet, without its pictures: kinds of parts, and steps by chapter.
+ *
+ *     const BookletModel booklet(*model, *plan, palette->getColors());
+ *     for (const BookletStep& step : booklet.getMainChapter().steps) ...
+ *
+ * Uses no GL. Immutable; every function may be called from any thread.
+ */
+class BookletModel
+{
+public:
+    /** @param model with parts that are in getPartTypes(), at least one.
+     * @param plan of the model.
+     * @param palette the colours that the model was built in, as in PartsList::add(). */
+    BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette);
+
+    const PartsList& getPartsList() const { return _list; }
+    /** The rows of the parts list. */
+    const std::vector<PartsList::Row>& getKinds() const { return _kinds; }
+    /** The main model, and then the submodels in the order of the plan. */
+    const std::vector<BookletChapter>& getChapters() const { return _chapters; }
+    const BookletChapter& getMainChapter() const { return _chapters.front(); }
+
+    std::size_t getNumParts() const;
+    /** The number of pieces that no stud holds together. */
+    std::size_t getNumPieces() const { return _numPieces; }
+    double getMass() const; //!< grams
+    /** The width, depth and height, without the studs on top, in millimetres. */
+    glm::dvec3 getSize() const;
+    /** The number of parts that nothing holds when they are placed. */
+    std::size_t getNumUnheld() const { return _numUnheld; }
+
+private:
+    BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
+    std::vector<BookletItem> countKinds(const std::vector<std::uint32_t>& parts) const;
+    void nameSteps(BookletChapter& chapter, std::size_t& numNamed);
+
+    osg::ref_ptr<const BrickModel> _model;
+    PartsList _list;
+    std::vector<PartsList::Row> _kinds;
+    std::vector<std::size_t> _kindOfPart;
+    std::vector<BookletChapter> _chapters;
+    std::size_t _numPieces = 0;
+    std::size_t _numUnheld = 0;
+};
+
+} // namespace osgLego

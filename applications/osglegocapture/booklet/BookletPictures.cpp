@@ -1,0 +1,182 @@
+#include "BookletPictures.h"
+
+#include "../CaptureFiles.h"
+#include "../ExitCode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <OpenImageIO/filesystem.h>
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double DENSITY = 2.0;         // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1600;  // pixels
+constexpr double LARGEST_HEIGHT = 1400; // pixels
+constexpr double LARGEST_PITCH = 120;   // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 3.0;    // pictures of parts are small, and printed as large
+constexpr double PART_PITCH = 20.0;     // pixels of CSS
+constexpr double MARGIN = 0.15;         // pitches around a model, for outlines and rounding
+constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
+
+glm::dvec2 sizeWithMargin(const BookletFrame& frame)
+{
+    return frame.getSize() + 2.0 * MARGIN;
+}
+
+BookletFrame addMargin(BookletFrame frame)
+{
+    frame.lowest -= MARGIN;
+    frame.highest += MARGIN;
+    return frame;
+}
+
+/** Widen a frame about its middle. */
+BookletFrame widen(BookletFrame frame, double width)
+{
+    const double more = 0.5 * (width - frame.getSize().x);
+    frame.lowest.x -= more;
+    frame.highest.x += more;
+    return frame;
+}
+
+/** Round the size of a frame up to whole pixels. */
+glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
+{
+    const glm::ivec2 size = glm::max(glm::ivec2(glm::ceil(frame.getSize() * pixels - 1e-6)), glm::ivec2(1));
+    frame.highest = frame.lowest + glm::dvec2(size) / pixels;
+    return size;
+}
+
+BookletPicture encode(const osg::Image& image, double density)
+{
+    // WebP takes a fifth of the bytes of PNG, and every current browser shows it. Artefacts of this quality are
+    // invisible even in print.
+    constexpr const char* COMPRESSION = "webp:90";
+    OIIO::ImageBuf picture = toImageBuf(image);
+    picture.specmod().attribute("compression", COMPRESSION);
+    OIIO::Filesystem::IOVecOutput bytes;
+    picture.set_write_ioproxy(&bytes);
+    if (!picture.write("picture.webp")) throw CaptureError(EXIT_BAD_OUTPUT, picture.geterror());
+    BookletPicture encoded;
+    encoded.bytes.assign(bytes.buffer().begin(), bytes.buffer().end());
+    encoded.mediaType = "image/webp";
+    encoded.width = image.s();
+    encoded.height = image.t();
+    encoded.density = density;
+    return encoded;
+}
+
+osg::ref_ptr<const BuildingPlan> createPlanOfOnePart()
+{
+    std::vector<BuildingStep> steps(1);
+    steps.front().parts = {0};
+    return BuildingPlan::create(1, std::move(steps));
+}
+
+/** A part of a kind, with its long side to the right, in a grid of its own. */
+osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
+{
+    constexpr double BRICK_HEIGHT = 1.2; // pitches
+    const bool isPlate = row.type->family == PartFamily::PLATE;
+    BrickGrid grid;
+    grid.cellSize = {1.0, 1.0, isPlate ? BRICK_HEIGHT / 3.0 : BRICK_HEIGHT};
+    grid.dimensions = {row.type->length, row.type->width, 1};
+    Part part;
+    part.size = {static_cast<std::uint8_t>(row.type->length), static_cast<std::uint8_t>(row.type->width), 1};
+    part.color = row.color.color;
+    part.colorCode = row.color.code;
+    return BrickModel::createOfParts(grid, {part});
+}
+
+} // namespace
+
+BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer) :
+    _model(model), _renderer(renderer), _shown(NONE)
+{
+    for (const BookletChapter& chapter : model.getChapters())
+        _scales.push_back(findScale(chapter));
+}
+
+BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter) const
+{
+    Scale scale;
+    for (const BookletStep& step : chapter.steps)
+    {
+        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isFromBelow});
+        scale.size = glm::max(scale.size, sizeWithMargin(camera.findFrame(chapter.model->getParts())));
+    }
+    scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
+    return scale;
+}
+
+void BookletPictures::show(std::size_t chapter)
+{
+    if (_shown == chapter) return;
+    const BookletChapter& own = _model.getChapters()[chapter];
+    _renderer.setModel(*own.model, *own.plan);
+    _shown = chapter;
+}
+
+BookletPicture BookletPictures::drawKind(std::size_t kind)
+{
+    const osg::ref_ptr<const BrickModel> model = createModelOfKind(_model.getKinds()[kind]);
+    _renderer.setModel(*model, *createPlanOfOnePart());
+    _renderer.setPlaced(1, 0);
+    _renderer.setOcclusion(false);
+    _shown = NONE;
+    const BookletCamera camera(model->getGrid(), {});
+    BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
+    const glm::ivec2 size = roundToPixels(frame, PART_PITCH * PART_DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
+}
+
+BookletPicture BookletPictures::drawFinished(std::size_t chapter)
+{
+    show(chapter);
+    const BookletChapter& own = _model.getChapters()[chapter];
+    _renderer.setPlaced(own.model->getParts().size(), 0);
+    _renderer.setOcclusion(true);
+    const BookletCamera camera(own.model->getGrid(), {});
+    BookletFrame frame = addMargin(camera.findFrame(own.model->getParts()));
+    const double pixels =
+        std::min({LARGEST_WIDTH / frame.getSize().x, LARGEST_HEIGHT / frame.getSize().y, LARGEST_PITCH});
+    const glm::ivec2 size = roundToPixels(frame, pixels);
+    return encode(*_renderer.drawTransparent(camera, frame, size), DENSITY);
+}
+
+BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
+{
+    show(chapter);
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BookletStep& shown = own.steps[step];
+    _renderer.setPlaced(shown.numPlaced, shown.numNew);
+    _renderer.setOcclusion(false);
+
+    std::vector<Part> placed;
+    for (std::size_t rank = 0; rank < shown.numPlaced; ++rank)
+        placed.push_back(own.model->getParts()[own.plan->getOrder()[rank]]);
+    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isFromBelow});
+    const BookletFrame whole = addMargin(camera.findFrame(own.model->getParts()));
+    // As high as the parts in place, and as wide as the finished model, so that the model stays where it is.
+    BookletFrame frame = addMargin(camera.findFrame(placed));
+    frame.lowest.x = whole.lowest.x;
+    frame.highest.x = whole.highest.x;
+    frame = widen(frame, _scales[chapter].size.x);
+    const glm::ivec2 size = roundToPixels(frame, _scales[chapter].pixels);
+    return encode(*_renderer.draw(camera, frame, size), DENSITY);
+}
+
+double BookletPictures::getAspect(std::size_t chapter) const
+{
+    return _scales[chapter].size.x / _scales[chapter].size.y;
+}
+
+} // namespace osgLego

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "BookletCamera.h"
+#include "BookletModel.h"
+#include "BookletPicture.h"
+#include "BookletRenderer.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Draws the pictures of a booklet with this project's renderer. One thread. */
+class BookletPictures : public BookletPictureSource
+{
+public:
+    /** The arguments must outlive this object. */
+    BookletPictures(const BookletModel& model, BookletRenderer& renderer);
+
+    BookletPicture drawKind(std::size_t kind) override;
+    BookletPicture drawFinished(std::size_t chapter) override;
+    BookletPicture drawStep(std::size_t chapter, std::size_t step) override;
+    double getAspect(std::size_t chapter) const override;
+
+private:
+    /** The pictures of a chapter: their scale, and their size in pitches. */
+    struct Scale
+    {
+        double pixels = 0.0; //!< per pitch
+        glm::dvec2 size{0.0};
+    };
+
+    Scale findScale(const BookletChapter& chapter) const;
+    void show(std::size_t chapter);
+
+    const BookletModel& _model;
+    BookletRenderer& _renderer;
+    std::vector<Scale> _scales;
+    std::size_t _shown; // the chapter that the renderer shows
+};
+
+} // namespace osgLego

@@ -1,0 +1,126 @@
+#include "BookletText.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include <osgDB/FileNameUtils>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The colours whose names differ by more than the spelling of grey. */
+constexpr std::array<std::pair<int, const char*>, 7> OTHER_NAMES{{{32, "Light Orange"},
+                                                                  {56, "Rose Pink"},
+                                                                  {89, "Dark Purple"},
+                                                                  {93, "Light Purple"},
+                                                                  {97, "Blue-Violet"},
+                                                                  {109, "Dark Blue-Violet"},
+                                                                  {245, "Lilac"}}};
+
+std::string toLower(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return text;
+}
+
+} // namespace
+
+std::string escapedForHtml(std::string_view text)
+{
+    std::string escaped;
+    for (const char letter : text)
+        switch (letter)
+        {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += letter;
+        }
+    return escaped;
+}
+
+std::string formatNumber(std::size_t number)
+{
+    std::string text = std::to_string(number);
+    for (std::size_t place = text.size(); place > 3; place -= 3)
+        text.insert(place - 3, ",");
+    return text;
+}
+
+std::string countOf(std::size_t number, std::string_view noun)
+{
+    return formatNumber(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+std::string nameType(const PartType& type)
+{
+    const char* family = type.family == PartFamily::BRICK ? "Brick" : "Plate";
+    return std::string(family) + "\u00a0" + std::to_string(type.width) + "\u202f×\u202f" + std::to_string(type.length);
+}
+
+std::string nameColor(const PaletteColor& color)
+{
+    std::string name = color.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string nameBrickLinkColor(const PaletteColor& color)
+{
+    if (color.brickLink < 0) return {};
+    for (const auto& [number, name] : OTHER_NAMES)
+        if (number == color.brickLink) return name;
+    std::string name = nameColor(color);
+    if (const auto place = name.find("Grey"); place != std::string::npos) name.replace(place, 4, "Gray");
+    return name;
+}
+
+std::string describeParts(const PartsList::Row& row, std::size_t quantity)
+{
+    const std::string name = toLower(row.type->getName());
+    const auto space = name.find(' ');
+    const std::string color = row.color.code == Part::NO_CODE ? row.color.name : toLower(nameColor(row.color));
+    return formatNumber(quantity) + " " + color + " " + name.substr(0, space) + (quantity == 1 ? "" : "s") +
+           name.substr(space);
+}
+
+std::string nameBooklet(const std::string& modelFileName)
+{
+    const std::string loader = ".legolize";
+    std::string name = modelFileName;
+    while (name.ends_with(loader))
+    {
+        name.resize(name.size() - loader.size());
+        const auto settings = name.ends_with(')') ? name.rfind(".(") : name.rfind('.');
+        if (settings == std::string::npos) break;
+        name.resize(settings);
+    }
+    name = osgDB::getStrippedName(name);
+    return name.empty() ? "model" : name;
+}
+
+std::string titleOf(std::string name)
+{
+    std::replace(name.begin(), name.end(), '_', ' ');
+    std::replace(name.begin(), name.end(), '-', ' ');
+    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+} // namespace osgLego

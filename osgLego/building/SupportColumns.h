@@ -1,0 +1,51 @@
+#pragma once
+
+#include <osgLego/layout/LayoutProblem.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** A column of parts below a model. */
+struct SupportColumn
+{
+    glm::ivec3 place{0}; //!< its lowest cell
+    int width = 1;       //!< of its square, in cells
+    int height = 0;      //!< in cells
+    std::uint16_t color = 0;
+};
+
+/** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
+ *
+ * The layout must exist as long as this object. One thread. */
+class SupportColumns
+{
+public:
+    SupportColumns(const LayoutProblem& problem, const LaidParts& parts);
+
+    /** Columns below some parts: at the outermost places in eight directions, and in the middle.
+     * @param below indices of parts. @return none if no place below them is free. */
+    std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
+
+    /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
+    LaidParts build(const SupportColumn& column) const;
+
+private:
+    bool isFree(const glm::ivec3& cell) const;
+    SupportColumn makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const;
+    SupportColumn widen(const SupportColumn& column) const;
+
+    const LayoutProblem& _problem;
+    const LaidParts& _parts;
+    std::unordered_set<std::uint64_t> _covered;
+    int _ground; //!< the height of the lowest cells
+};
+
+} // namespace osgLego
