@@ -39,7 +39,7 @@ std::size_t countSubmodels(const JointGraph& graph)
 } // namespace
 
 PlanBuilder::PlanBuilder(const BrickModel& model, const PlanningOptions& options) :
-    _model(model), _options(options), _boxes(createPartBoxes(model)), _turnedBoxes(turnUpsideDown(_boxes))
+    _model(model), _options(options), _boxes(createBuildingBoxes(model)), _turnedBoxes(turnUpsideDown(_boxes))
 {
 }
 
@@ -84,9 +84,9 @@ std::vector<PlanBuilder::PartList> PlanBuilder::findPieces() const
     return lists;
 }
 
-std::vector<PartBox> PlanBuilder::select(const PartList& parts, bool isUpsideDown) const
+std::vector<BuildingBox> PlanBuilder::select(const PartList& parts, bool isUpsideDown) const
 {
-    std::vector<PartBox> boxes;
+    std::vector<BuildingBox> boxes;
     boxes.reserve(parts.size());
     for (const std::uint32_t part : parts)
         boxes.push_back((isUpsideDown ? _turnedBoxes : _boxes)[part]);

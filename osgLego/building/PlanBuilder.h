@@ -39,14 +39,14 @@ private:
     std::vector<BuildingStep> planSteps(const PartList& parts, const Setting& setting);
     std::uint32_t planSubmodel(const PartList& parts);
     bool isBetterUpsideDown(const PartList& parts) const;
-    std::vector<PartBox> select(const PartList& parts, bool isUpsideDown) const;
+    std::vector<BuildingBox> select(const PartList& parts, bool isUpsideDown) const;
     void addUnheld(const PartList& parts, BuildingStep& step);
     bool proceed(std::size_t numPlaced);
 
     const BrickModel& _model;
     const PlanningOptions& _options;
-    std::vector<PartBox> _boxes;
-    std::vector<PartBox> _turnedBoxes; // upside down
+    std::vector<BuildingBox> _boxes;
+    std::vector<BuildingBox> _turnedBoxes; // upside down
     std::vector<Submodel> _submodels;
     PartList _unheld;
     bool _isCancelled = false;
