@@ -1,7 +1,12 @@
 #include <osgLego/Stability.h>
 
+#include <osgLego/stability/StabilityAnalysis.h>
+
 #include <cmath>
+#include <numeric>
 #include <sstream>
+
+#include <osg/Timer>
 
 namespace osgLego
 {
@@ -16,6 +21,18 @@ std::string StabilityReport::toString() const
         text << "the model stands" << (safe ? " safely" : ", but not safely") << ", with a margin of "
              << std::lround(100.0 * margin) << " %";
     return text.str();
+}
+
+std::optional<StabilityReport> computeStability(const BrickModel& model, const StabilityOptions& options)
+{
+    const osg::Timer_t start = osg::Timer::instance()->tick();
+    StabilityAnalysis analysis(model, options.base);
+    analysis.setCancellation(options.isCancelled);
+    std::vector<std::uint32_t> parts(model.getParts().size());
+    std::iota(parts.begin(), parts.end(), 0u);
+    std::optional<StabilityReport> report = analysis.solve(parts);
+    if (report) report->milliseconds = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+    return report;
 }
 
 } // namespace osgLego

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace osgLego
 {
@@ -70,6 +71,25 @@ std::string joinWords(const std::vector<std::string>& words)
     return text;
 }
 
+/** Whether the picture of a finished submodel shows its only step. */
+bool isShort(const BookletChapter& chapter)
+{
+    return chapter.steps.size() == 1 && chapter.steps.front().submodels.empty();
+}
+
+/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
+std::string drawArrow(const BookletArrow& arrow)
+{
+    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
+    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
+    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
+    std::string path;
+    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
+                                     neck - 3.0 * across, neck - across, arrow.tail - across})
+        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
+    return path + "Z";
+}
+
 } // namespace
 
 BookletPage::BookletPage(const BookletModel& model, const BookletFacts& facts, BookletPictureSource& pictures,
@@ -104,7 +124,7 @@ std::size_t BookletPage::countStepPictures(const BookletChapter& chapter, std::s
         for (const std::size_t submodel : chapter.steps[step].submodels)
         {
             const BookletChapter& own = _model.getChapters()[submodel];
-            number += 1 + countStepPictures(own, 0, own.steps.size());
+            number += 1 + (isShort(own) ? 0 : countStepPictures(own, 0, own.steps.size()));
         }
     return number;
 }
@@ -221,16 +241,19 @@ void BookletPage::writeSubmodel(std::size_t chapter)
     const std::string id = "submodel-" + lowerLetters(own.letter);
     _progress("submodel " + own.letter);
     const BookletPicture picture = _pictures.drawFinished(chapter);
-    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height);
+    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height) / picture.density;
     *_stream << "<svg class=\"symbols\" aria-hidden=\"true\">";
     writeSymbol(id + "-picture", picture);
     *_stream << "</svg>\n<section class=\"submodel\" id=\"" << id << "\">\n<div class=\"intro\" data-stop=\"Submodel "
-             << own.letter << "\">\n<h3>Submodel " << own.letter << "</h3>\n<div class=\"sides\">";
-    writeUse(id + "-picture", "Submodel " + own.letter + ", finished", _submodelSizes[chapter]);
-    *_stream << "\n<ul class=\"callout\">\n";
+             << own.letter << "\">\n<header><h3>" << own.letter << "<span class=\"hidden\">: submodel</span></h3>\n"
+             << "<ul class=\"callout\">\n";
     writeItems(own.items);
-    *_stream << "</ul></div></div>\n";
-    for (std::size_t step = 0; step < own.steps.size(); ++step)
+    *_stream << "</ul></header>\n<figure>";
+    const bool isWhole = isShort(own);
+    writeUse(id + "-picture", isWhole ? describeStep(own, own.steps.front()) : "Submodel " + own.letter + ", finished",
+             _submodelSizes[chapter]);
+    *_stream << "</figure></div>\n";
+    for (std::size_t step = 0; step < own.steps.size() && !isWhole; ++step)
         writeStep(chapter, step);
     *_stream << "</section>\n";
 }
@@ -252,14 +275,32 @@ void BookletPage::writeStep(std::size_t chapter, std::size_t index)
              << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px">)",
                             _pictures.getAspect(chapter), picture.width / picture.density);
     writeImage(picture, describeStep(own, step));
+    writeArrows(picture);
     *_stream << "</div></figure>\n</section>\n";
 }
 
 void BookletPage::writeCallout(const BookletStep& step)
 {
     *_stream << "<ul class=\"callout\">\n";
+    for (const std::size_t submodel : step.submodels)
+    {
+        const std::string& letter = _model.getChapters()[submodel].letter;
+        *_stream << "<li>";
+        writeUse("submodel-" + lowerLetters(letter) + "-picture", "Submodel " + letter, _submodelSizes[submodel]);
+        *_stream << "<span class=\"letter\" aria-hidden=\"true\">" << letter << "</span></li>\n";
+    }
     writeItems(step.items);
     *_stream << "</ul>\n";
+}
+
+void BookletPage::writeArrows(const BookletPicture& picture)
+{
+    if (picture.arrows.empty()) return;
+    *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
+                            picture.height);
+    for (const BookletArrow& arrow : picture.arrows)
+        *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
+    *_stream << "</svg>";
 }
 
 void BookletPage::writeItems(const std::vector<BookletItem>& items)

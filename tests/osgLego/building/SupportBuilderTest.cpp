@@ -2,7 +2,7 @@
 #include <osgLego/building/SupportBuilder.h>
 #include <osgLego/layout/LayoutCheck.h>
 
-#include <support/Layouts.h>
+#include <Layouts.h>
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(SupportBuilder, LaysBricksAcrossTheWeakPlaceBeforeItAddsColumns)
         {{"aa....aa", "aa....aa"}, {"aa....aa", "aa....aa"}, {"aaaaaaaa", "aaaaaaaa"}, {"aaaaaaaa", "aaaaaaaa"}});
     LaidParts parts;
     for (std::uint16_t z = 0; z < 2; ++z)
-        for (const std::uint16_t x : {0, 6})
+        for (const std::uint16_t x : {std::uint16_t(0), std::uint16_t(6)})
             parts.push_back({{x, 0, z}, {2, 2, 1}});
     for (std::uint16_t z = 2; z < 4; ++z)
     {

@@ -1,6 +1,6 @@
 #include <osgLego/building/SupportColumns.h>
 
-#include <support/Layouts.h>
+#include <Layouts.h>
 
 #include <gtest/gtest.h>
 

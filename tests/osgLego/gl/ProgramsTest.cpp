@@ -43,17 +43,22 @@ protected:
     {
         for (const osg::ref_ptr<LightProbe>& probe : probes)
             for (const char* look : {"plain", "full"})
-            {
-                const osg::ref_ptr<LegoNode> lego =
-                    new LegoNode(parseSettings(std::string("8,device=cpu,look=") + look));
-                lego->setLightProbe(probe);
-                lego->setWaiting(true);
-                lego->addChild(createSphere(4));
-                const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-                osgViewer::Viewer viewer;
-                setUpViewer(viewer, *context, *lego);
-                viewer.frame();
-            }
+                for (const char* progress : {"1", "0.5"})
+                    for (const std::size_t numNew : {std::size_t(0), std::size_t(3)})
+                        drawLook(*probe, std::string("8,device=cpu,look=") + look + ",progress=" + progress, numNew);
+    }
+
+    static void drawLook(const LightProbe& probe, const std::string& settings, std::size_t numNewParts)
+    {
+        const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        lego->setLightProbe(&probe);
+        lego->setNumNewParts(numNewParts);
+        lego->setWaiting(true);
+        lego->addChild(createSphere(4));
+        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+        osgViewer::Viewer viewer;
+        setUpViewer(viewer, *context, *lego);
+        viewer.frame();
     }
 
     static void createOcclusion(const Probes& probes)

@@ -193,6 +193,24 @@ TEST_P(GlObjectsTest, ANodeThatIsRemovedLeavesNothing)
     expectNoneLeft();
 }
 
+TEST_P(GlObjectsTest, ProgressNeedsTwoMoreBuffersAndLeavesNothing)
+{
+    drawFrames(12);
+    const int buffers = GlObjects::count(*_context).buffers;
+    _lego->setBuildProgress(0.5);
+    drawFrames(2);
+    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 2);
+    _lego->setNumNewParts(3);
+    drawFrames(1);
+    _lego->setBuildProgress(0.25);
+    drawFrames(1);
+    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 2);
+    _root->removeChild(_lego);
+    _context->makeCurrent();
+    _lego->releaseGLObjects(_context->getState());
+    expectNoneLeft();
+}
+
 TEST_P(GlObjectsTest, ReleasingLeavesNothing)
 {
     drawFrames(2);

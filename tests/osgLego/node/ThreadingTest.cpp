@@ -108,6 +108,20 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
     expectBricksInAllViews();
 }
 
+TEST_P(Threading, ProgressMayChangeWhileItRuns)
+{
+    for (int frame = 0; frame < 40; ++frame)
+    {
+        if (frame % 4 == 0) _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * frame));
+        _lego->setBuildProgress(0.1 * (frame % 11));
+        _lego->setNumNewParts(frame % 3 == 0 ? 5 : 0);
+        _viewer.frame();
+    }
+    _lego->setBuildProgress(1.0);
+    _lego->setNumNewParts(0);
+    expectBricksInAllViews();
+}
+
 TEST_P(Threading, PassesThatAreStillDrawnBringNoBricksBackWhenTheSourceHasGone)
 {
     for (int repeat = 0; repeat < 30; ++repeat)

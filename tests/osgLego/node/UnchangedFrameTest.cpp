@@ -13,6 +13,43 @@ namespace osgLego::test
 namespace
 {
 
+/** Counts the uploads to buffers in a context, during its lifetime. */
+class UploadCount
+{
+public:
+    explicit UploadCount(osg::GraphicsContext& context) : _extensions(*context.getState()->get<osg::GLExtensions>())
+    {
+        count = 0;
+        bufferData = _extensions.glBufferData;
+        bufferSubData = _extensions.glBufferSubData;
+        _extensions.glBufferData = [](auto... arguments)
+        {
+            ++count;
+            bufferData(arguments...);
+        };
+        _extensions.glBufferSubData = [](auto... arguments)
+        {
+            ++count;
+            bufferSubData(arguments...);
+        };
+    }
+    ~UploadCount()
+    {
+        _extensions.glBufferData = bufferData;
+        _extensions.glBufferSubData = bufferSubData;
+    }
+    UploadCount(const UploadCount&) = delete;
+    UploadCount& operator=(const UploadCount&) = delete;
+
+    static inline int count = 0;
+
+private:
+    static inline decltype(osg::GLExtensions::glBufferData) bufferData = nullptr;
+    static inline decltype(osg::GLExtensions::glBufferSubData) bufferSubData = nullptr;
+
+    osg::GLExtensions& _extensions;
+};
+
 /** Frames in which nothing changes. */
 class UnchangedFrame : public OnDevices<LookTest>
 {
@@ -57,6 +94,38 @@ TEST_P(UnchangedFrame, MakesNoBricks)
     countInFrames(*lego);
     expectPictureOfCpu(*_context, *lego, *_viewer.getCamera());
     EXPECT_EQ(lego->getStatistics(_context->getState()->getContextID()).numLegolizations, 1u);
+}
+
+TEST_P(UnchangedFrame, ProgressAllocatesAndUploadsNothing)
+{
+    osg::ref_ptr<osg::Geode> box = new osg::Geode;
+    box->addDrawable(new osg::ShapeDrawable(new osg::Box));
+    const std::size_t expected = countInFrames(*box);
+    for (const char* settings : {"20,proportions=brick,drawing=splats", "20,proportions=brick,drawing=triangles"})
+    {
+        const osg::ref_ptr<LegoNode> lego = createLego(settings);
+        lego->setWaiting(true);
+        lego->setBuildProgress(0.5);
+        draw(*lego, {osg::Vec3d(6, -12, 6), osg::Vec3d()});
+        const std::size_t drawn = countDrawn(*readPixels(*_context));
+        const auto animate = [&]
+        {
+            for (int frame = 0; frame < 20; ++frame)
+            {
+                lego->setBuildProgress(0.05 * frame);
+                _viewer.frame();
+            }
+        };
+        animate();
+        const UploadCount uploads(*_context);
+        const std::size_t before = AllocationCount::getNumAllocations();
+        animate();
+        EXPECT_LE(AllocationCount::getNumAllocations() - before, expected) << settings;
+        lego->setBuildProgress(1.0); // drawn as usual
+        _viewer.frame();
+        EXPECT_EQ(UploadCount::count, 0) << settings;
+        EXPECT_GT(countDrawn(*readPixels(*_context)), drawn) << settings;
+    }
 }
 
 INSTANTIATE_ON_DEVICES(UnchangedFrame);

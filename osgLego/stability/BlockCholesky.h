@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace osgLego
+{
+
+/** Factorizes symmetric positive semidefinite matrices of blocks of 6 x 6 numbers, all with blocks at the same places.
+ *
+ * Rows that depend on others are allowed: their part of the solution is 0.
+ *
+ * Usage:
+ *
+ *     BlockCholesky cholesky(numBlocks, places);
+ *     cholesky.setZero();
+ *     cholesky.getDiagonal(row) += ...; // and cholesky.add(place, block)
+ *     cholesky.factorize();
+ *     cholesky.solve(vector);
+ *
+ * One thread at a time. */
+class BlockCholesky
+{
+public:
+    using Block = Eigen::Matrix<double, 6, 6>;
+
+    /** Choose the order of elimination.
+     * @param places the row and the column of each block off the diagonal, each pair of different numbers once, and
+     * not also the other way round. */
+    BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
+
+    void setZero();
+    Block& getDiagonal(std::size_t row) { return _diagonal[_ranks[row]]; }
+    /** Set the block at the place of this index. */
+    void setBlock(std::size_t place, const Block& block);
+
+    void factorize();
+    /** Replace the right side of a system of equations by its solution. */
+    void solve(Eigen::VectorXd& vector) const;
+
+    /** The number of blocks of the factor off its diagonal. */
+    std::size_t getNumBlocks() const { return _rows.size(); }
+
+private:
+    void analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
+
+    std::vector<std::uint32_t> _ranks; //!< for each row of the matrix, its rank in the order of elimination
+    std::vector<Block> _diagonal;
+    std::vector<std::size_t> _starts;    //!< for each column, its first block in _rows and _blocks
+    std::vector<std::uint32_t> _rows;    //!< ascending in each column
+    std::vector<Block> _blocks;          //!< of the lower triangle
+    std::vector<std::size_t> _targets;   //!< for each place, its block
+    std::vector<bool> _isTransposed;     //!< for each place, whether its block is transposed
+    std::vector<std::size_t> _rowStarts; //!< for each row, its first entry in _rowBlocks
+    /** The blocks in a row: their columns and indices. */
+    std::vector<std::pair<std::uint32_t, std::size_t>> _rowBlocks;
+    std::vector<std::size_t> _scatter;
+};
+
+} // namespace osgLego

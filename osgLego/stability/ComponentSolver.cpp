@@ -1,0 +1,139 @@
+#include <osgLego/stability/ComponentSolver.h>
+
+#include <osgLego/stability/EquilibriumProgram.h>
+#include <osgLego/stability/InteriorPointSolver.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Newtons, or newtons times the pitch, that may be missing: a thousandth of the weight of the lightest part.
+constexpr double RESIDUAL_TOLERANCE = 2e-6;
+// The tension, in newtons, that is taken for none.
+constexpr double TENSION_TOLERANCE = 1e-6;
+// Penalties of newtons that are missing, beside newtons of tension. The higher one is for models that stand, but have
+// such long levers that a missing newton saves more than a hundred of tension.
+constexpr double PENALTY = 1e2;
+constexpr double HIGH_PENALTY = 1e5;
+
+/** Solves the linear programs of one component. */
+class ComponentSolver
+{
+public:
+    ComponentSolver(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                    std::span<const Contact> contacts, const std::function<bool()>& isCancelled) :
+        _contacts(contacts),
+        _program(boxes, parts, contacts), _solver(_program)
+    {
+        _solver.setCancellation(isCancelled);
+    }
+
+    std::optional<ComponentStability> solve()
+    {
+        std::optional<Equilibrium> equilibrium = findTension(PENALTY);
+        if (!equilibrium) return std::nullopt;
+        ComponentStability result;
+        result.tension = getTension(*equilibrium);
+        if (result.tension > StabilityReport::CAPACITY)
+        {
+            std::optional<Equilibrium> nearest = _solver.solve({1.0, StabilityReport::CAPACITY, false});
+            if (!nearest) return std::nullopt;
+            if (isComplete(*nearest))
+            {
+                equilibrium = findTension(HIGH_PENALTY);
+                if (!equilibrium) return std::nullopt;
+                result.tension = std::min(getTension(*equilibrium), StabilityReport::CAPACITY);
+            }
+            else
+            {
+                findFalling(*nearest, result);
+                if (!isComplete(*equilibrium)) equilibrium = std::move(nearest);
+            }
+        }
+        result.weakest = findWeakest(*equilibrium);
+        findLoads(*equilibrium, result);
+        return result;
+    }
+
+private:
+    std::optional<Equilibrium> findTension(double penalty)
+    {
+        return _solver.solve({penalty, 2.0 * StabilityReport::CAPACITY, true});
+    }
+
+    double getTension(const Equilibrium& equilibrium) const
+    {
+        if (!isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
+        return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
+    }
+
+    bool isComplete(const Equilibrium& equilibrium) const
+    {
+        return equilibrium.residuals.abs().maxCoeff() <= RESIDUAL_TOLERANCE;
+    }
+
+    /** The joint whose capacity matters most. */
+    std::optional<StabilityReport::Joint> findWeakest(const Equilibrium& equilibrium) const
+    {
+        std::optional<StabilityReport::Joint> weakest;
+        if (equilibrium.tension < TENSION_TOLERANCE) return weakest;
+        double most = 1e-6;
+        for (std::size_t index = 0; index < _contacts.size(); ++index)
+        {
+            const EquilibriumProgram::Joint& joint = _program.getJoints()[index];
+            const double price =
+                equilibrium.prices
+                    .segment(static_cast<Eigen::Index>(joint.first), static_cast<Eigen::Index>(joint.end - joint.first))
+                    .sum();
+            if (price <= most) continue;
+            most = price;
+            weakest = {_contacts[index].lower, _contacts[index].upper};
+        }
+        return weakest;
+    }
+
+    void findFalling(const Equilibrium& equilibrium, ComponentStability& result) const
+    {
+        for (std::uint32_t body = 0; body < _program.getNumBodies(); ++body)
+            if (equilibrium.residuals.segment<6>(6 * static_cast<Eigen::Index>(body)).abs().maxCoeff() >
+                RESIDUAL_TOLERANCE)
+                result.falling.push_back(body);
+    }
+
+    void findLoads(const Equilibrium& equilibrium, ComponentStability& result) const
+    {
+        result.loads.assign(_program.getNumBodies(), 0.0f);
+        for (const EquilibriumProgram::Joint& joint : _program.getJoints())
+            for (std::size_t force = joint.first; force < joint.end; ++force)
+            {
+                if (_program.getKind(force) != EquilibriumProgram::DRAG) continue;
+                const auto load = static_cast<float>(equilibrium.forces[static_cast<Eigen::Index>(force)] /
+                                                     StabilityReport::CAPACITY);
+                for (const std::int32_t body : {joint.lower, joint.upper})
+                    if (body != EquilibriumProgram::NO_BODY)
+                        result.loads[static_cast<std::size_t>(body)] =
+                            std::max(result.loads[static_cast<std::size_t>(body)], load);
+            }
+    }
+
+    const std::span<const Contact> _contacts;
+    const EquilibriumProgram _program;
+    InteriorPointSolver _solver;
+};
+
+} // namespace
+
+std::optional<ComponentStability> solveComponent(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                                 std::span<const Contact> contacts,
+                                                 const std::function<bool()>& isCancelled)
+{
+    return ComponentSolver(boxes, parts, contacts, isCancelled).solve();
+}
+
+} // namespace osgLego

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <osgLego/Stability.h>
+#include <osgLego/stability/ContactFinder.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace osgLego
+{
+
+/** How parts that touch each other stand. */
+struct ComponentStability
+{
+    /** The least upper limit of drags, in newtons, with which the parts are in equilibrium; infinite if
+     * 2 * StabilityReport::CAPACITY does not suffice. */
+    double tension = 0.0;
+    std::optional<StabilityReport::Joint> weakest; //!< the joint that needs this limit
+    std::vector<float> loads;                      //!< for each part, as in StabilityReport
+    std::vector<std::uint32_t> falling;            //!< indices into `loads`
+};
+
+/** Compute how parts that touch each other, each connected to the base, stand.
+ * @param boxes those of all parts of the model.
+ * @param parts indices into `boxes`, in ascending order.
+ * @param contacts between these parts, and of them with the base.
+ * @param isCancelled may be empty.
+ * @return nothing if it was cancelled. */
+std::optional<ComponentStability> solveComponent(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                                 std::span<const Contact> contacts,
+                                                 const std::function<bool()>& isCancelled);
+
+} // namespace osgLego

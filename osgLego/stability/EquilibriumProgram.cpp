@@ -1,0 +1,166 @@
+#include <osgLego/stability/EquilibriumProgram.h>
+
+#include <osgLego/stability/ContactPoints.h>
+
+#include <algorithm>
+#include <array>
+
+#include <Eigen/Geometry>
+
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double GRAVITY = 9.8;
+constexpr double NEWTONS_PER_GRAM = GRAVITY / 1000.0;
+constexpr double PLATE_HEIGHT = 0.4; // of the pitch
+
+/** A corner of a box, in pitches. */
+Eigen::Vector3d toPitches(const glm::ivec3& corner)
+{
+    return {1.0 * corner.x, 1.0 * corner.y, PLATE_HEIGHT * corner.z};
+}
+
+Eigen::Vector3d findCenter(const PartBox& box)
+{
+    return 0.5 * (toPitches(box.low) + toPitches(box.high));
+}
+
+/** Two opposite corners of that which the boxes of two parts have in common, in pitches. */
+std::array<Eigen::Vector3d, 2> findOverlap(std::span<const PartBox> boxes, const Contact& contact)
+{
+    const PartBox& upper = boxes[contact.upper];
+    PartBox lower = upper;
+    if (contact.lower != Contact::BASE)
+        lower = boxes[contact.lower];
+    else
+        lower.high.z = upper.low.z;
+    return {toPitches(glm::max(lower.low, upper.low)), toPitches(glm::min(lower.high, upper.high))};
+}
+
+Wrench createWrench(const Eigen::Vector3d& point, const Eigen::Vector3d& force)
+{
+    Wrench wrench;
+    wrench << force, point.cross(force);
+    return wrench;
+}
+
+} // namespace
+
+EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                       std::span<const Contact> contacts) :
+    _numBodies(parts.size()),
+    _load(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * parts.size())))
+{
+    for (std::size_t body = 0; body < parts.size(); ++body)
+        _load[static_cast<Eigen::Index>(6 * body + 2)] = NEWTONS_PER_GRAM * boxes[parts[body]].mass;
+    const auto findBody = [&](std::uint32_t part)
+    { return static_cast<std::int32_t>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin()); };
+    for (const Contact& contact : contacts)
+    {
+        const std::array<Eigen::Vector3d, 2> corners = findOverlap(boxes, contact);
+        const Eigen::Vector3d place = 0.5 * (corners[0] + corners[1]);
+        Joint joint;
+        joint.upper = findBody(contact.upper);
+        joint.upperArm = place - findCenter(boxes[contact.upper]);
+        if (contact.lower != Contact::BASE)
+        {
+            joint.lower = findBody(contact.lower);
+            joint.lowerArm = place - findCenter(boxes[contact.lower]);
+        }
+        joint.first = _wrenches.size();
+        addForces(boxes, contact, 0.5 * (corners[1] - corners[0]), place);
+        joint.end = _wrenches.size();
+        _joints.push_back(joint);
+    }
+}
+
+void EquilibriumProgram::addForces(std::span<const PartBox> boxes, const Contact& contact,
+                                   const Eigen::Vector3d& halfSize, const Eigen::Vector3d& place)
+{
+    if (contact.kind == Contact::STUDS)
+    {
+        const Eigen::Vector3d upper = findCenter(boxes[contact.upper]) - place;
+        const glm::ivec3 size = boxes[contact.upper].high - boxes[contact.upper].low;
+        addStuds(findStudPoints({halfSize.x(), halfSize.y()}, {upper.x(), upper.y()}, {size.x, size.y}), halfSize);
+    }
+    else
+        addPressure(contact.kind, halfSize);
+}
+
+void EquilibriumProgram::addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize)
+{
+    for (const Eigen::Vector2d& point : findHull(points))
+        addForce(createWrench({point.x(), point.y(), 0.0}, Eigen::Vector3d::UnitZ()), PRESSURE);
+    for (const Eigen::Vector2d& point : points)
+        addForce(createWrench({point.x(), point.y(), 0.0}, -Eigen::Vector3d::UnitZ()), DRAG);
+    // Studs press from within in all directions, which amounts to any horizontal force and, with a second stud, torque.
+    addForce(Wrench::Unit(0), FREE);
+    addForce(Wrench::Unit(1), FREE);
+    if (halfSize.head<2>().maxCoeff() > 0.5) addForce(Wrench::Unit(5), FREE);
+}
+
+void EquilibriumProgram::addPressure(int axis, const Eigen::Vector3d& halfSize)
+{
+    const int other = (axis + 1) % 3;
+    const int third = (axis + 2) % 3;
+    for (const double a : {-halfSize[other], halfSize[other]})
+        for (const double b : {-halfSize[third], halfSize[third]})
+        {
+            Eigen::Vector3d point = Eigen::Vector3d::Zero();
+            point[other] = a;
+            point[third] = b;
+            addForce(createWrench(point, Eigen::Vector3d::Unit(axis)), PRESSURE);
+        }
+}
+
+void EquilibriumProgram::addForce(const Wrench& wrench, Kind kind)
+{
+    _wrenches.push_back(wrench);
+    _kinds.push_back(kind);
+    _numDrags += kind == DRAG;
+}
+
+void EquilibriumProgram::multiply(const Eigen::VectorXd& forces, Eigen::VectorXd& rows) const
+{
+    rows.setZero(static_cast<Eigen::Index>(getNumRows()));
+    for (const Joint& joint : _joints)
+    {
+        Wrench sum = Wrench::Zero();
+        for (std::size_t force = joint.first; force < joint.end; ++force)
+            sum += forces[static_cast<Eigen::Index>(force)] * _wrenches[force];
+        const Eigen::Vector3d push = sum.head<3>();
+        const auto add = [&](std::int32_t body, const Eigen::Vector3d& arm, double sign)
+        {
+            rows.segment<3>(6 * body) += sign * push;
+            rows.segment<3>(6 * body + 3) += sign * (sum.tail<3>() + arm.cross(push));
+        };
+        add(joint.upper, joint.upperArm, 1.0);
+        if (joint.lower != NO_BODY) add(joint.lower, joint.lowerArm, -1.0);
+    }
+}
+
+void EquilibriumProgram::multiplyTransposed(const Eigen::VectorXd& rows, Eigen::VectorXd& forces) const
+{
+    forces.resize(static_cast<Eigen::Index>(getNumForces()));
+    for (const Joint& joint : _joints)
+    {
+        // The velocity of a body at the place of the joint: v + omega x arm.
+        const auto velocityOf = [&](std::int32_t body, const Eigen::Vector3d& arm)
+        {
+            Wrench velocity = rows.segment<6>(6 * body);
+            velocity.head<3>() += velocity.tail<3>().cross(arm);
+            return velocity;
+        };
+        Wrench velocity = velocityOf(joint.upper, joint.upperArm);
+        if (joint.lower != NO_BODY) velocity -= velocityOf(joint.lower, joint.lowerArm);
+        for (std::size_t force = joint.first; force < joint.end; ++force)
+            forces[static_cast<Eigen::Index>(force)] = _wrenches[force].dot(velocity);
+    }
+}
+
+} // namespace osgLego

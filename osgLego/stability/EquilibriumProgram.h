@@ -1,0 +1,85 @@
+#pragma once
+
+#include <osgLego/stability/ContactFinder.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace osgLego
+{
+
+/** A force in newtons and its torque in newtons times the pitch of studs: x, y, z, about x, about y, about z. */
+using Wrench = Eigen::Matrix<double, 6, 1>;
+
+/** The forces that keep some parts in equilibrium, as the columns of a linear program.
+ *
+ * Each part has six rows, its forces and its torques about its centre. Each column is a force between two parts: it
+ * acts on one, and its opposite on the other. A force is at least 0; a force that holds, a drag, has an upper limit
+ * too. docs/stability.md describes the columns. Those that can't change the optimum are omitted: pressure within the
+ * convex hull of the points of a contact, and horizontal pressure between its outermost rows.
+ *
+ * Immutable once created; every function may be called from any thread. */
+class EquilibriumProgram
+{
+public:
+    static constexpr std::int32_t NO_BODY = -1; //!< instead of a part: the base
+
+    enum Kind : std::uint8_t
+    {
+        PRESSURE, //!< at least 0
+        DRAG,     //!< between 0 and an upper limit that all drags share
+        FREE      //!< any
+    };
+
+    /** The forces of one contact. */
+    struct Joint
+    {
+        std::int32_t lower = NO_BODY; //!< receives the opposite of each force
+        std::int32_t upper = NO_BODY;
+        Eigen::Vector3d lowerArm =
+            Eigen::Vector3d::Zero(); //!< from the centre of `lower` to the place that the wrenches are about
+        Eigen::Vector3d upperArm = Eigen::Vector3d::Zero();
+        std::size_t first = 0; //!< column
+        std::size_t end = 0;
+    };
+
+    /** @param contacts between parts in `parts`, or with the base.
+     * @param parts indices into `boxes`, in ascending order. */
+    EquilibriumProgram(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                       std::span<const Contact> contacts);
+
+    std::size_t getNumBodies() const { return _numBodies; }
+    std::size_t getNumRows() const { return 6 * _numBodies; }
+    std::size_t getNumForces() const { return _wrenches.size(); }
+    /** In the order of the contacts. */
+    const std::vector<Joint>& getJoints() const { return _joints; }
+    /** The forces that are needed, in newtons: the weights of the parts, upwards. */
+    const Eigen::VectorXd& getLoad() const { return _load; }
+    const Wrench& getWrench(std::size_t force) const { return _wrenches[force]; }
+    Kind getKind(std::size_t force) const { return _kinds[force]; }
+    std::size_t getNumDrags() const { return _numDrags; }
+
+    /** Compute the sum of the forces on each part. */
+    void multiply(const Eigen::VectorXd& forces, Eigen::VectorXd& rows) const;
+    /** Compute the rate at which each force would do work if the parts moved. */
+    void multiplyTransposed(const Eigen::VectorXd& rows, Eigen::VectorXd& forces) const;
+
+private:
+    void addForces(std::span<const PartBox> boxes, const Contact& contact, const Eigen::Vector3d& halfSize,
+                   const Eigen::Vector3d& place);
+    void addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize);
+    void addPressure(int axis, const Eigen::Vector3d& halfSize);
+    void addForce(const Wrench& wrench, Kind kind);
+
+    std::size_t _numBodies = 0;
+    std::size_t _numDrags = 0;
+    std::vector<Joint> _joints;
+    std::vector<Wrench> _wrenches;
+    std::vector<Kind> _kinds;
+    Eigen::VectorXd _load;
+};
+
+} // namespace osgLego

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <osgLego/stability/BlockCholesky.h>
+#include <osgLego/stability/EquilibriumProgram.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Core>
+
+namespace osgLego
+{
+
+/** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tension + FORCE_COST * (sum of all
+ * forces). */
+struct EquilibriumGoal
+{
+    static constexpr double FORCE_COST = 1e-6;
+
+    double penalty = 1.0;
+    /** The most that the tension, the upper limit of drags, may be, in newtons. */
+    double capacity = 1.0;
+    /** Whether the tension is minimized; otherwise it is `capacity`. */
+    bool minimizesTension = false;
+};
+
+/** Forces that bring parts as close to equilibrium as possible. */
+struct Equilibrium
+{
+    Eigen::ArrayXd forces;    //!< newtons
+    Eigen::ArrayXd residuals; //!< for each row, the force that is missing, in newtons, or torque
+    Eigen::ArrayXd prices;    //!< for each drag, the rate at which the goal would improve if its limit were raised
+    double tension = 0.0;     //!< the upper limit of drags, in newtons
+    int numIterations = 0;
+    bool hasConverged = false;
+};
+
+/** Solves the linear program of an equilibrium by Mehrotra's predictor-corrector method.
+ *
+ * The normal equations have a block of 6 x 6 numbers for each part and for each contact. The tension is a dense column,
+ * which is eliminated after them.
+ *
+ * One thread at a time. */
+class InteriorPointSolver
+{
+public:
+    /** @param program must outlive the solver. */
+    explicit InteriorPointSolver(const EquilibriumProgram& program);
+
+    /** Let a function end solve() early by returning true. */
+    void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
+
+    /** @return nothing if it was cancelled. */
+    std::optional<Equilibrium> solve(const EquilibriumGoal& goal);
+
+private:
+    /** A point near the central path, or a step from one to the next. */
+    struct Point
+    {
+        Eigen::ArrayXd forces, costs;         //!< and their dual slacks
+        Eigen::ArrayXd slacks, prices;        //!< of drags, up to the tension; 1 and 0 for other forces
+        Eigen::ArrayXd lacks, lackCosts;      //!< positive residuals, and their dual slacks
+        Eigen::ArrayXd excesses, excessCosts; //!< negative residuals
+        Eigen::ArrayXd velocities;            //!< the dual variables of the rows
+        double tension = 0.0;
+        double tensionSlack = 1.0; //!< up to the capacity
+        double tensionPrice = 0.0;
+    };
+
+    /** Products of variables and their dual slacks that a step aims at, less the present ones. */
+    struct Products
+    {
+        Eigen::ArrayXd forces, slacks, lacks, excesses;
+        double tension = 0.0;
+    };
+
+    void start();
+    void startForces();
+    void findErrors();
+    double computeGap(const Point& point) const;
+    bool hasConverged() const;
+    void factorize();
+    void factorizeRows();
+    void solveRows(Eigen::VectorXd& rows) const;
+    Products findProducts(double target) const;
+    void findStep(const Products& products);
+    /** The largest shares of the step that keep all variables and all dual slacks positive. */
+    std::pair<double, double> findLengths() const;
+    Point advance(double primal, double dual) const;
+
+    const EquilibriumProgram& _program;
+    std::function<bool()> _isCancelled;
+    BlockCholesky _cholesky;
+    Eigen::ArrayXd _isDrag;   //!< 1 or 0
+    Eigen::ArrayXd _isSigned; //!< 1 or 0
+    double _numProducts = 0.0;
+
+    EquilibriumGoal _goal;
+    Point _point;
+    Point _step;
+    Eigen::VectorXd _rowErrors;   //!< missing in the equations of the rows
+    Eigen::VectorXd _forceErrors; //!< missing in the dual equations of the forces
+    double _tensionError = 0.0;   //!< missing in that of the tension
+    Eigen::ArrayXd _weights;      //!< of the forces in the normal equations
+    Eigen::ArrayXd _rowWeights, _divisors;
+    Eigen::ArrayXd _slackWeights; //!< prices / slacks
+    Eigen::VectorXd _tensionColumn;
+    Eigen::VectorXd _tensionSolution;
+};
+
+} // namespace osgLego

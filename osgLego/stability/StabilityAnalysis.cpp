@@ -1,0 +1,202 @@
+#include <osgLego/stability/StabilityAnalysis.h>
+
+#include <osgLego/stability/ComponentSolver.h>
+#include <osgLego/stability/ContactFinder.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Disjoint groups of numbers. */
+class Groups
+{
+public:
+    explicit Groups(std::size_t count) : _parents(count) { std::iota(_parents.begin(), _parents.end(), 0u); }
+
+    std::uint32_t find(std::uint32_t member)
+    {
+        while (_parents[member] != member)
+            member = _parents[member] = _parents[_parents[member]];
+        return member;
+    }
+    /** @return whether they were in different groups. */
+    bool join(std::uint32_t a, std::uint32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        _parents[a] = b;
+        return a != b;
+    }
+
+private:
+    std::vector<std::uint32_t> _parents;
+};
+
+} // namespace
+
+class StabilityAnalysis::Implementation
+{
+public:
+    Implementation(const BrickModel& model, BuildingBase base) :
+        _base(base), _boxes(findPartBoxes(model)), _contacts(findContacts(model))
+    {
+    }
+
+    std::optional<StabilityReport> solve(std::span<const std::uint32_t> parts)
+    {
+        StabilityReport report;
+        report.loads.assign(_boxes.size(), 0.0f);
+        const int lowest = _lowest;
+        report.numComponents = select(parts);
+        if (_lowest != lowest) _cache.clear();
+        for (const std::uint32_t part : parts)
+            if (!_isHeld[part]) drop(part, report);
+        if (!report.stands) report.margin = -1.0;
+        const std::vector<Component> components = findComponents(parts);
+        std::vector<std::optional<ComponentStability>> results(components.size());
+        tbb::parallel_for(std::size_t(0), components.size(),
+                          [&](std::size_t index) { results[index] = solve(components[index]); });
+        Cache cache;
+        for (std::size_t index = 0; index < components.size(); ++index)
+        {
+            if (!results[index]) return std::nullopt;
+            add(components[index], *results[index], report);
+            cache.emplace(components[index].parts, std::move(*results[index]));
+        }
+        _cache = std::move(cache);
+        std::sort(report.falling.begin(), report.falling.end());
+        return report;
+    }
+
+    std::function<bool()> isCancelled;
+
+private:
+    /** Parts that are held, and their contacts. */
+    struct Component
+    {
+        std::vector<std::uint32_t> parts; //!< ascending
+        std::vector<Contact> contacts;
+    };
+    using Cache = std::map<std::vector<std::uint32_t>, ComponentStability>;
+
+    /** Find the base of the selected parts, and those that are connected to it by studs.
+     * @return the number of pieces that don't touch each other. */
+    std::size_t select(std::span<const std::uint32_t> parts)
+    {
+        _isSelected.assign(_boxes.size(), false);
+        _lowest = std::numeric_limits<int>::max();
+        for (const std::uint32_t part : parts)
+        {
+            _isSelected[part] = true;
+            _lowest = std::min(_lowest, _boxes[part].low.z);
+        }
+        const auto base = static_cast<std::uint32_t>(_boxes.size());
+        Groups studs(base + 1);
+        Groups pieces(base);
+        std::size_t numPieces = parts.size();
+        for (const std::uint32_t part : parts)
+            if (_boxes[part].low.z == _lowest) studs.join(part, base);
+        for (const Contact& contact : _contacts)
+        {
+            if (!_isSelected[contact.lower] || !_isSelected[contact.upper]) continue;
+            numPieces -= pieces.join(contact.lower, contact.upper);
+            if (contact.kind == Contact::STUDS) studs.join(contact.lower, contact.upper);
+        }
+        _isHeld.assign(_boxes.size(), false);
+        for (const std::uint32_t part : parts)
+            _isHeld[part] = studs.find(part) == studs.find(base);
+        return numPieces;
+    }
+
+    /** Group the held parts by their contacts. */
+    std::vector<Component> findComponents(std::span<const std::uint32_t> parts)
+    {
+        Groups groups(_boxes.size());
+        for (const Contact& contact : _contacts)
+            if (_isHeld[contact.lower] && _isHeld[contact.upper]) groups.join(contact.lower, contact.upper);
+        std::vector<std::uint32_t> held;
+        std::copy_if(parts.begin(), parts.end(), std::back_inserter(held),
+                     [&](std::uint32_t part) { return _isHeld[part]; });
+        std::sort(held.begin(), held.end());
+        std::vector<Component> components;
+        std::map<std::uint32_t, std::size_t> indices;
+        for (const std::uint32_t part : held)
+        {
+            const std::size_t index = indices.emplace(groups.find(part), components.size()).first->second;
+            if (index == components.size()) components.emplace_back();
+            components[index].parts.push_back(part);
+            if (_boxes[part].low.z == _lowest)
+                components[index].contacts.push_back(
+                    {Contact::BASE, part, _base == BuildingBase::TABLE ? Contact::TABLE : Contact::STUDS});
+        }
+        for (const Contact& contact : _contacts)
+            if (_isHeld[contact.lower] && _isHeld[contact.upper])
+                components[indices[groups.find(contact.lower)]].contacts.push_back(contact);
+        return components;
+    }
+
+    std::optional<ComponentStability> solve(const Component& component) const
+    {
+        if (const auto place = _cache.find(component.parts); place != _cache.end()) return place->second;
+        return solveComponent(_boxes, component.parts, component.contacts, isCancelled);
+    }
+
+    static void drop(std::uint32_t part, StabilityReport& report)
+    {
+        report.falling.push_back(part);
+        report.loads[part] = 1.0f;
+        report.stands = report.safe = false;
+    }
+
+    static void add(const Component& component, const ComponentStability& result, StabilityReport& report)
+    {
+        for (std::size_t body = 0; body < component.parts.size(); ++body)
+            report.loads[component.parts[body]] = result.loads[body];
+        const double margin = std::max(-1.0, 1.0 - result.tension / StabilityReport::CAPACITY);
+        if (result.weakest && (!report.weakest || margin < report.margin)) report.weakest = result.weakest;
+        report.margin = std::min(report.margin, margin);
+        report.stands = report.stands && result.falling.empty();
+        report.safe = report.safe && result.tension <= StabilityReport::SAFE_CAPACITY;
+        for (const std::uint32_t body : result.falling)
+            drop(component.parts[body], report);
+    }
+
+    const BuildingBase _base;
+    const std::vector<PartBox> _boxes;
+    const std::vector<Contact> _contacts;
+    Cache _cache;
+    std::vector<bool> _isSelected;
+    std::vector<bool> _isHeld;
+    int _lowest = 0;
+};
+
+StabilityAnalysis::StabilityAnalysis(const BrickModel& model, BuildingBase base) :
+    _implementation(std::make_unique<Implementation>(model, base))
+{
+}
+
+StabilityAnalysis::~StabilityAnalysis() = default;
+
+void StabilityAnalysis::setCancellation(std::function<bool()> isCancelled)
+{
+    _implementation->isCancelled = std::move(isCancelled);
+}
+
+std::optional<StabilityReport> StabilityAnalysis::solve(std::span<const std::uint32_t> parts)
+{
+    return _implementation->solve(parts);
+}
+
+} // namespace osgLego

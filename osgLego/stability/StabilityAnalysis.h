@@ -1,0 +1,51 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Stability.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace osgLego
+{
+
+/** Computes whether subsets of the parts of a model stand, such as those that are in place after a step of building.
+ *
+ * Contacts are found once, and components that are the same as in the last call are not computed again.
+ *
+ * Usage:
+ *
+ *     StabilityAnalysis analysis(*model, BuildingBase::TABLE);
+ *     const std::optional<StabilityReport> report = analysis.solve(parts);
+ *     if (!report) ... // cancelled
+ *
+ * Uses no GL, and all threads that oneTBB gives the caller. One thread at a time for each object.
+ */
+class StabilityAnalysis
+{
+public:
+    /** @param model with parts that are in getPartTypes(); needed only during this call. */
+    StabilityAnalysis(const BrickModel& model, BuildingBase base);
+    ~StabilityAnalysis();
+
+    StabilityAnalysis(const StabilityAnalysis&) = delete;
+    StabilityAnalysis& operator=(const StabilityAnalysis&) = delete;
+
+    /** Let a function end solve() early by returning true; it is called from any thread. */
+    void setCancellation(std::function<bool()> isCancelled);
+
+    /** Compute whether some parts stand, without the others, on the base below the lowest of them.
+     * @param parts indices into BrickModel::getParts(), in any order, each once.
+     * @return a report whose indices are those of the model, with a load of 0 for parts that are not among `parts`;
+     * nothing if it was cancelled. */
+    std::optional<StabilityReport> solve(std::span<const std::uint32_t> parts);
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> _implementation;
+};
+
+} // namespace osgLego
