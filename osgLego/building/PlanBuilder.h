@@ -38,6 +38,7 @@ private:
     std::vector<PartList> findPieces() const;
     std::vector<BuildingStep> planSteps(const PartList& parts, const Setting& setting);
     std::uint32_t planSubmodel(const PartList& parts);
+    std::size_t countFalls(const std::vector<BuildingStep>& steps, std::ptrdiff_t firstSubmodel) const;
     bool isBetterUpsideDown(const PartList& parts) const;
     std::vector<BuildingBox> select(const PartList& parts, bool isUpsideDown) const;
     void addUnheld(const PartList& parts, BuildingStep& step);
