@@ -14,7 +14,7 @@
 namespace osgLego
 {
 
-/** Booklet.css and Booklet.js, embedded at build time. */
+/** Booklet.css, Booklet.js and Booklet.svg, the symbols, embedded at build time. */
 const std::map<std::string_view, std::string_view>& getBookletTexts();
 
 namespace
@@ -22,12 +22,6 @@ namespace
 
 constexpr double BRICKS_PER_MINUTE_SLOW = 3.0;
 constexpr double BRICKS_PER_MINUTE_FAST = 10.0;
-
-// A model that turns about a vertical axis: two arrows that chase each other.
-constexpr const char* TURN_SYMBOL =
-    R"(<symbol id="turn" viewBox="0 0 64 64"><circle cx="32" cy="32" r="30" fill="#fff" stroke="#1b1d1f" stroke-width="2.5"/>)"
-    R"(<g fill="none" stroke="#1b1d1f" stroke-width="5"><path d="M14 30a18 11 0 0 1 31-6"/><path d="M50 34a18 11 0 0 1-31 6"/></g>)"
-    R"(<path d="M52 30l-11-1 6-10z M12 34l11 1-6 10z" fill="#1b1d1f"/></symbol>)";
 
 std::string dataOf(const std::string& mediaType, const std::string& bytes)
 {
@@ -74,7 +68,7 @@ std::string joinWords(const std::vector<std::string>& words)
 /** Whether the picture of a finished submodel shows its only step. */
 bool isShort(const BookletChapter& chapter)
 {
-    return chapter.steps.size() == 1 && chapter.steps.front().submodels.empty();
+    return chapter.steps.size() == 1 && chapter.steps.front().submodels.empty() && !chapter.steps.front().isUpsideDown;
 }
 
 /** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
@@ -136,7 +130,8 @@ void BookletPage::writeHead()
              << "<meta name=\"generator\" content=\"osgLego\">\n<title>" << escapedForHtml(_facts.title)
              << ": building instructions</title>\n<style>\n"
              << getBookletTexts().at("Booklet.css") << "</style>\n</head>\n<body>\n"
-             << "<svg class=\"symbols\" aria-hidden=\"true\">" << TURN_SYMBOL << "</svg>\n<main>\n";
+             << "<svg class=\"symbols\" aria-hidden=\"true\">" << getBookletTexts().at("Booklet.svg")
+             << "</svg>\n<main>\n";
 }
 
 void BookletPage::writeCover()
@@ -270,7 +265,9 @@ void BookletPage::writeStep(std::size_t chapter, std::size_t index)
              << "</h3>\n";
     writeCallout(step);
     if (step.isTurned)
-        *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model\"><use href=\"#turn\"/></svg>\n";
+        *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
+                 << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
+                 << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>\n";
     *_stream << "</header>\n<figure class=\"model\">"
              << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px">)",
                             _pictures.getAspect(chapter), picture.width / picture.density);

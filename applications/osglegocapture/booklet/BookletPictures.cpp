@@ -144,10 +144,8 @@ std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, c
         BookletArrow arrow;
         arrow.width = ARROW_WIDTH;
         arrow.tip.x = arrow.tail.x = 0.5 * (frame.lowest.x + frame.highest.x);
-        // The submodel is put on from the side that is seen.
-        const double side = step.isFromBelow ? -1.0 : 1.0;
-        arrow.tip.y = (step.isFromBelow ? frame.lowest.y : frame.highest.y) + side * ARROW_WIDTH;
-        arrow.tail.y = arrow.tip.y + side * ARROW_LENGTH;
+        arrow.tip.y = frame.highest.y + ARROW_WIDTH;
+        arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
         arrows.push_back(arrow);
     }
     return arrows;
@@ -158,7 +156,7 @@ BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter)
     Scale scale;
     for (const BookletStep& step : chapter.steps)
     {
-        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isFromBelow});
+        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isUpsideDown});
         scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
     }
     scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
@@ -210,7 +208,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
     _renderer.setOcclusion(false);
 
-    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isFromBelow});
+    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isUpsideDown});
     const double pixels = _scales[chapter].pixels;
     BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
     const glm::ivec2 size = roundToPixels(frame, pixels);

@@ -89,7 +89,9 @@ void BookletRenderer::addLight()
 void BookletRenderer::setModel(const BrickModel& model, const BuildingPlan& plan)
 {
     _model = &model;
-    _occlusion->setLightProbe(createSky(model.getGrid().upAxis));
+    const osg::ref_ptr<LightProbe> sky = createSky(model.getGrid().upAxis);
+    _occlusion->setLightProbe(sky);
+    _lego->setLightProbe(sky); // for pictures without ambient occlusion
     _lego->setStoredBricks(&model);
     _lego->setBuildingPlan(&plan);
 }
