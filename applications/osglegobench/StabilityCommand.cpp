@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include <Clp_C_Interface.h>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <osg/Timer>
 

@@ -111,6 +111,20 @@ TEST(Stability, FourStudsOfAWidePartHoldAtTwelvePoints)
     EXPECT_NEAR(compute(createPartModel(parts)).margin, marginOf(GRAVITY * MASS_2X2 / 12.0), 1e-6);
 }
 
+TEST(Stability, AStairOf19BricksStandsAndOneOf20Falls)
+{
+    // As built by StableLego's authors (Figure 1): each brick 2 x 4 overlaps the one below by half.
+    for (const int count : {19, 20})
+    {
+        std::vector<Part> parts;
+        for (int z = 0; z < count; ++z)
+            parts.push_back(createBrick({2 * z, 0, z}, 4, 2));
+        const StabilityReport report = compute(createPartModel(std::move(parts)), BuildingBase::PLATE);
+        EXPECT_EQ(report.stands, count == 19);
+        EXPECT_NEAR(report.margin, 0.0, 0.1);
+    }
+}
+
 TEST(Stability, ATallColumnStandsSafely)
 {
     std::vector<Part> parts;
