@@ -17,11 +17,13 @@ uniform vec2 linePixelWidth; // in cells, at the depth z in eye coordinates: |x 
 const float FADING = 0.62;             // the share of FADED in the colour of a faded part
 const vec3 FADED = vec3(0.90);
 const float FADED_ROUGHNESS = 0.8;
-const float DARK = 0.27;               // the brightness below which a part gets light lines
+const float DARK = 0.19;               // the brightness below which a part gets light lines
 const vec3 DARK_LINE = vec3(0.04);
-const vec3 LIGHT_LINE = vec3(0.56);
+const vec3 LIGHT_LINE = vec3(0.50);
 const float OLD_LINE = 0.72;           // the brightness of a line on a faded part, relative to the part
-const float LEAST_CELL = 3.0;          // the width of the smallest cells with lines, in line widths
+// The widths of the smallest cells with lines at the edges of parts and at those of studs, in line widths.
+const float LEAST_CELL = 3.0;
+const float LEAST_STUDDED = 4.5;
 const float STUD_STEP = 6.283185307 / float(STUD_SIDES);
 
 float cellPixels()
@@ -59,11 +61,16 @@ float lineOnFace(int axis, bool isUpper, float width, vec3 toEye)
         float beside = (open & bit) != 0u ? widthBeside(width, normal, toEye) : 0.5 * width;
         line = max(line, share[side / 2] * coverageAt(distances[side], beside));
     }
-    if (axis != upAxis || !isUpper) return line;
+    return line;
+}
+
+// The part of the line around the foot of a stud that is on the face below.
+float lineAroundStud(float width)
+{
     vec2 place = coordinate - 0.5;
     vec2 outward = normalize(place + 1e-5);
     float gradient = length(outward.x * coordinateSlopes.xy + outward.y * coordinateSlopes.zw) + 1e-6;
-    return max(line, coverageAt(abs(length(place) - STUD_RADIUS) / gradient, 0.5 * width));
+    return coverageAt(abs(length(place) - STUD_RADIUS) / gradient, 0.5 * width);
 }
 
 float lineOnDisk(float width, vec3 toEye)
@@ -94,19 +101,24 @@ float lineOnWall(float width, vec3 toEye)
 float lineHere(vec3 toEye)
 {
     float width = isNew ? lineWidth : oldLineWidth;
-    float near = clamp(cellPixels() / (LEAST_CELL * width) - 1.0, 0.0, 1.0);
+    float cell = cellPixels() / width;
+    float near = clamp(cell / LEAST_CELL - 1.0, 0.0, 1.0);
+    float nearStud = clamp(cell / LEAST_STUDDED - 1.0, 0.0, 1.0);
     if (width == 0.0 || near == 0.0) return 0.0;
     uint part = detail & 3u;
-    if (part == STUD_DISK) return near * lineOnDisk(width, toEye);
-    if (part == STUD_WALL) return near * lineOnWall(width, toEye);
-    return near * lineOnFace(int(detail >> 2 & 3u), (detail >> 4 & 1u) != 0u, width, toEye);
+    if (part == STUD_DISK) return nearStud * lineOnDisk(width, toEye);
+    if (part == STUD_WALL) return nearStud * lineOnWall(width, toEye);
+    int axis = int(detail >> 2 & 3u);
+    bool isUpper = (detail >> 4 & 1u) != 0u;
+    float line = near * lineOnFace(axis, isUpper, width, toEye);
+    return axis == upAxis && isUpper ? max(line, nearStud * lineAroundStud(width)) : line;
 }
 
-// The colour of a part where lines cover a share of the pixel.
+// The colour of a part where lines cover a share of the pixel. `own` may vary from part to part.
 vec3 drawnColor(vec3 own, float line)
 {
     vec3 shown = isNew ? own : mix(own, FADED, FADING);
-    bool isDark = dot(own, vec3(0.299, 0.587, 0.114)) < DARK;
+    bool isDark = dot(unpackUnorm4x8(color).rgb, vec3(0.299, 0.587, 0.114)) < DARK;
     vec3 ink = !isNew ? OLD_LINE * shown : isDark ? LIGHT_LINE : DARK_LINE;
     return mix(shown, ink, line);
 }

@@ -3,6 +3,7 @@
 #include <common/RacingCar.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
+#include <osgLego/Palette.h>
 
 #include <algorithm>
 #include <cmath>
@@ -278,6 +279,59 @@ osg::ref_ptr<osg::Node> createReliefImage()
     return occlusionOf(lego);
 }
 
+osg::ref_ptr<LegoNode> createPartsNode(double outline)
+{
+    const osg::ref_ptr<LegoNode> lego = createLego(createRacingCar(), 32);
+    LegoSettings settings = lego->getSettings();
+    settings.proportions = Proportions::BRICK;
+    settings.parts = PartSet::BRICKS;
+    lego->setSettings(settings);
+    BrickAppearance appearance;
+    appearance.outline = outline;
+    lego->setAppearance(appearance);
+    return lego;
+}
+
+/** A step of building the car: its new parts are highlighted. */
+osg::ref_ptr<osg::Node> createStep()
+{
+    const osg::ref_ptr<LegoNode> lego = createPartsNode(1.0);
+    lego->setBuildProgress(0.5);
+    lego->setNumNewParts(9);
+    return occlusionOf(lego);
+}
+
+/** A pair of parts in each colour, of which the right one is new. */
+osg::ref_ptr<osg::Node> createStepInColors()
+{
+    constexpr int ACROSS = 7;
+    std::string error;
+    const std::span<const PaletteColor> colors = Palette::read("ldraw", error)->getColors();
+    BrickGrid grid;
+    grid.dimensions = glm::ivec3(5 * ACROSS, 3 * static_cast<int>(colors.size() / ACROSS + 1), 1);
+    grid.cellSize = glm::dvec3(1.0, 1.0, 1.2);
+    std::vector<Part> parts;
+    for (std::size_t index = 0; index < colors.size(); ++index)
+        for (const int column : {0, 2})
+        {
+            Part& part = parts.emplace_back();
+            part.cell = {static_cast<std::uint16_t>(5 * (index % ACROSS) + static_cast<std::size_t>(column)),
+                         static_cast<std::uint16_t>(3 * (index / ACROSS)), 0};
+            part.size = {2, 2, 1};
+            part.color = colors[index].color;
+        }
+    const osg::ref_ptr<const BrickModel> model = BrickModel::createOfParts(grid, parts);
+    BuildingStep earlier;
+    BuildingStep added;
+    for (std::uint32_t part = 0; part < model->getParts().size(); ++part)
+        (model->getParts()[part].cell[0] % 5 == 0 ? earlier : added).parts.push_back(part);
+    osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->setStoredBricks(model);
+    lego->setBuildingPlan(BuildingPlan::create(model->getParts().size(), {earlier, added}));
+    lego->setNumNewParts(added.parts.size());
+    return occlusionOf(lego);
+}
+
 constexpr float CAR_LENGTH = 4.35f; // from the nose to the pipes' ends
 
 /** A box of the car's colour that fills one brick. */
@@ -321,6 +375,9 @@ osg::ref_ptr<osg::Node> createLibraryScene(const std::string& name)
         {"material", createMaterial},
         {"no-joints", createNoJoints},
         {"relief-image", createReliefImage},
+        {"outlines", [] { return osg::ref_ptr<osg::Node>(occlusionOf(createPartsNode(1.5))); }},
+        {"step", createStep},
+        {"step-colors", createStepInColors},
         {"few-bricks", createFewBricks},
         {"one-stud", [] { return createOneStud(0); }},
         {"one-stud-moved", [] { return createOneStud(1); }}};
