@@ -63,7 +63,7 @@ struct OSGLEGO_EXPORT StabilityReport
     std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately
     double milliseconds = 0.0;     //!< the time taken
 
-    /** A report in a few lines of English, without the time. */
+    /** The verdict and the margin in a line of English. */
     std::string toString() const;
 };
 

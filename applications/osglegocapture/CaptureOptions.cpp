@@ -110,6 +110,13 @@ std::string readContext(const std::string& text, ContextKind& kind)
     return {};
 }
 
+std::string readBase(const std::string& text, CaptureOptions& options)
+{
+    if (text != "table" && text != "plate") return badValue("--base", text, "table or plate");
+    options.base = text == "table" ? BuildingBase::TABLE : BuildingBase::PLATE;
+    return {};
+}
+
 /** Throws if --bound has no parts to count. The settings of a mesh that was given without --legolize are not known
  * before it is read. */
 void checkBound(const CaptureOptions& options)
@@ -139,14 +146,16 @@ void checkInstructions(const CaptureOptions& options)
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
-    if (!options.needsContext() && options.partsList.empty() && options.instructions.empty())
-        throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells, --parts-list, "
+    if (!options.needsContext() && options.partsList.empty() && options.instructions.empty() && !options.base)
+        throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells, --parts-list, --base, "
                                    "--instructions and --compare");
     checkInstructions(options);
     if (options.original && !options.cells.empty())
         throw CLI::ValidationError("--original has no cells; expected --cells without --original");
     if (options.original && !options.partsList.empty())
         throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
+    if (options.original && options.base)
+        throw CLI::ValidationError("--original has no parts; expected --base without --original");
     if (options.bound) checkBound(options);
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
         throw CLI::ValidationError(
@@ -275,6 +284,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
         "--bound", options.bound,
         "Also compute the fewest bricks (not plates) that can cover each layer by itself, for the report on parts "
         "and for --stats; takes seconds to minutes");
+    app.add_option(
+           "--base", toCallback([&](const std::string& text) { return readBase(text, options); }),
+           "Compute whether the parts stand on a table or on a studded base plate, and print it; for --stats too")
+        ->type_name("table|plate");
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--parts-list", options.partsList,
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "

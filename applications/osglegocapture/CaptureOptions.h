@@ -4,6 +4,7 @@
 
 #include <osgLego/AmbientOcclusionSettings.h>
 #include <osgLego/LegoSettings.h>
+#include <osgLego/Stability.h>
 
 #include <cstddef>
 #include <optional>
@@ -59,8 +60,9 @@ struct CaptureOptions
     bool original = false;
     bool transparent = false; //!< whether the background is transparent
     ContextKind context = ContextKind::AUTO;
-    bool bound = false;     //!< whether the statistics have the fewest parts possible
-    std::string statistics; //!< STANDARD_OUTPUT: write to standard output
+    bool bound = false;               //!< whether the statistics have the fewest parts possible
+    std::optional<BuildingBase> base; //!< on which the stability of the parts is computed; unset: it is not
+    std::string statistics;           //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
     std::string partsList;    //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output
     std::string instructions; //!< the folder for a booklet; empty: none

@@ -258,9 +258,25 @@ PartsList CaptureScene::createPartsList() const
         if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
         if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
     }
-    if (!list.getRows().empty()) return list;
+    if (list.getRows().empty()) throwWithoutParts("to list");
+    return list;
+}
+
+std::vector<osg::ref_ptr<const BrickModel>> CaptureScene::findPartModels() const
+{
+    std::vector<osg::ref_ptr<const BrickModel>> models;
+    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+        if (const osg::ref_ptr<const BrickModel> model = lego->getBricks(); model && !model->getParts().empty())
+            models.push_back(model);
+    if (models.empty()) throwWithoutParts("that could stand");
+    return models;
+}
+
+void CaptureScene::throwWithoutParts(const char* purpose) const
+{
     const std::string name = _options.mesh.empty() ? "the built-in model" : "'" + _options.mesh + "'";
-    throw CaptureError(EXIT_BAD_INPUT, name + " has no parts to list; expected parts=bricks among its settings");
+    throw CaptureError(EXIT_BAD_INPUT,
+                       name + " has no parts " + purpose + "; expected parts=bricks among its settings");
 }
 
 double CaptureScene::estimateMemory() const

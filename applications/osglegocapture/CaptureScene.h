@@ -39,6 +39,8 @@ public:
     LegoNode* getLegoNode() const { return _lego.get(); }
     /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
     PartsList createPartsList() const;
+    /** The models of the scene that have parts. Throws CaptureError if there are none. */
+    std::vector<osg::ref_ptr<const BrickModel>> findPartModels() const;
     /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
     double getReadingTime() const { return _readingTime; }
@@ -60,6 +62,7 @@ private:
     void timeFrame(osg::GraphicsContext& context);
     osg::ref_ptr<osg::Image> drawTransparent(const osg::Image& image);
     LegoSettings getSettings() const;
+    [[noreturn]] void throwWithoutParts(const char* purpose) const;
 
     const CaptureOptions& _options;
     osgViewer::Viewer _viewer; // closes the context on destruction

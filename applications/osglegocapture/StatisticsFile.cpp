@@ -62,7 +62,7 @@ nlohmann::ordered_json toJson(const LayoutStatistics& layout)
 } // namespace
 
 void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std::optional<LayoutStatistics>& layout,
-                     osg::GraphicsContext& context)
+                     const SceneStability* stability, osg::GraphicsContext& context)
 {
     context.makeCurrent();
     nlohmann::ordered_json json{
@@ -90,6 +90,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std:
         milliseconds["voxelization"] = rounded(statistics.voxelization);
         milliseconds["extraction"] = rounded(statistics.extraction);
     }
+    if (stability) json["stability"] = stability->toJson();
     milliseconds["drawing"] = rounded(scene.getDrawingTime());
     json["milliseconds"] = milliseconds;
     stream << json.dump(4) << '\n';

@@ -4,6 +4,7 @@
 #include "Comparison.h"
 #include "ExitCode.h"
 #include "ModelBound.h"
+#include "SceneStability.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
 
@@ -105,8 +106,8 @@ std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, cons
 }
 
 /** Draw, and write everything that comes with a picture. */
-int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const StandardOutput* standardOutput,
-                 const OIIO::ImageBuf& reference)
+int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const SceneStability* stability,
+                 const StandardOutput* standardOutput, const OIIO::ImageBuf& reference)
 {
     const Progress progress;
     warnOfMemory(scene, options);
@@ -117,7 +118,7 @@ int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const Stand
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, picture);
     const std::optional<LayoutStatistics> layout = reportLayout(options, scene, *context, progress);
-    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, *context); };
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, stability, *context); };
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT)
         standardOutput->write(write);
     else if (!options.statistics.empty())
@@ -139,6 +140,18 @@ void writePartsList(const CaptureOptions& options, const CaptureScene& scene, co
         writePartsList(options.partsList, list);
     for (const std::string& warning : {list.describeNeverMade(), list.describeWithoutNumber()})
         if (!warning.empty()) fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
+}
+
+/** Compute and print whether the parts stand, if that is asked for. */
+std::optional<SceneStability> reportStability(const CaptureOptions& options, const CaptureScene& scene)
+{
+    if (!options.base) return std::nullopt;
+    const Progress progress;
+    progress.show("computing stability");
+    SceneStability stability(scene.findPartModels(), *options.base);
+    progress.clear();
+    fmt::print("{}", stability.toText());
+    return stability;
 }
 
 /** The name of a file; empty if the text is written to standard output. */
@@ -179,7 +192,10 @@ int capture(const CaptureOptions& options)
     CaptureScene scene(options);
     progress.clear();
     if (!options.partsList.empty()) writePartsList(options, scene, output);
-    const int code = options.needsContext() ? drawAndWrite(options, scene, output, reference) : EXIT_FINE;
+    const std::optional<SceneStability> stability = reportStability(options, scene);
+    const int code = options.needsContext()
+                         ? drawAndWrite(options, scene, stability ? &*stability : nullptr, output, reference)
+                         : EXIT_FINE;
     if (!options.instructions.empty()) writeBooklet(options, *scene.getLegoNode(), createContext);
     return code;
 }

@@ -11,7 +11,7 @@
 namespace osgLego
 {
 
-BuildingRegions::BuildingRegions(const std::vector<PartBox>& boxes, const Symmetry& symmetry) :
+BuildingRegions::BuildingRegions(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry) :
     _boxes(boxes), _cells(sortCells(boxes)), _ranks(boxes.size(), 0)
 {
     _sets.reset(_cells.size());
@@ -98,7 +98,7 @@ std::vector<BuildingRegions::Region> BuildingRegions::createRegions(const Links&
     for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(_cells.size()); ++cell)
     {
         const auto index = static_cast<std::size_t>(cell);
-        const PartBox& box = _boxes[_cells[index].second];
+        const BuildingBox& box = _boxes[_cells[index].second];
         const auto first = static_cast<std::size_t>(_sets.find(cell));
         if (first == index)
         {

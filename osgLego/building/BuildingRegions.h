@@ -16,7 +16,7 @@ namespace osgLego
 class BuildingRegions
 {
 public:
-    BuildingRegions(const std::vector<PartBox>& boxes, const Symmetry& symmetry);
+    BuildingRegions(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry);
 
     /** The place of a part's region in the order of building, from 0 on. */
     std::uint32_t getRank(std::uint32_t part) const { return _ranks[part]; }
@@ -40,7 +40,7 @@ private:
     template <typename Visitor>
     void visitNeighbors(CellKey way, const Visitor& visit) const;
 
-    const std::vector<PartBox>& _boxes;
+    const std::vector<BuildingBox>& _boxes;
     std::vector<std::pair<CellKey, std::uint32_t>> _cells;
     UnionFind _sets;                      // of cells: islands, then regions
     std::vector<std::uint32_t> _regionOf; // for each cell that represents a region

@@ -14,7 +14,7 @@ namespace
 {
 
 /** Twice the centre of a box. */
-glm::ivec3 getCenter(const PartBox& box)
+glm::ivec3 getCenter(const BuildingBox& box)
 {
     return box.lower + box.upper;
 }
@@ -85,7 +85,7 @@ std::uint32_t BuildingUnits::chooseHolder(const std::vector<std::uint32_t>& hang
     const auto score = [&](const auto& holder)
     {
         constexpr int STUD = 4; // weighs as much as two studs of distance
-        const PartBox& box = _graph.getBox(holder.first);
+        const BuildingBox& box = _graph.getBox(holder.first);
         const glm::ivec3 way = getCenter(box) - center;
         return std::tuple(STUD * holder.second - std::abs(way.x) - std::abs(way.y), -box.lower.z);
     };

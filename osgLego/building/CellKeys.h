@@ -23,7 +23,7 @@ inline CellKey toCellKey(const glm::ivec3& cell)
 }
 
 template <typename Visitor>
-void visitCells(const PartBox& box, const Visitor& visit)
+void visitCells(const BuildingBox& box, const Visitor& visit)
 {
     for (int z = box.lower.z; z < box.upper.z; ++z)
         for (int y = box.lower.y; y < box.upper.y; ++y)
@@ -32,7 +32,7 @@ void visitCells(const PartBox& box, const Visitor& visit)
 }
 
 /** The cells of all boxes and the indices of their boxes, sorted. */
-inline std::vector<std::pair<CellKey, std::uint32_t>> sortCells(const std::vector<PartBox>& boxes)
+inline std::vector<std::pair<CellKey, std::uint32_t>> sortCells(const std::vector<BuildingBox>& boxes)
 {
     std::vector<std::pair<CellKey, std::uint32_t>> cells;
     for (std::uint32_t part = 0; part < boxes.size(); ++part)

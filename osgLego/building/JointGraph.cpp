@@ -26,12 +26,12 @@ std::uint64_t toPair(std::uint32_t from, std::uint32_t to)
     return static_cast<std::uint64_t>(from) << 32 | to;
 }
 
-std::vector<PartColumn> sortColumns(const std::vector<PartBox>& boxes)
+std::vector<PartColumn> sortColumns(const std::vector<BuildingBox>& boxes)
 {
     std::vector<PartColumn> columns;
     for (std::uint32_t part = 0; part < boxes.size(); ++part)
     {
-        const PartBox& box = boxes[part];
+        const BuildingBox& box = boxes[part];
         for (int y = box.lower.y; y < box.upper.y; ++y)
             for (int x = box.lower.x; x < box.upper.x; ++x)
             {
@@ -45,10 +45,10 @@ std::vector<PartColumn> sortColumns(const std::vector<PartBox>& boxes)
 
 } // namespace
 
-std::vector<PartBox> createPartBoxes(const BrickModel& model)
+std::vector<BuildingBox> createBuildingBoxes(const BrickModel& model)
 {
     const BrickGrid& grid = model.getGrid();
-    std::vector<PartBox> boxes;
+    std::vector<BuildingBox> boxes;
     boxes.reserve(model.getParts().size());
     for (const Part& part : model.getParts())
     {
@@ -63,12 +63,12 @@ std::vector<PartBox> createPartBoxes(const BrickModel& model)
     return boxes;
 }
 
-std::vector<PartBox> turnUpsideDown(std::vector<PartBox> boxes)
+std::vector<BuildingBox> turnUpsideDown(std::vector<BuildingBox> boxes)
 {
     int top = 0;
-    for (const PartBox& box : boxes)
+    for (const BuildingBox& box : boxes)
         top = std::max(top, box.upper.z);
-    for (PartBox& box : boxes)
+    for (BuildingBox& box : boxes)
         std::tie(box.lower.z, box.upper.z) = std::pair(top - box.upper.z, top - box.lower.z);
     return boxes;
 }
@@ -90,10 +90,10 @@ void JointGraph::Lists::build(std::size_t numParts, const std::vector<std::uint6
         _starts[part + 1] += _starts[part];
 }
 
-JointGraph::JointGraph(std::vector<PartBox> boxes) : _boxes(std::move(boxes))
+JointGraph::JointGraph(std::vector<BuildingBox> boxes) : _boxes(std::move(boxes))
 {
     if (!_boxes.empty()) _lowestLayer = _boxes.front().lower.z;
-    for (const PartBox& box : _boxes)
+    for (const BuildingBox& box : _boxes)
         _lowestLayer = std::min(_lowestLayer, box.lower.z);
     std::vector<std::uint64_t> joints;
     std::vector<std::uint64_t> neighbors;

@@ -13,19 +13,19 @@ namespace osgLego
 {
 
 /** The cells of a part in the coordinates of building: x to the right, y away from the front, z upwards. */
-struct PartBox
+struct BuildingBox
 {
     glm::ivec3 lower{0};
     glm::ivec3 upper{0}; //!< behind the last cell
 
-    bool operator==(const PartBox&) const = default;
+    bool operator==(const BuildingBox&) const = default;
 };
 
 /** The boxes of all parts. Models with y upwards are turned, so that their front, too, is the lowest y. */
-std::vector<PartBox> createPartBoxes(const BrickModel& model);
+std::vector<BuildingBox> createBuildingBoxes(const BrickModel& model);
 
 /** The same boxes upside down. */
-std::vector<PartBox> turnUpsideDown(std::vector<PartBox> boxes);
+std::vector<BuildingBox> turnUpsideDown(std::vector<BuildingBox> boxes);
 
 /** Two parts, one above the other. */
 struct PartLink
@@ -41,11 +41,11 @@ class JointGraph
 {
 public:
     /** @param boxes without common cells. */
-    explicit JointGraph(std::vector<PartBox> boxes);
+    explicit JointGraph(std::vector<BuildingBox> boxes);
 
     std::size_t getNumParts() const { return _boxes.size(); }
-    const std::vector<PartBox>& getBoxes() const { return _boxes; }
-    const PartBox& getBox(std::uint32_t part) const { return _boxes[part]; }
+    const std::vector<BuildingBox>& getBoxes() const { return _boxes; }
+    const BuildingBox& getBox(std::uint32_t part) const { return _boxes[part]; }
 
     /** The parts whose studs hold a part from below. */
     std::span<const PartLink> getJointsBelow(std::uint32_t part) const { return _jointsBelow.get(part); }
@@ -76,7 +76,7 @@ private:
         std::vector<PartLink> _links;
     };
 
-    std::vector<PartBox> _boxes;
+    std::vector<BuildingBox> _boxes;
     Lists _jointsBelow;
     Lists _jointsAbove;
     Lists _nextAbove;

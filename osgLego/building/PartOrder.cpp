@@ -16,7 +16,7 @@ constexpr std::size_t LONGEST_WALK = 2000; // parts; a walk takes time that grow
 
 } // namespace
 
-PartOrder::PartOrder(const std::vector<PartBox>& boxes, const Symmetry& symmetry) :
+PartOrder::PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry) :
     _boxes(boxes), _symmetry(symmetry), _ranks(boxes.size(), 0), _groups(boxes.size(), 0)
 {
     const BuildingRegions regions(boxes, symmetry);

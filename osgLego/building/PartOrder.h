@@ -14,7 +14,7 @@ namespace osgLego
 class PartOrder
 {
 public:
-    PartOrder(const std::vector<PartBox>& boxes, const Symmetry& symmetry);
+    PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry);
 
     std::uint32_t getRank(std::uint32_t part) const { return _ranks[part]; }
     /** The number of the part's layer of a region, in the order of building. */
@@ -24,7 +24,7 @@ private:
     void walk(std::vector<std::uint32_t>& parts, glm::ivec3& place) const;
     void sortByBands(std::vector<std::uint32_t>& parts) const;
 
-    const std::vector<PartBox>& _boxes;
+    const std::vector<BuildingBox>& _boxes;
     const Symmetry& _symmetry;
     std::vector<std::uint32_t> _ranks;
     std::vector<std::uint32_t> _groups;

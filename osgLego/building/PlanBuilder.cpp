@@ -1,8 +1,10 @@
 #include <osgLego/building/PlanBuilder.h>
 
+#include <osgLego/building/PartialStability.h>
 #include <osgLego/building/StepBuilder.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
@@ -39,7 +41,7 @@ std::size_t countSubmodels(const JointGraph& graph)
 } // namespace
 
 PlanBuilder::PlanBuilder(const BrickModel& model, const PlanningOptions& options) :
-    _model(model), _options(options), _boxes(createPartBoxes(model)), _turnedBoxes(turnUpsideDown(_boxes))
+    _model(model), _options(options), _boxes(createBuildingBoxes(model)), _turnedBoxes(turnUpsideDown(_boxes))
 {
 }
 
@@ -84,9 +86,9 @@ std::vector<PlanBuilder::PartList> PlanBuilder::findPieces() const
     return lists;
 }
 
-std::vector<PartBox> PlanBuilder::select(const PartList& parts, bool isUpsideDown) const
+std::vector<BuildingBox> PlanBuilder::select(const PartList& parts, bool isUpsideDown) const
 {
-    std::vector<PartBox> boxes;
+    std::vector<BuildingBox> boxes;
     boxes.reserve(parts.size());
     for (const std::uint32_t part : parts)
         boxes.push_back((isUpsideDown ? _turnedBoxes : _boxes)[part]);
@@ -96,7 +98,11 @@ std::vector<PartBox> PlanBuilder::select(const PartList& parts, bool isUpsideDow
 std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Setting& setting)
 {
     const JointGraph graph(select(parts, setting.isUpsideDown));
-    StepBuilder builder(graph, {}, [this](std::size_t numPlaced) { return proceed(numPlaced); });
+    PartialStability stability(_model, parts, graph, {setting.isUpsideDown, setting.base, _options.isCancelled});
+    StepBuilder::FindFalling findFalling;
+    if (_options.checksStability)
+        findFalling = [&stability](const std::vector<bool>& isPlaced) { return stability.findFalling(isPlaced); };
+    StepBuilder builder(graph, findFalling, [this](std::size_t numPlaced) { return proceed(numPlaced); });
     const auto toParts = [&parts](const PartList& local)
     {
         PartList result;
@@ -120,9 +126,34 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
 /** @return the index of the submodel. Those within it come before it. */
 std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
 {
-    std::vector<BuildingStep> steps = planSteps(parts, {isBetterUpsideDown(parts), BuildingBase::TABLE});
+    const auto numBefore = static_cast<std::ptrdiff_t>(_submodels.size());
+    const bool isUpsideDown = isBetterUpsideDown(parts);
+    std::vector<BuildingStep> steps = planSteps(parts, {isUpsideDown, BuildingBase::TABLE});
+    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0)
+    {
+        std::vector<Submodel> inner(_submodels.begin() + numBefore, _submodels.end());
+        _submodels.resize(static_cast<std::size_t>(numBefore));
+        std::vector<BuildingStep> turned = planSteps(parts, {!isUpsideDown, BuildingBase::TABLE});
+        if (countFalls(turned, numBefore) < numFalls)
+            steps = std::move(turned);
+        else
+        {
+            _submodels.resize(static_cast<std::size_t>(numBefore));
+            std::move(inner.begin(), inner.end(), std::back_inserter(_submodels));
+        }
+    }
     _submodels.push_back({std::move(steps)});
     return static_cast<std::uint32_t>(_submodels.size() - 1);
+}
+
+/** The number of steps after which parts fall, also of submodels from an index on. */
+std::size_t PlanBuilder::countFalls(const std::vector<BuildingStep>& steps, std::ptrdiff_t firstSubmodel) const
+{
+    const auto falls = [](const BuildingStep& step) { return !step.stands; };
+    auto count = std::count_if(steps.begin(), steps.end(), falls);
+    for (auto submodel = _submodels.begin() + firstSubmodel; submodel != _submodels.end(); ++submodel)
+        count += std::count_if(submodel->steps.begin(), submodel->steps.end(), falls);
+    return static_cast<std::size_t>(count);
 }
 
 /** Whether fewer submodels are needed upside down, or parts stand on a far larger base. */

@@ -38,15 +38,16 @@ private:
     std::vector<PartList> findPieces() const;
     std::vector<BuildingStep> planSteps(const PartList& parts, const Setting& setting);
     std::uint32_t planSubmodel(const PartList& parts);
+    std::size_t countFalls(const std::vector<BuildingStep>& steps, std::ptrdiff_t firstSubmodel) const;
     bool isBetterUpsideDown(const PartList& parts) const;
-    std::vector<PartBox> select(const PartList& parts, bool isUpsideDown) const;
+    std::vector<BuildingBox> select(const PartList& parts, bool isUpsideDown) const;
     void addUnheld(const PartList& parts, BuildingStep& step);
     bool proceed(std::size_t numPlaced);
 
     const BrickModel& _model;
     const PlanningOptions& _options;
-    std::vector<PartBox> _boxes;
-    std::vector<PartBox> _turnedBoxes; // upside down
+    std::vector<BuildingBox> _boxes;
+    std::vector<BuildingBox> _turnedBoxes; // upside down
     std::vector<Submodel> _submodels;
     PartList _unheld;
     bool _isCancelled = false;

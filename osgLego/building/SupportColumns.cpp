@@ -29,6 +29,23 @@ bool exists(const LayoutColor& color, int width)
 
 } // namespace
 
+LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
+{
+    const auto width = static_cast<std::uint8_t>(column.width);
+    const int brickHeight = isOfPlates ? BRICK_PLATES : 1;
+    LaidParts parts;
+    for (int z = 0; z < column.height;)
+    {
+        const int height = column.height - z >= brickHeight ? brickHeight : 1;
+        parts.push_back({{static_cast<std::uint16_t>(column.place.x), static_cast<std::uint16_t>(column.place.y),
+                          static_cast<std::uint16_t>(column.place.z + z)},
+                         {width, width, static_cast<std::uint8_t>(height)},
+                         column.color});
+        z += height;
+    }
+    return parts;
+}
+
 SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& parts) :
     _problem(problem), _parts(parts), _ground(problem.cells.empty() ? 0 : problem.cells.front().place[2])
 {
@@ -114,23 +131,6 @@ std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>
         choose([&](const SupportColumn& column, const SupportColumn& other)
                { return glm::dot(offsetOf(column), direction) > glm::dot(offsetOf(other), direction); });
     return chosen;
-}
-
-LaidParts SupportColumns::build(const SupportColumn& column) const
-{
-    const auto width = static_cast<std::uint8_t>(column.width);
-    const int brickHeight = _problem.isOfPlates ? BRICK_PLATES : 1;
-    LaidParts parts;
-    for (int z = 0; z < column.height;)
-    {
-        const int height = column.height - z >= brickHeight ? brickHeight : 1;
-        parts.push_back({{static_cast<std::uint16_t>(column.place.x), static_cast<std::uint16_t>(column.place.y),
-                          static_cast<std::uint16_t>(column.place.z + z)},
-                         {width, width, static_cast<std::uint8_t>(height)},
-                         column.color});
-        z += height;
-    }
-    return parts;
 }
 
 } // namespace osgLego

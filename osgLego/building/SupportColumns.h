@@ -22,6 +22,9 @@ struct SupportColumn
     std::uint16_t color = 0;
 };
 
+/** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
+LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
+
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
  *
  * The layout must exist as long as this object. One thread. */
@@ -33,9 +36,6 @@ public:
     /** Columns below some parts: at the outermost places in eight directions, and in the middle.
      * @param below indices of parts. @return none if no place below them is free. */
     std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
-
-    /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
-    LaidParts build(const SupportColumn& column) const;
 
 private:
     bool isFree(const glm::ivec3& cell) const;

@@ -12,7 +12,7 @@ namespace
 
 constexpr double LEAST_SHARE = 0.9;
 
-PartBox mirrorAt(PartBox box, int axis, int sum)
+BuildingBox mirrorAt(BuildingBox box, int axis, int sum)
 {
     const int lower = box.lower[axis];
     box.lower[axis] = sum - box.upper[axis];
@@ -20,10 +20,10 @@ PartBox mirrorAt(PartBox box, int axis, int sum)
     return box;
 }
 
-double measure(const std::vector<PartBox>& boxes, const std::vector<CellKey>& cells, int axis, int sum)
+double measure(const std::vector<BuildingBox>& boxes, const std::vector<CellKey>& cells, int axis, int sum)
 {
     std::size_t numMirrored = 0;
-    for (const PartBox& box : boxes)
+    for (const BuildingBox& box : boxes)
         visitCells(mirrorAt(box, axis, sum), [&](const glm::ivec3& cell)
                    { numMirrored += std::binary_search(cells.begin(), cells.end(), toCellKey(cell)) ? 1 : 0; });
     return static_cast<double>(numMirrored) / static_cast<double>(cells.size());
@@ -31,18 +31,18 @@ double measure(const std::vector<PartBox>& boxes, const std::vector<CellKey>& ce
 
 } // namespace
 
-Symmetry::Symmetry(const std::vector<PartBox>& boxes) : _twins(boxes.size(), NONE)
+Symmetry::Symmetry(const std::vector<BuildingBox>& boxes) : _twins(boxes.size(), NONE)
 {
     if (boxes.empty()) return;
     findPlane(boxes);
     if (hasPlane()) findTwins(boxes);
 }
 
-void Symmetry::findPlane(const std::vector<PartBox>& boxes)
+void Symmetry::findPlane(const std::vector<BuildingBox>& boxes)
 {
-    PartBox bounds = boxes.front();
+    BuildingBox bounds = boxes.front();
     std::vector<CellKey> cells;
-    for (const PartBox& box : boxes)
+    for (const BuildingBox& box : boxes)
     {
         bounds = {glm::min(bounds.lower, box.lower), glm::max(bounds.upper, box.upper)};
         visitCells(box, [&](const glm::ivec3& cell) { cells.push_back(toCellKey(cell)); });
@@ -60,7 +60,7 @@ void Symmetry::findPlane(const std::vector<PartBox>& boxes)
     }
 }
 
-void Symmetry::findTwins(const std::vector<PartBox>& boxes)
+void Symmetry::findTwins(const std::vector<BuildingBox>& boxes)
 {
     std::vector<std::pair<CellKey, std::uint32_t>> places;
     places.reserve(boxes.size());
@@ -69,14 +69,14 @@ void Symmetry::findTwins(const std::vector<PartBox>& boxes)
     std::sort(places.begin(), places.end());
     for (std::uint32_t part = 0; part < boxes.size(); ++part)
     {
-        const PartBox wanted = mirror(boxes[part]);
+        const BuildingBox wanted = mirror(boxes[part]);
         const auto place = std::lower_bound(places.begin(), places.end(), std::pair(toCellKey(wanted.lower), 0u));
         if (place != places.end() && place->second != part && boxes[place->second] == wanted)
             _twins[part] = place->second;
     }
 }
 
-PartBox Symmetry::mirror(PartBox box) const
+BuildingBox Symmetry::mirror(BuildingBox box) const
 {
     return hasPlane() ? mirrorAt(box, _axis, _sum) : box;
 }

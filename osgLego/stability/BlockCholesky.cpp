@@ -15,7 +15,7 @@ namespace
 using Block = BlockCholesky::Block;
 
 // A pivot that has lost this share of its value is taken for 0.
-const double LEAST_PIVOT = getenv("PIV") ? atof(getenv("PIV")) : 1e-18;
+constexpr double LEAST_PIVOT = 1e-18;
 // In place of such a pivot: the solution gets 0 there.
 constexpr double INFINITE_PIVOT = 1e100;
 
@@ -27,11 +27,7 @@ void factorizeBlock(Block& block, const Eigen::Matrix<double, 6, 1>& original)
         double pivot = block(column, column);
         for (int k = 0; k < column; ++k)
             pivot -= block(column, k) * block(column, k);
-        if (!(pivot > LEAST_PIVOT * original[column]))
-        {
-            if (getenv("IPM_LOG")) fprintf(stderr, "pivot %g of %g\n", pivot, original[column]);
-            pivot = INFINITE_PIVOT;
-        }
+        if (!(pivot > LEAST_PIVOT * original[column])) pivot = INFINITE_PIVOT;
         const double root = std::sqrt(pivot);
         block(column, column) = root;
         for (int row = column + 1; row < 6; ++row)
@@ -93,7 +89,6 @@ void BlockCholesky::analyze(std::size_t numBlocks, std::span<const std::pair<std
         if (rows.size() > 1) columns[rows[0]].insert(columns[rows[0]].end(), rows.begin() + 1, rows.end());
         _rows.insert(_rows.end(), rows.begin(), rows.end());
         _starts.push_back(_rows.size());
-        if (rows.size() > 0) columns[column].shrink_to_fit();
     }
     _blocks.resize(_rows.size());
     _rowStarts.assign(numBlocks + 1, 0);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace osgLego
 {
@@ -14,9 +15,12 @@ namespace
 
 // Newtons, or newtons times the pitch, that may be missing: a thousandth of the weight of the lightest part.
 constexpr double RESIDUAL_TOLERANCE = 2e-6;
-// Penalties of newtons that are missing, beside newtons of tension. A model whose tension the first one does not find,
-// because its levers are long, gets the second.
-constexpr double PENALTIES[] = {1e2, 1e5};
+// The tension, in newtons, that is taken for none.
+constexpr double TENSION_TOLERANCE = 1e-6;
+// Penalties of newtons that are missing, beside newtons of tension. The higher one is for models that stand, but have
+// such long levers that a missing newton saves more than a hundred of tension.
+constexpr double PENALTY = 1e2;
+constexpr double HIGH_PENALTY = 1e5;
 
 /** Solves the linear programs of one component. */
 class ComponentSolver
@@ -32,29 +36,43 @@ public:
 
     std::optional<ComponentStability> solve()
     {
-        ComponentStability result;
-        std::optional<Equilibrium> equilibrium = _solver.solve({PENALTIES[0], 2.0 * StabilityReport::CAPACITY, true});
-        if (equilibrium && !isComplete(*equilibrium))
-            equilibrium = _solver.solve({PENALTIES[1], 2.0 * StabilityReport::CAPACITY, true});
+        std::optional<Equilibrium> equilibrium = findTension(PENALTY);
         if (!equilibrium) return std::nullopt;
-        result.tension = std::numeric_limits<double>::infinity();
-        if (isComplete(*equilibrium))
-        {
-            result.tension = _program.getNumDrags() == 0 ? 0.0 : equilibrium->tension;
-            result.weakest = findWeakest(*equilibrium);
-        }
+        ComponentStability result;
+        result.tension = getTension(*equilibrium);
         if (result.tension > StabilityReport::CAPACITY)
         {
-            equilibrium = _solver.solve({1.0, StabilityReport::CAPACITY, false});
-            if (!equilibrium) return std::nullopt;
-            findFalling(*equilibrium, result);
-            if (!result.weakest) result.weakest = findWeakest(*equilibrium);
+            std::optional<Equilibrium> nearest = _solver.solve({1.0, StabilityReport::CAPACITY, false});
+            if (!nearest) return std::nullopt;
+            if (isComplete(*nearest))
+            {
+                equilibrium = findTension(HIGH_PENALTY);
+                if (!equilibrium) return std::nullopt;
+                result.tension = std::min(getTension(*equilibrium), StabilityReport::CAPACITY);
+            }
+            else
+            {
+                findFalling(*nearest, result);
+                if (!isComplete(*equilibrium)) equilibrium = std::move(nearest);
+            }
         }
+        result.weakest = findWeakest(*equilibrium);
         findLoads(*equilibrium, result);
         return result;
     }
 
 private:
+    std::optional<Equilibrium> findTension(double penalty)
+    {
+        return _solver.solve({penalty, 2.0 * StabilityReport::CAPACITY, true});
+    }
+
+    double getTension(const Equilibrium& equilibrium) const
+    {
+        if (!isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
+        return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
+    }
+
     bool isComplete(const Equilibrium& equilibrium) const
     {
         return equilibrium.residuals.abs().maxCoeff() <= RESIDUAL_TOLERANCE;
@@ -63,8 +81,9 @@ private:
     /** The joint whose capacity matters most. */
     std::optional<StabilityReport::Joint> findWeakest(const Equilibrium& equilibrium) const
     {
-        double most = 1e-6;
         std::optional<StabilityReport::Joint> weakest;
+        if (equilibrium.tension < TENSION_TOLERANCE) return weakest;
+        double most = 1e-6;
         for (std::size_t index = 0; index < _contacts.size(); ++index)
         {
             const EquilibriumProgram::Joint& joint = _program.getJoints()[index];
@@ -81,11 +100,9 @@ private:
 
     void findFalling(const Equilibrium& equilibrium, ComponentStability& result) const
     {
-        Eigen::Index worst = 0;
-        const double most = equilibrium.residuals.abs().maxCoeff(&worst);
         for (std::uint32_t body = 0; body < _program.getNumBodies(); ++body)
             if (equilibrium.residuals.segment<6>(6 * static_cast<Eigen::Index>(body)).abs().maxCoeff() >
-                std::min(RESIDUAL_TOLERANCE, 0.5 * most))
+                RESIDUAL_TOLERANCE)
                 result.falling.push_back(body);
     }
 

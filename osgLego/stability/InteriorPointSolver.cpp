@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace osgLego
 {
@@ -12,8 +10,17 @@ namespace
 {
 
 constexpr int MAXIMUM_ITERATIONS = 100;
+// Proximal terms, which keep the equations well-conditioned: they slow down the steps of forces and of velocities, but
+// vanish together with the steps.
+constexpr double PRESSURE_INERTIA = 1e-8;
+constexpr double FREE_INERTIA = 1e-3;
+constexpr double VELOCITY_INERTIA = 1e-7;
+
+// The share of the way to the nearest boundary that a step may go.
+constexpr double STEP_SHARE = 0.995;
+
 constexpr double ROW_TOLERANCE = 1e-8;   // newtons
-constexpr double FORCE_TOLERANCE = 1e-8; // of the dual equations
+constexpr double FORCE_TOLERANCE = 1e-5; // of the dual equations
 constexpr double GAP_TOLERANCE = 1e-8;   // of the goal, relative above 1
 
 using Places = std::vector<std::pair<std::int32_t, std::int32_t>>;
@@ -47,11 +54,6 @@ double findLength(const Eigen::ArrayXd& values, const Eigen::ArrayXd& step)
     for (Eigen::Index index = 0; index < values.size(); ++index)
         reciprocal = std::max(reciprocal, -step[index] / values[index]);
     return 1.0 / reciprocal;
-}
-
-double getEnv(const char* name, double value)
-{
-    return getenv(name) ? atof(getenv(name)) : value;
 }
 
 } // namespace
@@ -92,22 +94,9 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
         products.tension -= _step.tensionSlack * _step.tensionPrice;
         findStep(products);
         const auto [primalLength, dualLength] = findLengths();
-        const double share = 0.995;
-        if (getenv("IPM_LOG"))
-            fprintf(stderr, "%d gap %g rb %g rc %g rt %g t %g step %g %g center %g\n", result.numIterations, gap,
-                    _rowErrors.lpNorm<Eigen::Infinity>(), _forceErrors.lpNorm<Eigen::Infinity>(), _tensionError,
-                    _point.tension, primalLength, dualLength, center);
-        _point = advance(std::min(share * primalLength, 1.0), std::min(share * dualLength, 1.0));
+        _point = advance(std::min(STEP_SHARE * primalLength, 1.0), std::min(STEP_SHARE * dualLength, 1.0));
         ++result.numIterations;
     }
-    if (getenv("IPM_SUM"))
-        fprintf(
-            stderr,
-            "  lp: bodies %zu penalty %g fixed %d it %d conv %d gap %g rb %g rc %g rt %g t %.9f res max %g sum %g\n",
-            _program.getNumBodies(), _goal.penalty, !_goal.minimizesTension, result.numIterations, result.hasConverged,
-            computeGap(_point), _rowErrors.lpNorm<Eigen::Infinity>(), _forceErrors.lpNorm<Eigen::Infinity>(),
-            _tensionError, _point.tension, (_point.lacks - _point.excesses).abs().maxCoeff(),
-            (_point.lacks - _point.excesses).abs().sum());
     result.forces = _point.forces;
     result.residuals = _point.lacks - _point.excesses;
     result.prices = _point.prices;
@@ -121,7 +110,7 @@ void InteriorPointSolver::start()
     _point.tension = _goal.minimizesTension ? 0.5 * _goal.capacity : _goal.capacity;
     _point.velocities = Eigen::ArrayXd::Zero(numRows);
     startForces();
-    const double target = getEnv("MU0", 1.0) * 0.5 * _point.tension / std::max(_isDrag.sum(), 1.0);
+    const double target = 0.5 * _point.tension / std::max(_isDrag.sum(), 1.0);
     _divisors = _isSigned * _point.forces + (1.0 - _isSigned);
     _point.costs = _isSigned * target / _divisors;
     _point.slacks = _isDrag * (_point.tension - _point.forces) + (1.0 - _isDrag);
@@ -198,9 +187,9 @@ void InteriorPointSolver::factorize()
 {
     _slackWeights = _point.prices / _point.slacks;
     _divisors = _point.forces * _isSigned + (1.0 - _isSigned);
-    _weights = 1.0 / (_point.costs / _divisors + _slackWeights + getEnv("RHO", 1e-7) * _isSigned +
-                      getEnv("RHOF", 1e-4) * (1.0 - _isSigned));
-    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + getEnv("DELTA", 1e-9);
+    _weights = 1.0 / (_point.costs / _divisors + _slackWeights + PRESSURE_INERTIA * _isSigned +
+                      FREE_INERTIA * (1.0 - _isSigned));
+    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + VELOCITY_INERTIA;
     factorizeRows();
     if (!_goal.minimizesTension) return;
     _program.multiply((_weights * _slackWeights).matrix(), _tensionColumn);
@@ -237,18 +226,15 @@ void InteriorPointSolver::solveRows(Eigen::VectorXd& rows) const
 {
     const Eigen::VectorXd right = rows;
     _cholesky.solve(rows);
-    Eigen::VectorXd forces, error;
-    const double scale = right.lpNorm<Eigen::Infinity>();
-    for (int k = 0; k < getEnv("REFINE", 1); ++k)
-    {
-        _program.multiplyTransposed(rows, forces);
-        forces.array() *= _weights;
-        _program.multiply(forces, error);
-        error = right - error - (_rowWeights * rows.array()).matrix();
-        if (getenv("IPM_LOG2")) fprintf(stderr, "   refine %g of %g\n", error.lpNorm<Eigen::Infinity>(), scale);
-        _cholesky.solve(error);
-        rows += error;
-    }
+    // The matrix is ill-conditioned near the end, so that the solution needs refinement.
+    Eigen::VectorXd forces;
+    Eigen::VectorXd error;
+    _program.multiplyTransposed(rows, forces);
+    forces.array() *= _weights;
+    _program.multiply(forces, error);
+    error = right - error - (_rowWeights * rows.array()).matrix();
+    _cholesky.solve(error);
+    rows += error;
 }
 
 InteriorPointSolver::Products InteriorPointSolver::findProducts(double target) const

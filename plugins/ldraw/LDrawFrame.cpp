@@ -9,8 +9,8 @@ namespace osgLego
 {
 
 LDrawFrame::LDrawFrame(const BrickModel& model) :
-    _grid(model.getGrid()), _plates(getCellPlates(model.getGrid())), _lowest(std::numeric_limits<int>::max()),
-    _end(std::numeric_limits<int>::min())
+    _model(model), _grid(model.getGrid()), _plates(getCellPlates(model.getGrid())),
+    _lowest(std::numeric_limits<int>::max()), _end(std::numeric_limits<int>::min())
 {
     for (const Part& part : model.getParts())
     {
@@ -38,19 +38,36 @@ LatticeBox LDrawFrame::toBox(const Part& part) const
     return box;
 }
 
+/** A place in cells, counted from the lowest ones, in LDraw's coordinates. */
+glm::dvec3 LDrawFrame::toPlace(const glm::dvec3& cell) const
+{
+    const glm::dvec3 middle = cell - 0.5 * glm::dvec3(_end - _lowest);
+    return {LDrawLattice::STUD * middle.x, -LDrawLattice::PLATE * cell.z, LDrawLattice::STUD * middle.y};
+}
+
 LDrawTransform LDrawFrame::getTransform(const Part& part) const
 {
     const LatticeBox box = toBox(part);
-    const glm::dvec3 extent(_end - _lowest);
     const glm::dvec3 size(box.size);
-    const glm::dvec3 middle = glm::dvec3(box.place) + 0.5 * size - 0.5 * extent;
     LDrawTransform transform;
     // The origin of a part is the centre of its top face.
-    transform.place = {LDrawLattice::STUD * middle.x, -LDrawLattice::PLATE * (box.place.z + box.size.z),
-                       LDrawLattice::STUD * middle.y};
+    transform.place = toPlace(glm::dvec3(box.place) + size * glm::dvec3(0.5, 0.5, 1.0));
     // The long side of a part lies along x.
     if (box.size.x < box.size.y) transform.axes = {{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
     return transform;
+}
+
+glm::dvec3 LDrawFrame::getBottomCenter(std::span<const std::uint32_t> parts) const
+{
+    glm::ivec3 lowest = toBox(_model.getParts()[parts.front()]).place;
+    glm::ivec3 end = lowest;
+    for (const std::uint32_t part : parts)
+    {
+        const LatticeBox box = toBox(_model.getParts()[part]);
+        lowest = glm::min(lowest, box.place);
+        end = glm::max(end, box.place + box.size);
+    }
+    return toPlace({0.5 * (lowest.x + end.x), 0.5 * (lowest.y + end.y), static_cast<double>(lowest.z)});
 }
 
 glm::dmat4 LDrawFrame::getModelTransform() const

@@ -4,6 +4,8 @@
 
 #include <osgLego/BrickModel.h>
 
+#include <span>
+
 #include <glm/mat4x4.hpp>
 
 namespace osgLego
@@ -21,12 +23,17 @@ public:
     LatticeBox toBox(const Part& part) const;
     /** A part of the model in its place. */
     LDrawTransform getTransform(const Part& part) const;
+    /** The centre of the lowest layer of some parts. @param parts at least one index into BrickModel::getParts(). */
+    glm::dvec3 getBottomCenter(std::span<const std::uint32_t> parts) const;
     /** From these coordinates, in LDU, to those of the model's grid. */
     glm::dmat4 getModelTransform() const;
 
 private:
     LatticeBox toGridBox(const Part& part) const;
 
+    glm::dvec3 toPlace(const glm::dvec3& cell) const;
+
+    const BrickModel& _model;
     const BrickGrid& _grid;
     int _plates; // the height of a cell
     glm::ivec3 _lowest;

@@ -3,6 +3,7 @@
 #include "LDrawFrame.h"
 
 #include <common/PartsList.h>
+#include <osgLego/BuildingPlanner.h>
 #include <osgLego/LegoNode.h>
 
 #include <algorithm>
@@ -103,6 +104,15 @@ osg::ref_ptr<const Palette> readPalette(const LegoSettings& settings, bool hasPa
     return palette;
 }
 
+osg::ref_ptr<const BuildingPlan> createPlan(const LegoNode& node, const BrickModel& bricks)
+{
+    const osg::ref_ptr<const BuildingPlan> plan = node.getBuildingPlan();
+    if (plan && plan->getRanks().size() == bricks.getParts().size()) return plan;
+    PlanningOptions options;
+    options.checksStability = bricks.getParts().size() <= LDrawModel::MOST_CHECKED;
+    return planBuilding(bricks, options);
+}
+
 bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
 {
     osg::ref_ptr<const BrickModel> bricks = node.getBricks();
@@ -113,7 +123,7 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
         return false;
     }
     const LegoSettings settings = node.getSettings();
-    LDrawModel model{nullptr, node.getName(), settings.toString(), nullptr};
+    LDrawModel model{nullptr, node.getName(), settings.toString(), nullptr, nullptr};
     error = findObstacle(*bricks, name);
     if (!error.empty()) return false;
     model.palette = readPalette(settings, !bricks->getParts().empty(), scene);
@@ -124,6 +134,7 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
         bricks = createOfCells(*bricks, model.palette);
     }
     model.bricks = bricks;
+    model.plan = createPlan(node, *bricks);
     scene.models.push_back(model);
     return true;
 }

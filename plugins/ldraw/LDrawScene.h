@@ -3,6 +3,7 @@
 #include "LDrawTransform.h"
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
 #include <osgLego/Palette.h>
 
 #include <string>
@@ -17,10 +18,15 @@ namespace osgLego
 /** The parts of a LegoNode, to be written. */
 struct LDrawModel
 {
+    /** The most parts of a model of which the stability is checked after every step, unless its node has a plan: more
+     * take longer than a minute. */
+    static constexpr std::size_t MOST_CHECKED = 1000;
+
     osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
     std::string title;                     //!< the node's name; may be empty
     std::string settings;
-    osg::ref_ptr<const Palette> palette; //!< null if any colour was allowed
+    osg::ref_ptr<const Palette> palette;   //!< null if any colour was allowed
+    osg::ref_ptr<const BuildingPlan> plan; //!< of all parts; that of the node, or one made for it
 };
 
 /** A model in its place. */

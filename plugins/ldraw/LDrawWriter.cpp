@@ -2,12 +2,11 @@
 
 #include "LDrawColors.h"
 #include "LDrawFrame.h"
+#include "LDrawSteps.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <span>
-#include <tuple>
+#include <utility>
 
 #include <osgDB/FileNameUtils>
 
@@ -16,72 +15,6 @@ namespace osgLego
 
 namespace
 {
-
-// LDraw's specification demands it.
-constexpr const char* END_OF_LINE = "\r\n";
-
-void append(std::string& line, double number)
-{
-    // Far below the precision of real parts, and above the rounding errors of transforms.
-    constexpr double STEPS = 1e9;
-    number = std::round(number * STEPS) / STEPS;
-    if (number == 0.0) number = 0.0; // without a sign
-    std::array<char, 64> text{};
-    const auto result = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
-    line.append(text.data(), result.ptr);
-    line += ' ';
-}
-
-std::string formatColor(const Part& part)
-{
-    if (part.colorCode != Part::NO_CODE) return std::to_string(part.colorCode);
-    std::array<char, 16> text{};
-    const auto result = std::to_chars(text.data(), text.data() + text.size(), LDrawColors::toDirect(part.color), 16);
-    return "0x" + std::string(text.data(), result.ptr);
-}
-
-void writeReference(std::ostream& stream, const std::string& color, const LDrawTransform& transform,
-                    std::string_view name)
-{
-    std::string line = "1 " + color + " ";
-    for (int axis = 0; axis < 3; ++axis)
-        append(line, transform.place[axis]);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            append(line, transform.axes[column][row]);
-    stream << line << name << END_OF_LINE;
-}
-
-/** A model's parts in the order of building: layer by layer. */
-std::vector<Part> sortByLayer(const BrickModel& model, const LDrawFrame& frame)
-{
-    std::vector<Part> parts = model.getParts();
-    const auto keyOf = [&frame](const Part& part)
-    {
-        const LatticeBox box = frame.toBox(part);
-        return std::tuple(box.place.z, box.place.y, box.place.x);
-    };
-    std::sort(parts.begin(), parts.end(),
-              [&keyOf](const Part& part, const Part& other) { return keyOf(part) < keyOf(other); });
-    return parts;
-}
-
-/** Write the parts of a model, with a step after each layer. */
-void writeParts(std::ostream& stream, const BrickModel& model, const LDrawTransform& transform)
-{
-    const LDrawFrame frame(model);
-    const std::vector<Part> parts = sortByLayer(model, frame);
-    for (std::size_t index = 0; index < parts.size(); ++index)
-    {
-        const Part& part = parts[index];
-        const PartType* type = findPartType(part, model.getGrid());
-        writeReference(stream, formatColor(part), transform * frame.getTransform(part),
-                       std::string(type->number) + ".dat");
-        const bool isLast = index + 1 == parts.size();
-        if (isLast || frame.toBox(part).place.z != frame.toBox(parts[index + 1]).place.z)
-            stream << "0 STEP" << END_OF_LINE;
-    }
-}
 
 /** A text for one line of a header. */
 std::string toLine(std::string text)
@@ -154,46 +87,63 @@ LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName) :
 
 std::string LDrawWriter::nameOf(std::size_t model) const
 {
-    return _stem + "-" + std::to_string(model + 1) + ".ldr";
+    return _stem + "-" + std::to_string(model + 1);
 }
 
 void LDrawWriter::write(std::ostream& stream) const
 {
-    if (_extension == "mpd")
+    if (_extension != "mpd")
     {
-        writeMainOfMany(stream);
+        writeHeader(stream, _stem + "." + _extension, _scene.models.front());
+        for (const LDrawPlacement& placement : _scene.placements)
+            LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
         return;
     }
-    writeHeader(stream, _stem + "." + _extension, _scene.models.front());
-    for (const LDrawPlacement& placement : _scene.placements)
-        writeParts(stream, *_scene.models[placement.model].bricks, placement.transform);
+    if (_scene.placements.size() == 1)
+        writeModel(stream, _scene.models.front(), _stem);
+    else
+        writeMainOfMany(stream);
+}
+
+/** Write the file of a model and those of its submodels. */
+void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const
+{
+    LDrawSteps steps(model, stem);
+    stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
+    writeHeader(stream, stem + ".ldr", model);
+    steps.writeMain(stream);
+    for (const std::uint32_t submodel : steps.getSubmodels())
+    {
+        LDrawModel titled = model;
+        titled.title += titled.title.empty() ? steps.getName(submodel) : ", " + steps.getName(submodel);
+        stream << "0 FILE " << steps.getName(submodel) << LDRAW_END_OF_LINE;
+        writeHeader(stream, steps.getName(submodel), titled);
+        steps.writeSubmodel(stream, submodel);
+    }
 }
 
 void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 {
     const std::string main = _stem + ".ldr";
-    stream << "0 FILE " << main << END_OF_LINE;
+    stream << "0 FILE " << main << LDRAW_END_OF_LINE;
     writeHeader(stream, main, _scene.models.front());
     for (const LDrawPlacement& placement : _scene.placements)
-        writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform, nameOf(placement.model));
-    stream << "0 STEP" << END_OF_LINE;
+        writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform,
+                       nameOf(placement.model) + ".ldr");
+    stream << "0 STEP" << LDRAW_END_OF_LINE;
     for (std::size_t model = 0; model < _scene.models.size(); ++model)
-    {
-        stream << "0 FILE " << nameOf(model) << END_OF_LINE;
-        writeHeader(stream, nameOf(model), _scene.models[model]);
-        writeParts(stream, *_scene.models[model].bricks, {});
-    }
+        writeModel(stream, _scene.models[model], nameOf(model));
 }
 
 void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model) const
 {
-    stream << "0 " << toTitle(model.title.empty() ? _stem : model.title) << END_OF_LINE;
-    stream << "0 Name: " << name << END_OF_LINE;
-    stream << "0 Author: osgLego" << END_OF_LINE;
-    stream << "0 !LDRAW_ORG Model" << END_OF_LINE;
+    stream << "0 " << toTitle(model.title.empty() ? _stem : model.title) << LDRAW_END_OF_LINE;
+    stream << "0 Name: " << name << LDRAW_END_OF_LINE;
+    stream << "0 Author: osgLego" << LDRAW_END_OF_LINE;
+    stream << "0 !LDRAW_ORG Model" << LDRAW_END_OF_LINE;
     // The more restrictive of the two licences in LDraw's specification: the author may choose the other one.
-    stream << "0 !LICENSE Not redistributable : see NonCAreadme.txt" << END_OF_LINE;
-    stream << "0 // Settings of osgLego: " << toLine(model.settings) << END_OF_LINE << END_OF_LINE;
+    stream << "0 !LICENSE Not redistributable : see NonCAreadme.txt" << LDRAW_END_OF_LINE;
+    stream << "0 // Settings of osgLego: " << toLine(model.settings) << LDRAW_END_OF_LINE << LDRAW_END_OF_LINE;
 }
 
 std::string LDrawWriter::check(std::string_view text) const

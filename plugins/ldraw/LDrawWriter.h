@@ -9,12 +9,13 @@
 namespace osgLego
 {
 
-/** Writes the models of a scene in LDraw's format. One thread. */
+/** Writes the models of a scene in LDraw's format, in the order of building. One thread. */
 class LDrawWriter
 {
 public:
-    /** @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
-     * models are submodels of a main model. The scene must outlive this object. */
+    /** @param scene must outlive this object.
+     * @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
+     * submodels of a building plan are files of their own, and so are models if there are several. */
     LDrawWriter(const LDrawScene& scene, const std::string& fileName);
 
     void write(std::ostream& stream) const;
@@ -24,6 +25,7 @@ public:
     std::string check(std::string_view text) const;
 
 private:
+    void writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const;
     void writeMainOfMany(std::ostream& stream) const;
     void writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model) const;
     std::string nameOf(std::size_t model) const;

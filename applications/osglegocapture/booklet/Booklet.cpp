@@ -13,6 +13,7 @@
 #include <common/CompleteFile.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/Palette.h>
+#include <osgLego/Stability.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,11 +21,14 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 #include <osgDB/Registry>
+#include <unistd.h>
 
 namespace osgLego
 {
@@ -92,14 +96,40 @@ void checkSize(const CaptureOptions& options, const BrickModel& model)
                     nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size())));
 }
 
-std::string createMpd(const LegoNode& lego)
+/** A folder for temporary files, which is removed with its files. */
+class TemporaryFolder
 {
-    osgDB::ReaderWriter* writer = osgDB::Registry::instance()->getReaderWriterForExtension("mpd");
-    if (!writer) throw CaptureError(EXIT_BAD_OUTPUT, "there is no plugin osgdb_ldraw to write .mpd");
-    std::ostringstream stream;
-    const osgDB::ReaderWriter::WriteResult result = writer->writeNode(lego, stream);
-    if (!result.success()) throw CaptureError(EXIT_BAD_OUTPUT, result.message());
-    return stream.str();
+public:
+    TemporaryFolder() : _path(fs::temp_directory_path() / ("osglegocapture-" + std::to_string(getpid())))
+    {
+        fs::create_directory(_path);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(_path, ignored);
+    }
+
+    const fs::path& getPath() const { return _path; }
+
+private:
+    fs::path _path;
+};
+
+/** The model in LDraw's format. Its writer needs the name of a file, which it writes into the text. */
+std::string createMpd(const LegoNode& lego, const std::string& name)
+{
+    const TemporaryFolder folder;
+    const fs::path file = folder.getPath() / (name + ".mpd");
+    const osgDB::ReaderWriter::WriteResult result =
+        osgDB::Registry::instance()->writeNode(lego, file.string(), nullptr);
+    if (!result.success())
+        throw CaptureError(EXIT_BAD_OUTPUT, result.message().empty() ? "there is no plugin osgdb_ldraw to write .mpd"
+                                                                     : result.message());
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::vector<BookletDownload> createDownloads(const std::string& name, const BookletModel& model, const LegoNode& lego)
@@ -110,13 +140,26 @@ std::vector<BookletDownload> createDownloads(const std::string& name, const Book
     model.getPartsList().writeCsv(table);
     return {{"Wanted list (BrickLink)", name + ".xml", "application/xml", wanted.str()},
             {"Parts list (CSV)", name + ".csv", "text/csv", table.str()},
-            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego)}};
+            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name)}};
+}
+
+StabilityReport computeStanding(const BrickModel& model)
+{
+    const std::optional<StabilityReport> report =
+        computeStability(model, {BuildingBase::TABLE, Cancellation::isRequested});
+    Cancellation::check();
+    return report.value();
 }
 
 /** Sentences for the cover if the model can't be built as planned. */
-std::vector<std::string> createWarnings(const BookletModel& model)
+std::vector<std::string> createWarnings(const BookletModel& model, const StabilityReport& stability)
 {
     std::vector<std::string> warnings;
+    if (!stability.stands)
+        warnings.push_back("This model does not stand on a table: " + countOf(stability.falling.size(), "part") +
+                           " would fall. Support it from below, or hang it up.");
+    else if (!stability.safe)
+        warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
     const std::vector<BookletStep>& steps = model.getMainChapter().steps;
     if (const std::size_t unheld = model.getNumUnheld())
         warnings.push_back("This model can't be built as it is: nothing holds " + countOf(unheld, "part") + " when " +
@@ -229,7 +272,7 @@ void writeBooklet(const CaptureOptions& options, const LegoNode& lego,
 
     BookletFacts facts;
     facts.title = titleOf(nameFiles(options));
-    facts.warnings = createWarnings(model);
+    facts.warnings = createWarnings(model, computeStanding(*bricks));
     facts.downloads = createDownloads(nameFiles(options), model, lego);
     setSteps(options, model.getMainChapter().steps.size(), facts);
 

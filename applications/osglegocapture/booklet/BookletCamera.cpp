@@ -30,10 +30,12 @@ BookletCamera::BookletCamera(const BrickGrid& grid, const BookletView& view) : _
     const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
     const osg::Vec3d right(1, 0, 0);
     const double azimuth = osg::DegreesToRadians(AZIMUTH + 90.0 * view.turns);
-    const double elevation = osg::DegreesToRadians(view.isFromBelow ? -ELEVATION : ELEVATION);
+    // Upside down, the model turns about its front: the camera sees its underside, and its up axis points downwards.
+    const double sign = view.isUpsideDown ? -1.0 : 1.0;
+    const double elevation = osg::DegreesToRadians(sign * ELEVATION);
     const osg::Vec3d ahead = front * std::cos(azimuth) + right * std::sin(azimuth);
     _toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
-    _up = up * std::cos(elevation) - ahead * std::sin(elevation);
+    _up = (up * std::cos(elevation) - ahead * std::sin(elevation)) * sign;
     _right = _up ^ _toEye;
 }
 
@@ -61,13 +63,6 @@ glm::dvec2 BookletCamera::project(const glm::dvec3& cell) const
 {
     const osg::Vec3d place = toOsg(cell * _grid.cellSize / _grid.getPitch());
     return {place * _right, place * _up};
-}
-
-glm::dvec2 BookletCamera::getUp() const
-{
-    glm::dvec3 step(0.0);
-    step[_grid.getUpIndex()] = _grid.getPitch() / _grid.cellSize[_grid.getUpIndex()];
-    return project(step);
 }
 
 void BookletCamera::apply(osg::Camera& camera, const BookletFrame& frame) const

@@ -24,8 +24,8 @@ struct BookletFrame
 /** A direction in which a model is seen, without perspective. */
 struct BookletView
 {
-    int turns = 0;            //!< quarter turns about the up axis, counter-clockwise from above
-    bool isFromBelow = false; //!< the same elevation below the horizon
+    int turns = 0;             //!< quarter turns about the up axis, counter-clockwise from above
+    bool isUpsideDown = false; //!< whether the model lies on its studs
 };
 
 /** Places cameras so that pictures of a model from one direction have the same scale. */
@@ -38,13 +38,11 @@ public:
     BookletFrame findFrame(std::span<const Part> parts) const;
     /** A point in cell units, in the picture's plane. */
     glm::dvec2 project(const glm::dvec3& cell) const;
-    /** The up axis in the picture's plane, per pitch. */
-    glm::dvec2 getUp() const;
     /** Let a camera show a frame. */
     void apply(osg::Camera& camera, const BookletFrame& frame) const;
 
 private:
-    const BrickGrid _grid;
+    BrickGrid _grid;
     osg::Vec3d _right;
     osg::Vec3d _up;
     osg::Vec3d _toEye;

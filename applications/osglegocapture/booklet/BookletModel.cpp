@@ -20,12 +20,14 @@ std::string letterOf(std::size_t index)
     return letters;
 }
 
-/** Set whether the view of each step differs from that of the step before. */
+/** Set whether the view of each step differs from that of the step before. Submodels that are built upside down begin
+ * so. */
 void markTurns(std::vector<BookletStep>& steps)
 {
+    steps.front().isTurned = steps.front().isUpsideDown;
     for (std::size_t step = 1; step < steps.size(); ++step)
         steps[step].isTurned =
-            steps[step].turns != steps[step - 1].turns || steps[step].isFromBelow != steps[step - 1].isFromBelow;
+            steps[step].turns != steps[step - 1].turns || steps[step].isUpsideDown != steps[step - 1].isUpsideDown;
 }
 
 /** The model of some parts of another, and for each of these its index there. */
@@ -119,7 +121,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         for (const std::uint32_t submodel : step.submodels)
             own.submodels.push_back(submodel + 1);
         own.turns = step.turns;
-        own.isFromBelow = step.isFromBelow;
+        own.isUpsideDown = step.isFromBelow;
         own.stands = step.stands;
         own.numNew = placed.back().size();
         own.numPlaced = all.size();

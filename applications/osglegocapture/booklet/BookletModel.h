@@ -28,11 +28,11 @@ struct BookletStep
     std::vector<BookletItem> items;     //!< the parts it adds, without those of submodels, in the order of kinds
     std::vector<std::size_t> submodels; //!< chapters that are built before this step and attached in it
     int turns = 0;                      //!< as BuildingStep::turns
-    bool isFromBelow = false;           //!< as BuildingStep::isFromBelow
-    bool isTurned = false;              //!< whether the view differs from that of the step before
-    bool stands = true;                 //!< as BuildingStep::stands
-    std::size_t numPlaced = 0;          //!< the parts in place after this step, those of submodels included
-    std::size_t numNew = 0;             //!< the parts that this step puts in place, those of submodels included
+    bool isUpsideDown = false;          //!< as BuildingStep::isFromBelow
+    bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from upright
+    bool stands = true;        //!< as BuildingStep::stands
+    std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
+    std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
 };
 
 /** The steps of the main model, or of a submodel. */

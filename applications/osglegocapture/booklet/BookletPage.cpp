@@ -9,11 +9,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace osgLego
 {
 
-/** Booklet.css and Booklet.js, embedded at build time. */
+/** Booklet.css, Booklet.js and Booklet.svg, the symbols, embedded at build time. */
 const std::map<std::string_view, std::string_view>& getBookletTexts();
 
 namespace
@@ -21,12 +22,6 @@ namespace
 
 constexpr double BRICKS_PER_MINUTE_SLOW = 3.0;
 constexpr double BRICKS_PER_MINUTE_FAST = 10.0;
-
-// A model that turns about a vertical axis: two arrows that chase each other.
-constexpr const char* TURN_SYMBOL =
-    R"(<symbol id="turn" viewBox="0 0 64 64"><circle cx="32" cy="32" r="30" fill="#fff" stroke="#1b1d1f" stroke-width="2.5"/>)"
-    R"(<g fill="none" stroke="#1b1d1f" stroke-width="5"><path d="M14 30a18 11 0 0 1 31-6"/><path d="M50 34a18 11 0 0 1-31 6"/></g>)"
-    R"(<path d="M52 30l-11-1 6-10z M12 34l11 1-6 10z" fill="#1b1d1f"/></symbol>)";
 
 std::string dataOf(const std::string& mediaType, const std::string& bytes)
 {
@@ -70,6 +65,25 @@ std::string joinWords(const std::vector<std::string>& words)
     return text;
 }
 
+/** Whether the picture of a finished submodel shows its only step. */
+bool isShort(const BookletChapter& chapter)
+{
+    return chapter.steps.size() == 1 && chapter.steps.front().submodels.empty() && !chapter.steps.front().isUpsideDown;
+}
+
+/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
+std::string drawArrow(const BookletArrow& arrow)
+{
+    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
+    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
+    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
+    std::string path;
+    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
+                                     neck - 3.0 * across, neck - across, arrow.tail - across})
+        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
+    return path + "Z";
+}
+
 } // namespace
 
 BookletPage::BookletPage(const BookletModel& model, const BookletFacts& facts, BookletPictureSource& pictures,
@@ -104,7 +118,7 @@ std::size_t BookletPage::countStepPictures(const BookletChapter& chapter, std::s
         for (const std::size_t submodel : chapter.steps[step].submodels)
         {
             const BookletChapter& own = _model.getChapters()[submodel];
-            number += 1 + countStepPictures(own, 0, own.steps.size());
+            number += 1 + (isShort(own) ? 0 : countStepPictures(own, 0, own.steps.size()));
         }
     return number;
 }
@@ -116,7 +130,8 @@ void BookletPage::writeHead()
              << "<meta name=\"generator\" content=\"osgLego\">\n<title>" << escapedForHtml(_facts.title)
              << ": building instructions</title>\n<style>\n"
              << getBookletTexts().at("Booklet.css") << "</style>\n</head>\n<body>\n"
-             << "<svg class=\"symbols\" aria-hidden=\"true\">" << TURN_SYMBOL << "</svg>\n<main>\n";
+             << "<svg class=\"symbols\" aria-hidden=\"true\">" << getBookletTexts().at("Booklet.svg")
+             << "</svg>\n<main>\n";
 }
 
 void BookletPage::writeCover()
@@ -221,16 +236,19 @@ void BookletPage::writeSubmodel(std::size_t chapter)
     const std::string id = "submodel-" + lowerLetters(own.letter);
     _progress("submodel " + own.letter);
     const BookletPicture picture = _pictures.drawFinished(chapter);
-    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height);
+    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height) / picture.density;
     *_stream << "<svg class=\"symbols\" aria-hidden=\"true\">";
     writeSymbol(id + "-picture", picture);
     *_stream << "</svg>\n<section class=\"submodel\" id=\"" << id << "\">\n<div class=\"intro\" data-stop=\"Submodel "
-             << own.letter << "\">\n<h3>Submodel " << own.letter << "</h3>\n<div class=\"sides\">";
-    writeUse(id + "-picture", "Submodel " + own.letter + ", finished", _submodelSizes[chapter]);
-    *_stream << "\n<ul class=\"callout\">\n";
+             << own.letter << "\">\n<header><h3>" << own.letter << "<span class=\"hidden\">: submodel</span></h3>\n"
+             << "<ul class=\"callout\">\n";
     writeItems(own.items);
-    *_stream << "</ul></div></div>\n";
-    for (std::size_t step = 0; step < own.steps.size(); ++step)
+    *_stream << "</ul></header>\n<figure>";
+    const bool isWhole = isShort(own);
+    writeUse(id + "-picture", isWhole ? describeStep(own, own.steps.front()) : "Submodel " + own.letter + ", finished",
+             _submodelSizes[chapter]);
+    *_stream << "</figure></div>\n";
+    for (std::size_t step = 0; step < own.steps.size() && !isWhole; ++step)
         writeStep(chapter, step);
     *_stream << "</section>\n";
 }
@@ -247,19 +265,39 @@ void BookletPage::writeStep(std::size_t chapter, std::size_t index)
              << "</h3>\n";
     writeCallout(step);
     if (step.isTurned)
-        *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model\"><use href=\"#turn\"/></svg>\n";
+        *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
+                 << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
+                 << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>\n";
     *_stream << "</header>\n<figure class=\"model\">"
              << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px">)",
                             _pictures.getAspect(chapter), picture.width / picture.density);
     writeImage(picture, describeStep(own, step));
+    writeArrows(picture);
     *_stream << "</div></figure>\n</section>\n";
 }
 
 void BookletPage::writeCallout(const BookletStep& step)
 {
     *_stream << "<ul class=\"callout\">\n";
+    for (const std::size_t submodel : step.submodels)
+    {
+        const std::string& letter = _model.getChapters()[submodel].letter;
+        *_stream << "<li>";
+        writeUse("submodel-" + lowerLetters(letter) + "-picture", "Submodel " + letter, _submodelSizes[submodel]);
+        *_stream << "<span class=\"letter\" aria-hidden=\"true\">" << letter << "</span></li>\n";
+    }
     writeItems(step.items);
     *_stream << "</ul>\n";
+}
+
+void BookletPage::writeArrows(const BookletPicture& picture)
+{
+    if (picture.arrows.empty()) return;
+    *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
+                            picture.height);
+    for (const BookletArrow& arrow : picture.arrows)
+        *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
+    *_stream << "</svg>";
 }
 
 void BookletPage::writeItems(const std::vector<BookletItem>& items)

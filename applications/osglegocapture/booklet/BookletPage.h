@@ -56,6 +56,7 @@ private:
     void writeSubmodel(std::size_t chapter);
     void writeStep(std::size_t chapter, std::size_t step);
     void writeCallout(const BookletStep& step);
+    void writeArrows(const BookletPicture& picture);
     void writeItems(const std::vector<BookletItem>& items);
     void writeItem(const BookletItem& item);
     void writeFinished();

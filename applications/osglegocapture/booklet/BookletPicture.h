@@ -11,16 +11,23 @@
 namespace osgLego
 {
 
+/** An arrow in a picture, in pixels from the top left. */
+struct BookletArrow
+{
+    glm::dvec2 tail{0.0};
+    glm::dvec2 tip{0.0};
+    double width = 0.0; //!< of its shaft
+};
+
 /** A picture as it is embedded in a page. */
 struct BookletPicture
 {
-    std::string bytes;     //!< of the file
-    std::string mediaType; //!< such as "image/webp"
-    int width = 0;         //!< pixels
-    int height = 0;        //!< pixels
-    double density = 1.0;  //!< pixels per pixel of CSS (1/96 inch)
-    /** Where submodels are attached, in pixels from the top left: an arrow ends at each. */
-    std::vector<glm::dvec2> arrows;
+    std::string bytes;                //!< of the file
+    std::string mediaType;            //!< such as "image/webp"
+    int width = 0;                    //!< pixels
+    int height = 0;                   //!< pixels
+    double density = 1.0;             //!< pixels per pixel of CSS (1/96 inch)
+    std::vector<BookletArrow> arrows; //!< one to each submodel that is attached
 };
 
 /** Draws the pictures of a booklet. One thread. */
@@ -31,7 +38,8 @@ public:
 
     /** A part alone, on a transparent background; all parts are drawn at one scale. */
     virtual BookletPicture drawKind(std::size_t kind) = 0;
-    /** The finished model or submodel, on a transparent background. */
+    /** The finished model or submodel, on a transparent background. Submodels are drawn at the scale of parts alone,
+     * unless they would be very large. */
     virtual BookletPicture drawFinished(std::size_t chapter) = 0;
     /** A chapter after a step. All pictures of a chapter have the same scale and the same width. */
     virtual BookletPicture drawStep(std::size_t chapter, std::size_t step) = 0;

@@ -17,19 +17,17 @@ namespace osgLego
 namespace
 {
 
-constexpr double DENSITY = 2.0;         // pixels of pictures per pixel of CSS
-constexpr double LARGEST_WIDTH = 1600;  // pixels
-constexpr double LARGEST_HEIGHT = 1400; // pixels
-constexpr double LARGEST_PITCH = 120;   // pixels; larger bricks would look odd beside those of the parts lists
-constexpr double PART_DENSITY = 3.0;    // pictures of parts are small, and printed as large
-constexpr double PART_PITCH = 20.0;     // pixels of CSS
-constexpr double MARGIN = 0.15;         // pitches around a model, for outlines and rounding
+constexpr double DENSITY = 2.0;          // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1600;   // pixels
+constexpr double LARGEST_HEIGHT = 1400;  // pixels
+constexpr double LARGEST_PITCH = 120;    // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 3.0;     // pictures of parts are small, and printed as large
+constexpr double PART_PITCH = 20.0;      // pixels of CSS
+constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
+constexpr double LARGEST_SUBMODEL = 900; // pixels along each side of a submodel in lists
+constexpr double ARROW_LENGTH = 3.0;     // pitches
+constexpr double ARROW_WIDTH = 0.45;     // pitches
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
-
-glm::dvec2 sizeWithMargin(const BookletFrame& frame)
-{
-    return frame.getSize() + 2.0 * MARGIN;
-}
 
 BookletFrame addMargin(BookletFrame frame)
 {
@@ -55,19 +53,30 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     return size;
 }
 
+/** A file format, and its quality for OpenImageIO. */
+struct PictureFormat
+{
+    const char* fileName;
+    const char* mediaType;
+    const char* compression;
+};
+
+// Browsers copy JPEG into PDF as it is, and store pictures in all other formats without losses there: the PDF of 370
+// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG.
+constexpr PictureFormat OPAQUE_FORMAT{"picture.jpg", "image/jpeg", "jpeg:88"};
+constexpr PictureFormat TRANSPARENT_FORMAT{"picture.webp", "image/webp", "webp:90"};
+
 BookletPicture encode(const osg::Image& image, double density)
 {
-    // WebP takes a fifth of the bytes of PNG, and every current browser shows it. Artefacts of this quality are
-    // invisible even in print.
-    constexpr const char* COMPRESSION = "webp:90";
+    const PictureFormat& format = image.getPixelFormat() == GL_RGBA ? TRANSPARENT_FORMAT : OPAQUE_FORMAT;
     OIIO::ImageBuf picture = toImageBuf(image);
-    picture.specmod().attribute("compression", COMPRESSION);
+    picture.specmod().attribute("compression", format.compression);
     OIIO::Filesystem::IOVecOutput bytes;
     picture.set_write_ioproxy(&bytes);
-    if (!picture.write("picture.webp")) throw CaptureError(EXIT_BAD_OUTPUT, picture.geterror());
+    if (!picture.write(format.fileName)) throw CaptureError(EXIT_BAD_OUTPUT, picture.geterror());
     BookletPicture encoded;
     encoded.bytes.assign(bytes.buffer().begin(), bytes.buffer().end());
-    encoded.mediaType = "image/webp";
+    encoded.mediaType = format.mediaType;
     encoded.width = image.s();
     encoded.height = image.t();
     encoded.density = density;
@@ -105,13 +114,50 @@ BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& ren
         _scales.push_back(findScale(chapter));
 }
 
+/** The part of the picture that a step needs: as high as the parts in place and the arrows, and as wide as the finished
+ * model, so that the model stays where it is from step to step. */
+BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const BookletStep& step,
+                                        const BookletCamera& camera) const
+{
+    std::vector<Part> placed;
+    for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
+        placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
+    const BookletFrame whole = camera.findFrame(chapter.model->getParts());
+    BookletFrame frame = camera.findFrame(placed);
+    frame.lowest.x = whole.lowest.x;
+    frame.highest.x = whole.highest.x;
+    for (const BookletArrow& arrow : findArrows(step, camera))
+    {
+        frame.lowest = glm::min(frame.lowest, arrow.tail);
+        frame.highest = glm::max(frame.highest, arrow.tail);
+    }
+    return addMargin(frame);
+}
+
+/** The arrows to the submodels that a step attaches, in pitches in the plane of the picture. */
+std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, const BookletCamera& camera) const
+{
+    std::vector<BookletArrow> arrows;
+    for (const std::size_t submodel : step.submodels)
+    {
+        const BookletFrame frame = camera.findFrame(_model.getChapters()[submodel].model->getParts());
+        BookletArrow arrow;
+        arrow.width = ARROW_WIDTH;
+        arrow.tip.x = arrow.tail.x = 0.5 * (frame.lowest.x + frame.highest.x);
+        arrow.tip.y = frame.highest.y + ARROW_WIDTH;
+        arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
+        arrows.push_back(arrow);
+    }
+    return arrows;
+}
+
 BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter) const
 {
     Scale scale;
     for (const BookletStep& step : chapter.steps)
     {
-        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isFromBelow});
-        scale.size = glm::max(scale.size, sizeWithMargin(camera.findFrame(chapter.model->getParts())));
+        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isUpsideDown});
+        scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
     }
     scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
     return scale;
@@ -143,13 +189,15 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    _renderer.setOcclusion(true);
+    const bool isSubmodel = chapter > 0;
+    _renderer.setOcclusion(!isSubmodel);
     const BookletCamera camera(own.model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(own.model->getParts()));
-    const double pixels =
-        std::min({LARGEST_WIDTH / frame.getSize().x, LARGEST_HEIGHT / frame.getSize().y, LARGEST_PITCH});
+    const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
+    const glm::dvec2 fitting = largest / frame.getSize();
+    const double pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
     const glm::ivec2 size = roundToPixels(frame, pixels);
-    return encode(*_renderer.drawTransparent(camera, frame, size), DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), isSubmodel ? PART_DENSITY : DENSITY);
 }
 
 BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
@@ -160,18 +208,16 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
     _renderer.setOcclusion(false);
 
-    std::vector<Part> placed;
-    for (std::size_t rank = 0; rank < shown.numPlaced; ++rank)
-        placed.push_back(own.model->getParts()[own.plan->getOrder()[rank]]);
-    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isFromBelow});
-    const BookletFrame whole = addMargin(camera.findFrame(own.model->getParts()));
-    // As high as the parts in place, and as wide as the finished model, so that the model stays where it is.
-    BookletFrame frame = addMargin(camera.findFrame(placed));
-    frame.lowest.x = whole.lowest.x;
-    frame.highest.x = whole.highest.x;
-    frame = widen(frame, _scales[chapter].size.x);
-    const glm::ivec2 size = roundToPixels(frame, _scales[chapter].pixels);
-    return encode(*_renderer.draw(camera, frame, size), DENSITY);
+    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isUpsideDown});
+    const double pixels = _scales[chapter].pixels;
+    BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
+    const glm::ivec2 size = roundToPixels(frame, pixels);
+    BookletPicture picture = encode(*_renderer.draw(camera, frame, size), DENSITY);
+    const auto toPixels = [&](const glm::dvec2& place)
+    { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
+    for (const BookletArrow& arrow : findArrows(shown, camera))
+        picture.arrows.push_back({toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels});
+    return picture;
 }
 
 double BookletPictures::getAspect(std::size_t chapter) const

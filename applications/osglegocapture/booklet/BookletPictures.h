@@ -31,6 +31,8 @@ private:
         glm::dvec2 size{0.0};
     };
 
+    BookletFrame findFrame(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera) const;
+    std::vector<BookletArrow> findArrows(const BookletStep& step, const BookletCamera& camera) const;
     Scale findScale(const BookletChapter& chapter) const;
     void show(std::size_t chapter);
 

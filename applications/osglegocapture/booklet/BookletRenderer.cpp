@@ -16,6 +16,7 @@ namespace
 const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
 constexpr unsigned int SAMPLES = 4;
+constexpr double OUTLINE = 2.0; // pixels
 
 osg::ref_ptr<LightProbe> createSky(UpAxis up)
 {
@@ -42,6 +43,10 @@ BookletRenderer::BookletRenderer(osg::GraphicsContext& context) :
     _camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     _camera->setCullingMode(osg::CullSettings::NO_CULLING);
     _lego->setWaiting(true);
+    BrickAppearance appearance;
+    appearance.outline = OUTLINE;
+    appearance.variation = 0.0; // equal parts look alike in lists and steps
+    _lego->setAppearance(appearance);
     _occlusion->addChild(_lego);
     _camera->addChild(_occlusion);
     addLight();
@@ -84,9 +89,11 @@ void BookletRenderer::addLight()
 void BookletRenderer::setModel(const BrickModel& model, const BuildingPlan& plan)
 {
     _model = &model;
-    _plan = &plan;
-    _occlusion->setLightProbe(createSky(model.getGrid().upAxis));
+    const osg::ref_ptr<LightProbe> sky = createSky(model.getGrid().upAxis);
+    _occlusion->setLightProbe(sky);
+    _lego->setLightProbe(sky); // for pictures without ambient occlusion
     _lego->setStoredBricks(&model);
+    _lego->setBuildingPlan(&plan);
 }
 
 void BookletRenderer::setOcclusion(bool hasOcclusion)
@@ -96,11 +103,8 @@ void BookletRenderer::setOcclusion(bool hasOcclusion)
 
 void BookletRenderer::setPlaced(std::size_t numPlaced, std::size_t numNew)
 {
-    (void)numNew;
-    std::vector<Part> parts;
-    for (std::size_t i = 0; i < numPlaced; ++i)
-        parts.push_back(_model->getParts()[_plan->getOrder()[i]]);
-    _lego->setStoredBricks(BrickModel::createOfParts(_model->getGrid(), parts));
+    _lego->setBuildProgress(static_cast<double>(numPlaced) / static_cast<double>(_model->getParts().size()));
+    _lego->setNumNewParts(numNew);
 }
 
 osg::ref_ptr<osg::Image> BookletRenderer::draw(const BookletCamera& place, const BookletFrame& frame,

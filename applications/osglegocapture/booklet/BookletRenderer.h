@@ -55,7 +55,6 @@ private:
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<const BrickModel> _model;
-    osg::ref_ptr<const BuildingPlan> _plan;
 };
 
 } // namespace osgLego

@@ -66,11 +66,9 @@ TEST(SupportColumns, AreNowhereBelowPartsThatRestOnOthers)
 
 TEST(SupportColumns, ConsistOfBricksAndOfPlatesWhereABrickIsTooHigh)
 {
-    LayoutProblem problem = drawGallows();
     const SupportColumn column{{5, 0, 0}, 1, 8, 0};
-    EXPECT_EQ(SupportColumns(problem, GALLOWS).build(column).size(), 8u);
-    problem.isOfPlates = true;
-    const LaidParts parts = SupportColumns(problem, GALLOWS).build(column);
+    EXPECT_EQ(buildColumn(column, false).size(), 8u);
+    const LaidParts parts = buildColumn(column, true);
     ASSERT_EQ(parts.size(), 4u); // two bricks and two plates
     int height = 0;
     for (const LaidPart& part : parts)

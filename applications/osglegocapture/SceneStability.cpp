@@ -1,0 +1,110 @@
+#include "SceneStability.h"
+
+#include <osgLego/PartType.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t MOST_NAMED = 10; // parts that fall, in the text
+
+std::string nameOf(const BrickModel& model, const Part& part)
+{
+    const PartType* type = findPartType(part, model.getGrid());
+    return type ? type->getName() : "part";
+}
+
+std::string describe(const BrickModel& model, std::uint32_t index)
+{
+    if (index == StabilityReport::Joint::BASE) return "the base";
+    const Part& part = model.getParts()[index];
+    const std::string color = part.colorCode == Part::NO_CODE
+                                  ? fmt::format("#{:02x}{:02x}{:02x}", part.color[0], part.color[1], part.color[2])
+                                  : std::to_string(part.colorCode);
+    return fmt::format("{} in colour {} at {},{},{}", nameOf(model, part), color, part.cell[0], part.cell[1],
+                       part.cell[2]);
+}
+
+ordered_json toJson(const BrickModel& model, std::uint32_t index)
+{
+    if (index == StabilityReport::Joint::BASE) return "base";
+    const Part& part = model.getParts()[index];
+    ordered_json color;
+    if (part.colorCode != Part::NO_CODE) color = part.colorCode;
+    return {{"part", nameOf(model, part)}, {"color", color}, {"cell", part.cell}};
+}
+
+} // namespace
+
+SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base) :
+    _base(base)
+{
+    for (const osg::ref_ptr<const BrickModel>& model : models)
+        _models.push_back({model, *computeStability(*model, {base, {}})});
+}
+
+const SceneStability::ModelStability& SceneStability::getWorst() const
+{
+    return *std::min_element(_models.begin(), _models.end(),
+                             [](const ModelStability& a, const ModelStability& b)
+                             { return a.report.margin < b.report.margin; });
+}
+
+std::string SceneStability::toText() const
+{
+    std::string text;
+    for (const auto& [model, report] : _models)
+    {
+        text += fmt::format("on a {}, {}\n", _base == BuildingBase::TABLE ? "table" : "base plate", report.toString());
+        if (report.weakest)
+            text += fmt::format("  weakest joint: {} on {}\n", describe(*model, report.weakest->upper),
+                                describe(*model, report.weakest->lower));
+        for (std::size_t index = 0; index < std::min(report.falling.size(), MOST_NAMED); ++index)
+            text += fmt::format("  not held: {}\n", describe(*model, report.falling[index]));
+        if (report.falling.size() > MOST_NAMED)
+            text += fmt::format("  and {} more\n", report.falling.size() - MOST_NAMED);
+    }
+    return text;
+}
+
+ordered_json SceneStability::toJson() const
+{
+    const auto& [worst, worstReport] = getWorst();
+    ordered_json weakest;
+    if (worstReport.weakest)
+        weakest = {{"lower", osgLego::toJson(*worst, worstReport.weakest->lower)},
+                   {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
+    ordered_json falling = ordered_json::array();
+    bool stands = true;
+    bool safe = true;
+    std::size_t numComponents = 0;
+    double milliseconds = 0.0;
+    for (const auto& [model, report] : _models)
+    {
+        for (const std::uint32_t part : report.falling)
+            falling.push_back(osgLego::toJson(*model, part));
+        stands = stands && report.stands;
+        safe = safe && report.safe;
+        numComponents += report.numComponents;
+        milliseconds += report.milliseconds;
+    }
+    return {{"base", _base == BuildingBase::TABLE ? "table" : "plate"},
+            {"stands", stands},
+            {"safe", safe},
+            {"margin", worstReport.margin},
+            {"falling", falling},
+            {"weakest", weakest},
+            {"components", numComponents},
+            {"milliseconds", std::round(1000.0 * milliseconds) / 1000.0}};
+}
+
+} // namespace osgLego

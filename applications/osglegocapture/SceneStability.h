@@ -1,0 +1,41 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Stability.h>
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Whether the parts of a scene stand. Each model stands by itself, on its own lowest layer. */
+class SceneStability
+{
+public:
+    /** @param models at least one, each with parts. */
+    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base);
+
+    /** A few lines for people: the verdict, the weakest joint, and the first parts that fall. */
+    std::string toText() const;
+    /** All figures; docs/osglegocapture.md describes them. */
+    nlohmann::ordered_json toJson() const;
+
+private:
+    struct ModelStability
+    {
+        osg::ref_ptr<const BrickModel> model;
+        StabilityReport report;
+    };
+
+    /** The model with the least margin. */
+    const ModelStability& getWorst() const;
+
+    BuildingBase _base;
+    std::vector<ModelStability> _models;
+};
+
+} // namespace osgLego

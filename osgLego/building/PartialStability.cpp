@@ -1,0 +1,100 @@
+#include <osgLego/building/PartialStability.h>
+
+#include <osgLego/PartType.h>
+#include <osgLego/stability/StabilityAnalysis.h>
+
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
+{
+    constexpr double NEWTONS_PER_GRAM = 9.8e-3;
+    std::vector<double> weights;
+    for (const std::uint32_t part : parts)
+    {
+        const PartType* type = findPartType(model.getParts()[part], model.getGrid());
+        weights.push_back(type ? NEWTONS_PER_GRAM * type->mass : 0.0);
+    }
+    return weights;
+}
+
+/** A part of a model that stands on its head. */
+Part turnOver(Part part, const BrickGrid& grid)
+{
+    const auto up = static_cast<std::size_t>(grid.getUpIndex());
+    part.cell[up] = static_cast<std::uint16_t>(grid.dimensions[grid.getUpIndex()] - part.cell[up] - part.size[up]);
+    return part;
+}
+
+} // namespace
+
+PartialStability::PartialStability(const BrickModel& model, const std::vector<std::uint32_t>& parts,
+                                   const JointGraph& graph, Setting setting) :
+    _model(model),
+    _parts(parts), _setting(std::move(setting)), _joints(graph, findWeights(model, parts), _setting.base),
+    _flow(_joints), _springs(_joints)
+{
+    _forces.isPlaced.assign(parts.size(), false);
+    _forces.pressures.assign(_joints.getPoints().size(), 0.0);
+    _forces.floorLoads.assign(parts.size(), VerticalLoad::Zero());
+}
+
+PartialStability::~PartialStability() = default;
+
+/** Whether forces are found that keep parts in equilibrium. */
+bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
+{
+    bool isMore = true;
+    for (std::size_t part = 0; part < isPlaced.size(); ++part)
+        isMore = isMore && (isPlaced[part] || !_forces.isPlaced[part]);
+    if (isMore && _flow.add(_forces, isPlaced)) return true;
+    std::optional<BearingForces> forces = _springs.solve(isPlaced);
+    if (!forces) return false;
+    _forces = std::move(*forces);
+    return true;
+}
+
+std::vector<std::uint32_t> PartialStability::findFalling(const std::vector<bool>& isPlaced)
+{
+    if (isBalanced(isPlaced)) return {};
+    if (!_analysis) createAnalysis();
+    std::vector<std::uint32_t> placed;
+    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
+        if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
+    const std::optional<StabilityReport> report = _analysis->solve(placed);
+    std::vector<std::uint32_t> falling;
+    if (report)
+        for (const std::uint32_t part : report->falling)
+            falling.push_back(_fromAnalysis[part]);
+    return falling;
+}
+
+/** Prepare the analysis of the parts alone, turned as they are built. */
+void PartialStability::createAnalysis()
+{
+    const BrickGrid& grid = _model.getGrid();
+    std::vector<Part> selected;
+    for (const std::uint32_t part : _parts)
+    {
+        const Part& found = _model.getParts()[part];
+        selected.push_back(_setting.isUpsideDown ? turnOver(found, grid) : found);
+    }
+    const osg::ref_ptr<const BrickModel> model = BrickModel::createOfParts(grid, selected);
+    _fromAnalysis.resize(selected.size());
+    for (std::uint32_t part = 0; part < selected.size(); ++part)
+    {
+        const auto index =
+            static_cast<std::uint32_t>(model->findPart(selected[part].getCell()) - model->getParts().data());
+        _toAnalysis.push_back(index);
+        _fromAnalysis[index] = part;
+    }
+    _analysis = std::make_unique<StabilityAnalysis>(*model, _setting.base);
+    _analysis->setCancellation(_setting.isCancelled);
+}
+
+} // namespace osgLego

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/building/SpringBalance.h>
+#include <osgLego/building/WeightFlow.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace osgLego
+{
+
+class StabilityAnalysis;
+
+/** Finds the parts that fall if only some of the parts of a model or submodel are in place.
+ *
+ * Most partial models are found to stand by simpler means than the linear program, which is solved for the others only:
+ * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces.
+ *
+ * One thread. */
+class PartialStability
+{
+public:
+    /** How the parts are built. */
+    struct Setting
+    {
+        bool isUpsideDown = false;
+        BuildingBase base = BuildingBase::TABLE;
+        std::function<bool()> isCancelled;
+    };
+
+    /** @param model and graph must outlive this object.
+     * @param parts those of the graph, in its order, as indices into BrickModel::getParts(). */
+    PartialStability(const BrickModel& model, const std::vector<std::uint32_t>& parts, const JointGraph& graph,
+                     Setting setting);
+    ~PartialStability();
+
+    /** @param isPlaced for each part of the graph.
+     * @return the parts that fall, as indices into the graph; none if it was cancelled. */
+    std::vector<std::uint32_t> findFalling(const std::vector<bool>& isPlaced);
+
+private:
+    bool isBalanced(const std::vector<bool>& isPlaced);
+    void createAnalysis();
+
+    const BrickModel& _model;
+    std::vector<std::uint32_t> _parts;
+    Setting _setting;
+    BearingJoints _joints;
+    WeightFlow _flow;
+    SpringBalance _springs;
+    BearingForces _forces;                        // of the parts that were found to stand last
+    std::unique_ptr<StabilityAnalysis> _analysis; // null until it is needed
+    std::vector<std::uint32_t> _toAnalysis;       // from indices into the graph to those of the analysis
+    std::vector<std::uint32_t> _fromAnalysis;
+};
+
+} // namespace osgLego

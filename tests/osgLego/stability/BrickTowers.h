@@ -1,0 +1,29 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <osg/ref_ptr>
+
+namespace osgLego::test
+{
+
+/** A brick of the given size in studs at a place in studs and layers. */
+Part createBrick(const glm::ivec3& place, int width, int depth);
+
+/** A model of parts in a grid of bricks, or of plates. */
+osg::ref_ptr<const BrickModel> createPartModel(std::vector<Part> parts, double cellHeight = 1.2);
+
+/** A pile of random bricks, each on studs of others or on the ground. */
+osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts);
+
+/** The parts of a model, in a grid whose up axis is z, as another model: turned by a quarter about the up axis. */
+osg::ref_ptr<const BrickModel> turn(const BrickModel& model);
+/** The same, mirrored along x. */
+osg::ref_ptr<const BrickModel> mirror(const BrickModel& model);
+/** The same, with y as the up axis. */
+osg::ref_ptr<const BrickModel> tilt(const BrickModel& model);
+
+} // namespace osgLego::test

@@ -1,0 +1,186 @@
+#include "BrickTowers.h"
+#include "PlainEquilibrium.h"
+
+#include <osgLego/Stability.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+constexpr double GRAVITY = 9.8e-3; // newtons per gram
+// In grams (StableLego).
+constexpr double MASS_1X1 = 0.43;
+constexpr double MASS_1X8 = 3.03;
+constexpr double MASS_2X2 = 1.15;
+
+StabilityReport compute(const osg::ref_ptr<const BrickModel>& model, BuildingBase base = BuildingBase::TABLE)
+{
+    return *computeStability(*model, {base, {}});
+}
+
+/** The margin if contact points bear up to `tension` newtons. */
+double marginOf(double tension)
+{
+    return 1.0 - tension / StabilityReport::CAPACITY;
+}
+
+TEST(Stability, AgreesWithClpOnRandomTowers)
+{
+    int numStanding = 0;
+    int numStrained = 0;
+    for (unsigned int seed = 1; seed <= 40; ++seed)
+        for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+        {
+            const osg::ref_ptr<const BrickModel> model = createRandomTower(seed, 4 + static_cast<int>(seed));
+            const std::optional<double> tension = computePlainTension(*model, base);
+            const StabilityReport report = compute(model, base);
+            const double margin = tension ? std::max(-1.0, marginOf(*tension)) : -1.0;
+            EXPECT_NEAR(report.margin, margin, 1e-6) << seed;
+            EXPECT_EQ(report.stands, margin >= 0.0) << seed;
+            EXPECT_EQ(report.falling.empty(), report.stands) << seed;
+            EXPECT_EQ(report.safe, tension && *tension <= StabilityReport::SAFE_CAPACITY) << seed;
+            numStanding += report.stands;
+            numStrained += report.stands && report.margin < 0.99;
+        }
+    EXPECT_GT(numStanding, 20);
+    EXPECT_LT(numStanding, 75);
+    EXPECT_GT(numStrained, 10);
+}
+
+TEST(Stability, QuarterTurnsMirrorImagesAndOtherUpAxesHaveTheSameMargin)
+{
+    for (unsigned int seed = 100; seed < 120; ++seed)
+    {
+        const osg::ref_ptr<const BrickModel> model = createRandomTower(seed, 25);
+        const double margin = compute(model, BuildingBase::PLATE).margin;
+        EXPECT_NEAR(compute(turn(*model), BuildingBase::PLATE).margin, margin, 1e-6) << seed;
+        EXPECT_NEAR(compute(mirror(*model), BuildingBase::PLATE).margin, margin, 1e-6) << seed;
+        EXPECT_NEAR(compute(tilt(*model), BuildingBase::PLATE).margin, margin, 1e-6) << seed;
+    }
+}
+
+TEST(Stability, ACantileverIsHeldByThreePointsOfItsStud)
+{
+    // A brick 1 x 8 with its first stud on a brick 1 x 1. It turns about the point a quarter pitch towards its end. The
+    // drag on the other side has a lever of 1/2, and two at the sides of 1/4: weight * (3.5 - 1/4) = tension * (1/2 +
+    // 2/4). The column below is held in the same way, and its weight helps.
+    const osg::ref_ptr<const BrickModel> model =
+        createPartModel({createBrick({0, 0, 0}, 1, 1), createBrick({0, 0, 1}, 8, 1)});
+    const StabilityReport report = compute(model, BuildingBase::PLATE);
+    EXPECT_NEAR(report.margin, marginOf(GRAVITY * MASS_1X8 * 3.25), 1e-6);
+    ASSERT_TRUE(report.weakest);
+    EXPECT_EQ(report.weakest->lower, 0u);
+    EXPECT_EQ(report.weakest->upper, 1u);
+    EXPECT_TRUE(report.safe);
+    EXPECT_NEAR(report.loads[1], GRAVITY * MASS_1X8 * 3.25 / StabilityReport::CAPACITY, 1e-5);
+
+    const StabilityReport onTable = compute(model, BuildingBase::TABLE);
+    EXPECT_FALSE(onTable.stands);
+    EXPECT_EQ(onTable.margin, -1.0);
+    EXPECT_FALSE(onTable.falling.empty());
+}
+
+TEST(Stability, ArchesBearWhatHangsFromThem)
+{
+    // A brick 1 x 8 on two columns needs no drag. One 1 x 1 that hangs from its middle is held by the four points of
+    // its stud; a second one below it adds its weight.
+    std::vector<Part> parts{createBrick({0, 0, 0}, 1, 1), createBrick({7, 0, 0}, 1, 1), createBrick({0, 0, 1}, 1, 1),
+                            createBrick({7, 0, 1}, 1, 1), createBrick({0, 0, 2}, 1, 1), createBrick({7, 0, 2}, 1, 1),
+                            createBrick({0, 0, 3}, 8, 1)};
+    const StabilityReport arch = compute(createPartModel(parts));
+    EXPECT_NEAR(arch.margin, 1.0, 1e-6);
+    EXPECT_FALSE(arch.weakest);
+    parts.push_back(createBrick({3, 0, 2}, 1, 1));
+    EXPECT_NEAR(compute(createPartModel(parts)).margin, marginOf(GRAVITY * MASS_1X1 / 4.0), 1e-6);
+    parts.push_back(createBrick({3, 0, 1}, 1, 1));
+    EXPECT_NEAR(compute(createPartModel(parts)).margin, marginOf(GRAVITY * MASS_1X1 * 2.0 / 4.0), 1e-6);
+}
+
+TEST(Stability, FourStudsOfAWidePartHoldAtTwelvePoints)
+{
+    const std::vector<Part> parts{createBrick({0, 0, 0}, 1, 2), createBrick({5, 0, 0}, 1, 2),
+                                  createBrick({0, 0, 1}, 1, 2), createBrick({5, 0, 1}, 1, 2),
+                                  createBrick({0, 0, 2}, 6, 2), createBrick({2, 0, 1}, 2, 2)};
+    EXPECT_NEAR(compute(createPartModel(parts)).margin, marginOf(GRAVITY * MASS_2X2 / 12.0), 1e-6);
+}
+
+TEST(Stability, ATallColumnStandsSafely)
+{
+    std::vector<Part> parts;
+    for (int z = 0; z < 60; ++z)
+        parts.push_back(createBrick({3, 4, z}, 1, 1));
+    const StabilityReport report = compute(createPartModel(std::move(parts)));
+    EXPECT_TRUE(report.stands);
+    EXPECT_TRUE(report.safe);
+    EXPECT_NEAR(report.margin, 1.0, 1e-6);
+    EXPECT_EQ(report.numComponents, 1u);
+}
+
+TEST(Stability, PartsThatNothingConnectsToTheBaseFall)
+{
+    const osg::ref_ptr<const BrickModel> model =
+        createPartModel({createBrick({0, 0, 0}, 2, 2), createBrick({8, 0, 1}, 2, 2), createBrick({2, 0, 0}, 2, 2),
+                         createBrick({8, 0, 2}, 4, 2), createBrick({10, 0, 1}, 1, 1)});
+    const StabilityReport report = compute(model);
+    EXPECT_FALSE(report.stands);
+    EXPECT_FALSE(report.safe);
+    EXPECT_EQ(report.margin, -1.0);
+    EXPECT_EQ(report.falling, (std::vector<std::uint32_t>{2, 3, 4}));
+    EXPECT_EQ(report.loads[2], 1.0f);
+    EXPECT_EQ(report.loads[0], 0.0f);
+    EXPECT_EQ(report.numComponents, 2u);
+}
+
+TEST(Stability, APartBesideAnotherIsNotHeldByIt)
+{
+    const StabilityReport report = compute(
+        createPartModel({createBrick({0, 0, 0}, 2, 2), createBrick({0, 0, 1}, 2, 2), createBrick({2, 0, 1}, 2, 2)}));
+    EXPECT_EQ(report.falling, (std::vector<std::uint32_t>{2}));
+    EXPECT_EQ(report.numComponents, 1u);
+}
+
+TEST(Stability, OnePartStandsAndSoDoesNone)
+{
+    const StabilityReport one = compute(createPartModel({createBrick({0, 0, 5}, 2, 4)}));
+    EXPECT_TRUE(one.stands && one.safe);
+    EXPECT_NEAR(one.margin, 1.0, 1e-6);
+    EXPECT_FALSE(one.weakest);
+    const StabilityReport none = compute(createPartModel({}));
+    EXPECT_TRUE(none.stands && none.safe);
+    EXPECT_EQ(none.margin, 1.0);
+    EXPECT_EQ(none.numComponents, 0u);
+    EXPECT_TRUE(none.loads.empty());
+}
+
+TEST(Stability, TwoCopiesHaveTheMarginOfOne)
+{
+    for (unsigned int seed = 200; seed < 205; ++seed)
+    {
+        const osg::ref_ptr<const BrickModel> model = createRandomTower(seed, 20);
+        std::vector<Part> parts = model->getParts();
+        for (const Part& part : model->getParts())
+            parts.push_back(createBrick(part.getCell() + glm::ivec3(20, 0, 0), part.size[0], part.size[1]));
+        const StabilityReport once = compute(model, BuildingBase::PLATE);
+        const StabilityReport twice = compute(createPartModel(std::move(parts)), BuildingBase::PLATE);
+        EXPECT_NEAR(twice.margin, once.margin, 1e-6) << seed;
+        EXPECT_EQ(twice.numComponents, 2 * once.numComponents) << seed;
+        EXPECT_EQ(twice.falling.size(), 2 * once.falling.size()) << seed;
+    }
+}
+
+TEST(Stability, ACancelledComputationGivesNothing)
+{
+    const osg::ref_ptr<const BrickModel> model = createRandomTower(1, 10);
+    EXPECT_FALSE(computeStability(*model, {BuildingBase::TABLE, [] { return true; }}));
+}
+
+} // namespace
+
+} // namespace osgLego::test
