@@ -58,9 +58,7 @@ public:
     {
         StabilityReport report;
         report.loads.assign(_boxes.size(), 0.0f);
-        const int lowest = _lowest;
         report.numComponents = select(parts);
-        if (_lowest != lowest) _cache.clear();
         for (const std::uint32_t part : parts)
             if (!_isHeld[part]) drop(part, report);
         if (!report.stands) report.margin = -1.0;
