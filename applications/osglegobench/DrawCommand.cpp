@@ -28,6 +28,7 @@ struct DrawOptions : BenchOptions
     std::string look = "full"; // "none": an osg::Box instead of bricks
     std::string device = "auto";
     std::string drawing = "auto";
+    bool hasParts = false;
     bool hasOcclusion = false;
     unsigned int numFrames = 20;
 
@@ -36,9 +37,9 @@ struct DrawOptions : BenchOptions
     {
         BenchScene scene(getMesh(), getResolutions({16}, {64}).front());
         std::string error;
-        if (!LegoSettings::parse(
-                fmt::format("device={},drawing={},look={}", device, drawing, look == "none" ? "full" : look),
-                scene.settings, error))
+        if (!LegoSettings::parse(fmt::format("device={},drawing={},look={}{}", device, drawing,
+                                             look == "none" ? "full" : look, hasParts ? ",parts=bricks" : ""),
+                                 scene.settings, error))
             throw std::runtime_error(error);
         return scene;
     }
@@ -64,6 +65,33 @@ ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFra
     return {{"legolizations", countLegolizations() - legolizations},
             {"allocations", numAllocations},
             {"milliseconds", createSpread(times)}};
+}
+
+/** Draw the whole model and, in turns with it, the model as its building progresses from no part to all parts. */
+ordered_json drawProgress(FrameViewer& viewer, LegoNode& lego, unsigned int numFrames)
+{
+    constexpr unsigned int NUM_TENTHS = 10;
+    std::vector<double> whole;
+    std::vector<double> partial;
+    std::vector<std::vector<double>> tenths(NUM_TENTHS);
+    lego.setWaiting(true); // for the order of building
+    for (const double progress : {0.5, 1.0})
+    {
+        lego.setBuildProgress(progress);
+        viewer.drawFrame();
+    }
+    for (unsigned int frame = 0; frame < numFrames; ++frame)
+    {
+        whole.push_back(viewer.timeFrame("whole"));
+        lego.setBuildProgress((frame + 0.5) / numFrames);
+        partial.push_back(viewer.timeFrame("partial"));
+        tenths[NUM_TENTHS * frame / numFrames].push_back(partial.back());
+        lego.setBuildProgress(1.0);
+    }
+    ordered_json row{{"whole", createSpread(whole)}, {"partial", createSpread(partial)}};
+    for (const std::vector<double>& times : tenths)
+        if (!times.empty()) row["medianByTenth"].push_back(createSpread(times)["median"]);
+    return row;
 }
 
 /** The requested drawing; if it is Drawing::AUTO, the one used with this renderer. */
@@ -96,6 +124,7 @@ ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
                      {"resolution", scene.settings.resolution},
                      {"device", options.device},
                      {"look", options.look},
+                     {"parts", options.hasParts},
                      {"drawnBy", lego ? findDrawing(options) : "triangles"},
                      {"occlusion", options.hasOcclusion},
                      {"frames", options.numFrames},
@@ -113,7 +142,9 @@ ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
     for (unsigned int frame = 1; frame < NUM_FRAMES_BEFORE; ++frame)
         viewer.drawFrame();
     row["unchanged"] = drawFrames(viewer, lego, options.numFrames, false);
-    if (lego) row["dirtied"] = drawFrames(viewer, lego, options.numFrames, true);
+    if (lego) row["progress"] = drawProgress(viewer, *lego, options.numFrames);
+    // Laying parts takes seconds.
+    if (lego && !options.hasParts) row["dirtied"] = drawFrames(viewer, lego, options.numFrames, true);
     return row;
 }
 
@@ -133,8 +164,10 @@ void runDraw(const DrawOptions& options)
 void addDrawCommand(CLI::App& app)
 {
     CLI::App* command = app.add_subcommand(
-        "draw", "Frames of one scene: peak memory after the first; then times, legolizations and allocations of frames "
-                "in which nothing has changed, and of frames in which the bricks are made anew");
+        "draw",
+        "Frames of one scene: peak memory after the first; then times, legolizations and allocations of frames "
+        "in which nothing has changed, of frames of the model partly built, and of frames in which the bricks are "
+        "made anew");
     const auto options = std::make_shared<DrawOptions>();
     options->addTo(*command, "64");
     command->add_option("--look", options->look, "plain, full, or none: a box without bricks (full)")
@@ -143,6 +176,7 @@ void addDrawCommand(CLI::App& app)
         ->check(CLI::IsMember({"auto", "gpu", "cpu"}));
     command->add_option("--drawing", options->drawing, "auto, triangles, splats (auto)")
         ->check(CLI::IsMember({"auto", "triangles", "splats"}));
+    command->add_flag("--parts", options->hasParts, "Join cells to real bricks");
     command->add_flag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
     command->add_option("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)")
         ->check(CLI::Range(0u, 10000u));

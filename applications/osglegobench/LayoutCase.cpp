@@ -73,7 +73,7 @@ public:
         std::string error;
         if (!fillCells(*cells.model, settings.fill, settings.shell, filled, error)) throw std::runtime_error(error);
         problem = createProblem(filled, cells.model->getGrid(), cells.colors);
-        parts = layOut(problem, {settings.effort, settings.seed, {}, {}});
+        parts = layOut(problem, {settings.effort, settings.seed, 1, {}, {}});
         model = createModel(parts, cells.model->getGrid(), cells.colors);
         milliseconds = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     }
@@ -122,7 +122,7 @@ std::size_t countPlates(LayoutProblem problem, Effort effort)
     problem.isOfPlates = false;
     for (LayoutColor& color : problem.colors)
         color.bricks = color.plates;
-    return layOut(problem, {effort, 0, {}, {}}).size();
+    return layOut(problem, {effort, 0, 1, {}, {}}).size();
 }
 
 ordered_json createRow(const LayoutCase& layoutCase, const LayoutRun& run)

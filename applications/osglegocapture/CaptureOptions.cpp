@@ -200,6 +200,7 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
   effort       instant, normal, best                     (normal)
   look         plain, full                               (full)
   drawing      auto, triangles, splats                   (auto: splats where OpenGL is in software)
+  progress     0 to 1, the share of parts that is shown, in the order of building (1)
 
 OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
   quality      low, medium, high                         (medium)

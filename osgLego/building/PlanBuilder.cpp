@@ -129,8 +129,9 @@ std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
     const auto numBefore = static_cast<std::ptrdiff_t>(_submodels.size());
     const bool isUpsideDown = isBetterUpsideDown(parts);
     std::vector<BuildingStep> steps = planSteps(parts, {isUpsideDown, BuildingBase::TABLE});
-    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0)
+    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0 && !_isTryingAgain)
     {
+        _isTryingAgain = true;
         std::vector<Submodel> inner(_submodels.begin() + numBefore, _submodels.end());
         _submodels.resize(static_cast<std::size_t>(numBefore));
         std::vector<BuildingStep> turned = planSteps(parts, {!isUpsideDown, BuildingBase::TABLE});
@@ -141,6 +142,7 @@ std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
             _submodels.resize(static_cast<std::size_t>(numBefore));
             std::move(inner.begin(), inner.end(), std::back_inserter(_submodels));
         }
+        _isTryingAgain = false;
     }
     _submodels.push_back({std::move(steps)});
     return static_cast<std::uint32_t>(_submodels.size() - 1);

@@ -50,6 +50,7 @@ private:
     std::vector<BuildingBox> _turnedBoxes; // upside down
     std::vector<Submodel> _submodels;
     PartList _unheld;
+    bool _isTryingAgain = false; // the other way up; submodels within are not tried again
     bool _isCancelled = false;
 };
 

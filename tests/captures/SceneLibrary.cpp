@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <osg/BlendFunc>
 #include <osg/Camera>
@@ -292,12 +293,17 @@ osg::ref_ptr<LegoNode> createPartsNode(double outline)
     return lego;
 }
 
-/** A step of building the car: its new parts are highlighted. */
-osg::ref_ptr<osg::Node> createStep()
+/** The first half of the car's parts, in layers, so that the picture doesn't change with the planner.
+ * @param numNew the number of highlighted parts. */
+osg::ref_ptr<osg::Node> createHalf(std::size_t numNew)
 {
-    const osg::ref_ptr<LegoNode> lego = createPartsNode(1.0);
+    const osg::ref_ptr<LegoNode> lego = createPartsNode(numNew > 0 ? 1.0 : 0.0);
+    BuildingStep all;
+    all.parts.resize(lego->getBricks()->getParts().size()); // sorted by their lowest layer
+    std::iota(all.parts.begin(), all.parts.end(), 0u);
+    lego->setBuildingPlan(BuildingPlan::create(all.parts.size(), {all}));
     lego->setBuildProgress(0.5);
-    lego->setNumNewParts(9);
+    lego->setNumNewParts(numNew);
     return occlusionOf(lego);
 }
 
@@ -376,7 +382,8 @@ osg::ref_ptr<osg::Node> createLibraryScene(const std::string& name)
         {"no-joints", createNoJoints},
         {"relief-image", createReliefImage},
         {"outlines", [] { return osg::ref_ptr<osg::Node>(occlusionOf(createPartsNode(1.5))); }},
-        {"step", createStep},
+        {"progress", [] { return createHalf(0); }},
+        {"step", [] { return createHalf(9); }},
         {"step-colors", createStepInColors},
         {"few-bricks", createFewBricks},
         {"one-stud", [] { return createOneStud(0); }},

@@ -43,9 +43,10 @@ protected:
     {
         for (const osg::ref_ptr<LightProbe>& probe : probes)
             for (const char* look : {"plain", "full"})
-                for (const char* progress : {"1", "0.5"})
-                    for (const std::size_t numNew : {std::size_t(0), std::size_t(3)})
-                        drawLook(*probe, std::string("8,device=cpu,look=") + look + ",progress=" + progress, numNew);
+                drawLook(*probe, std::string("8,device=cpu,look=") + look, 0);
+        for (const char* look : {"plain", "full"})
+            for (const std::size_t numNew : {std::size_t(0), std::size_t(3)})
+                drawLook(*probes.front(), std::string("8,device=cpu,progress=0.5,look=") + look, numNew);
     }
 
     static void drawLook(const LightProbe& probe, const std::string& settings, std::size_t numNewParts)

@@ -23,11 +23,12 @@ protected:
 
     /** The numbers of the blocks found. */
     std::vector<int> find(const std::vector<BrickBlock>& blocks, const osg::Vec3d& eye, const osg::Vec3d& target,
-                          bool showsInsides = false)
+                          bool showsInsides = false,
+                          std::uint32_t numPlaced = std::numeric_limits<std::uint32_t>::max())
     {
         const osg::Matrixd view = osg::Matrixd::lookAt(eye, target, osg::Vec3d(0.1, 0, 1));
         const CellView cellView(_grid, _grid.getCellsToModel() * view, osg::Matrixd::perspective(40, 1.5, 1, 1000));
-        _ranges.find(blocks, _grid, cellView, showsInsides);
+        _ranges.find(blocks, _grid, cellView, showsInsides, numPlaced);
         _ranges.sortFrontToBack();
         std::vector<int> numbers;
         for (std::size_t range = 0; range < _ranges.getAll().firsts.size(); ++range)
@@ -62,6 +63,22 @@ TEST_F(Ranges, LeaveOutWhatIsTurnedAway)
     EXPECT_EQ(find(blocks, {8, 100, 4}, {8, 0, 4}), (Numbers{0}));
     EXPECT_EQ(find(blocks, {-30, 12, 4}, {8, 12, 4}).size(), 2u) << "level with the bricks";
     EXPECT_EQ(find(blocks, {8, -100, 4}, {8, 0, 4}, true).size(), 2u);
+}
+
+TEST_F(Ranges, AreThoseWithCellsThatAreVisibleWithThePartsInPlace)
+{
+    std::vector<BrickBlock> blocks{createBlock(0, {0, 0, 0}, {7, 7, 7}, 63),
+                                   createBlock(1, {32, 0, 0}, {39, 7, 7}, 63)};
+    blocks[1].firstRank = 4;
+    blocks[1].lastRank = 9;
+    const auto findWith = [&](std::uint32_t numPlaced) {
+        return find(blocks, {32, -200, 32}, {32, 0, 32}, false, numPlaced);
+    };
+    EXPECT_EQ(findWith(0), Numbers());
+    EXPECT_EQ(findWith(4), Numbers{0});
+    EXPECT_EQ(findWith(5), (Numbers{1, 0}));
+    EXPECT_EQ(findWith(9), (Numbers{1, 0}));
+    EXPECT_EQ(findWith(10), Numbers{0});
 }
 
 TEST_F(Ranges, KeepStudsThatAreSeenFromBelow)
