@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include <Clp_C_Interface.h>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <osg/Timer>
 
@@ -45,7 +46,8 @@ osg::ref_ptr<const BrickModel> lay(const MeshSource& mesh, unsigned int resoluti
     settings.resolution = resolution;
     settings.proportions = Proportions::BRICK;
     settings.parts = PartSet::BRICKS;
-    settings.palette = "none";
+    settings.palette = "ldraw";
+    settings.numColors = 1;
     settings.effort = Effort::INSTANT;
     settings.upAxis = mesh.upAxis;
     osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*readMesh(mesh), settings);

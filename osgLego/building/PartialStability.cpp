@@ -75,10 +75,12 @@ BearingForces PartialStability::createNoForces() const
 std::vector<std::uint32_t> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
     if (isBalanced(isPlaced)) return {};
+    if (_numSolved > MOST_SOLVED) return {};
     if (!_analysis) createAnalysis();
     std::vector<std::uint32_t> placed;
     for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
         if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
+    _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
     std::vector<std::uint32_t> falling;
     if (!report) return falling;

@@ -24,6 +24,10 @@ class StabilityAnalysis;
 class PartialStability
 {
 public:
+    /** The most parts, over all linear programs, which bounds the time; later partial models
+     * that are not found to stand by simpler means count as standing. */
+    static constexpr std::size_t MOST_SOLVED = 15'000;
+
     /** How the parts are built. */
     struct Setting
     {
@@ -50,6 +54,7 @@ private:
     const BrickModel& _model;
     std::vector<std::uint32_t> _parts;
     Setting _setting;
+    std::size_t _numSolved = 0; // parts, over all linear programs
     BearingJoints _joints;
     WeightFlow _flow;
     SpringBalance _springs;
