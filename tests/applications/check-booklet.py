@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks a booklet: its structure, that its steps add each part once, its pictures, and its downloads.
 
-Usage: check-booklet.py FILE.html FIRST_STEP LAST_STEP FILE.csv FILE.xml FILE.mpd
-The files are those that the page's downloads must equal. Prints one line per failure, and "N steps, M submodels".
+Usage: check-booklet.py FILE.html FIRST_STEP LAST_STEP FILE.csv FILE.xml
+LAST_STEP may be "all". The files are those that the page's downloads must equal. Prints one line per failure, and "N steps, M submodels".
 """
 import base64
 import collections
@@ -166,6 +166,17 @@ def check_downloads(page, expected, fail):
                 fail(f"the download .{kind} differs from {name}")
 
 
+def check_model(page, number, steps, fail):
+    """The .mpd has all parts, in steps as on the page."""
+    text = next(decode(own["href"]) for _, own, _ in page.elements if own.get("download", "").endswith(".mpd")).decode()
+    if sum(line.startswith("1 ") and line.endswith(".dat") for line in text.splitlines()) != number:
+        fail(f"the .mpd has other parts than the {number} of the model")
+    main = text.split("0 FILE ")[1].splitlines()
+    ends = sum(line.startswith(("0 STEP", "0 ROTSTEP")) and "END" not in line for line in main)
+    if steps and ends != steps:
+        fail(f"the .mpd has {ends} steps instead of {steps}")
+
+
 def main():
     name, first, last, *expected = sys.argv[1:]
     with open(name, encoding="utf-8") as file:
@@ -185,6 +196,7 @@ def main():
     elif any(added[kind] > whole[kind] for kind in added):
         failures.append(f"the parts list has {whole} and some steps add {added}")
     check_downloads(page, expected, failures.append)
+    check_model(page, sum(whole.values()), len(steps) if last == "all" else None, failures.append)
     for failure in failures:
         print(failure)
     submodels = [own["id"] for tag, own, _ in page.elements if tag == "section" and own.get("id", "").startswith("submodel-")]

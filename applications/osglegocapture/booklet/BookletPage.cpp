@@ -211,7 +211,7 @@ void BookletPage::writeDetails(const PartsList::Row& row)
                         (name == brickLinkName ? std::string() : " " + name));
     std::string text;
     for (const std::string& code : codes)
-        text += (text.empty() ? "" : " · ") + escapedForHtml(code);
+        text += (text.empty() ? "<span>" : " <span>") + escapedForHtml(code) + "</span>";
     *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span><span class=\"name\">"
              << escapedForHtml(nameType(*row.type)) << "</span> <span class=\"code\">" << row.type->number
              << "</span></span> <span>" << escapedForHtml(brickLinkName.empty() ? name : brickLinkName)
