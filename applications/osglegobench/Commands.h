@@ -18,5 +18,7 @@ void addDrawCommand(CLI::App& app);
 void addOcclusionCommand(CLI::App& app);
 /** Layouts of parts beside the least number of parts that is possible. Prints tables unless JSON goes to a file. */
 void addLayoutCommand(CLI::App& app);
+/** Times of computing stability, beside CLP. Prints a table unless JSON goes to a file. */
+void addStabilityCommand(CLI::App& app);
 
 } // namespace osgLego

@@ -21,6 +21,7 @@ int run(int argc, char** argv)
     addDrawCommand(app);
     addOcclusionCommand(app);
     addLayoutCommand(app);
+    addStabilityCommand(app);
     CLI11_PARSE(app, argc, argv);
     return 0;
 }

@@ -23,6 +23,14 @@ std::vector<double> findWeights(const BrickModel& model, const std::vector<std::
     return weights;
 }
 
+/** Whether all members of a set are in another. */
+bool includes(const std::vector<bool>& set, const std::vector<bool>& members)
+{
+    for (std::size_t index = 0; index < set.size(); ++index)
+        if (members[index] && !set[index]) return false;
+    return true;
+}
+
 /** A part of a model that stands on its head. */
 Part turnOver(Part part, const BrickGrid& grid)
 {
@@ -39,9 +47,7 @@ PartialStability::PartialStability(const BrickModel& model, const std::vector<st
     _parts(parts), _setting(std::move(setting)), _joints(graph, findWeights(model, parts), _setting.base),
     _flow(_joints), _springs(_joints)
 {
-    _forces.isPlaced.assign(parts.size(), false);
-    _forces.pressures.assign(_joints.getPoints().size(), 0.0);
-    _forces.floorLoads.assign(parts.size(), VerticalLoad::Zero());
+    _forces = _proven = createNoForces();
 }
 
 PartialStability::~PartialStability() = default;
@@ -49,28 +55,45 @@ PartialStability::~PartialStability() = default;
 /** Whether forces are found that keep parts in equilibrium. */
 bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
 {
-    bool isMore = true;
-    for (std::size_t part = 0; part < isPlaced.size(); ++part)
-        isMore = isMore && (isPlaced[part] || !_forces.isPlaced[part]);
-    if (isMore && _flow.add(_forces, isPlaced)) return true;
-    std::optional<BearingForces> forces = _springs.solve(isPlaced);
-    if (!forces) return false;
-    _forces = std::move(*forces);
-    return true;
+    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced)) return true;
+    for (const BearingForces& start : {createNoForces(), _proven})
+        if (includes(isPlaced, start.isPlaced))
+            if (std::optional<BearingForces> forces = _springs.add(start, isPlaced))
+            {
+                _forces = std::move(*forces);
+                return true;
+            }
+    return false;
+}
+
+BearingForces PartialStability::createNoForces() const
+{
+    return {std::vector<bool>(_parts.size(), false), std::vector<double>(_joints.getPoints().size(), 0.0),
+            std::vector<VerticalLoad>(_parts.size(), VerticalLoad::Zero())};
 }
 
 std::vector<std::uint32_t> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
     if (isBalanced(isPlaced)) return {};
+    if (_numSolved > MOST_SOLVED) return {};
     if (!_analysis) createAnalysis();
     std::vector<std::uint32_t> placed;
     for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
         if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
+    _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
     std::vector<std::uint32_t> falling;
-    if (report)
-        for (const std::uint32_t part : report->falling)
-            falling.push_back(_fromAnalysis[part]);
+    if (!report) return falling;
+    for (const std::uint32_t part : report->falling)
+        falling.push_back(_fromAnalysis[part]);
+    if (falling.empty())
+    {
+        // Every contact point may pull as much as the one that pulls most, and the base bears what it bears.
+        _proven = createNoForces();
+        _proven.isPlaced = isPlaced;
+        _proven.pressures.assign(_proven.pressures.size(), -(1.0 - report->margin) * StabilityReport::CAPACITY);
+        _forces = _proven;
+    }
     return falling;
 }
 

@@ -16,12 +16,18 @@ class StabilityAnalysis;
 /** Finds the parts that fall if only some of the parts of a model or submodel are in place.
  *
  * Most partial models are found to stand by simpler means than the linear program, which is solved for the others only:
- * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces.
+ * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. Since forces
+ * in equilibrium can be added, this also works on top of the solution of a linear program, of which only the margin is
+ * known.
  *
  * One thread. */
 class PartialStability
 {
 public:
+    /** The most parts, over all linear programs, which bounds the time; later partial models
+     * that are not found to stand by simpler means count as standing. */
+    static constexpr std::size_t MOST_SOLVED = 15'000;
+
     /** How the parts are built. */
     struct Setting
     {
@@ -42,15 +48,18 @@ public:
 
 private:
     bool isBalanced(const std::vector<bool>& isPlaced);
+    BearingForces createNoForces() const;
     void createAnalysis();
 
     const BrickModel& _model;
     std::vector<std::uint32_t> _parts;
     Setting _setting;
+    std::size_t _numSolved = 0; // parts, over all linear programs
     BearingJoints _joints;
     WeightFlow _flow;
     SpringBalance _springs;
-    BearingForces _forces;                        // of the parts that were found to stand last
+    BearingForces _forces;                        // those that were found last
+    BearingForces _proven;                        // bounds of those that the linear program found last
     std::unique_ptr<StabilityAnalysis> _analysis; // null until it is needed
     std::vector<std::uint32_t> _toAnalysis;       // from indices into the graph to those of the analysis
     std::vector<std::uint32_t> _fromAnalysis;

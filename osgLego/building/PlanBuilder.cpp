@@ -2,6 +2,7 @@
 
 #include <osgLego/building/PartialStability.h>
 #include <osgLego/building/StepBuilder.h>
+#include <osgLego/building/StepViews.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,6 +15,9 @@ namespace osgLego
 
 namespace
 {
+
+// Larger models are shown from one direction: looking for hidden parts would take longer than planning.
+constexpr std::size_t MOST_VIEWED = 20'000;
 
 /** The area on which boxes stand, in studs. */
 int measureBase(const JointGraph& graph)
@@ -49,7 +53,7 @@ osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
 {
     const std::vector<PartList> pieces = findPieces();
     if (pieces.empty()) return BuildingPlan::create(0, {});
-    std::vector<BuildingStep> steps = planSteps(pieces.front(), {false, _options.base});
+    std::vector<BuildingStep> steps = planSteps(pieces.front(), {false, false, _options.base});
     const std::size_t numHeldSteps = steps.size();
     for (const PartList& piece : std::span(pieces).subspan(1))
     {
@@ -61,6 +65,7 @@ osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
         addUnheld(piece, steps.back());
     }
     if (_isCancelled) return nullptr;
+    if (_options.progress) _options.progress(1.0);
     std::sort(_unheld.begin(), _unheld.end());
     return BuildingPlan::create(_boxes.size(), std::move(steps), std::move(_submodels), std::move(_unheld));
 }
@@ -102,7 +107,9 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
     StepBuilder::FindFalling findFalling;
     if (_options.checksStability)
         findFalling = [&stability](const std::vector<bool>& isPlaced) { return stability.findFalling(isPlaced); };
-    StepBuilder builder(graph, findFalling, [this](std::size_t numPlaced) { return proceed(numPlaced); });
+    StepBuilder builder(graph, findFalling,
+                        [this, &setting](std::size_t numPlaced)
+                        { return proceed(setting.isSubmodel ? 0 : numPlaced); });
     const auto toParts = [&parts](const PartList& local)
     {
         PartList result;
@@ -110,17 +117,29 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
             result.push_back(parts[index]);
         return result;
     };
+    StepViews views(graph.getBoxes(), getCellHeight());
     std::vector<BuildingStep> steps;
     for (const AssemblyStep& assembly : builder.build())
     {
+        PartList shown = assembly.parts;
+        for (const PartList& submodel : assembly.submodels)
+            shown.insert(shown.end(), submodel.begin(), submodel.end());
         BuildingStep& step = steps.emplace_back();
         step.parts = toParts(assembly.parts);
         for (const PartList& submodel : assembly.submodels)
             step.submodels.push_back(planSubmodel(toParts(submodel)));
         step.stands = assembly.stands;
         step.isFromBelow = setting.isUpsideDown;
+        if (!setting.isUpsideDown && parts.size() <= MOST_VIEWED) step.turns = views.show(shown);
     }
     return steps;
+}
+
+/** The height of a cell, in studs. */
+double PlanBuilder::getCellHeight() const
+{
+    const BrickGrid& grid = _model.getGrid();
+    return grid.cellSize[grid.getUpIndex()] / grid.getPitch();
 }
 
 /** @return the index of the submodel. Those within it come before it. */
@@ -128,12 +147,13 @@ std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
 {
     const auto numBefore = static_cast<std::ptrdiff_t>(_submodels.size());
     const bool isUpsideDown = isBetterUpsideDown(parts);
-    std::vector<BuildingStep> steps = planSteps(parts, {isUpsideDown, BuildingBase::TABLE});
-    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0)
+    std::vector<BuildingStep> steps = planSteps(parts, {true, isUpsideDown, BuildingBase::TABLE});
+    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0 && !_isTryingAgain)
     {
+        _isTryingAgain = true;
         std::vector<Submodel> inner(_submodels.begin() + numBefore, _submodels.end());
         _submodels.resize(static_cast<std::size_t>(numBefore));
-        std::vector<BuildingStep> turned = planSteps(parts, {!isUpsideDown, BuildingBase::TABLE});
+        std::vector<BuildingStep> turned = planSteps(parts, {true, !isUpsideDown, BuildingBase::TABLE});
         if (countFalls(turned, numBefore) < numFalls)
             steps = std::move(turned);
         else
@@ -141,6 +161,7 @@ std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
             _submodels.resize(static_cast<std::size_t>(numBefore));
             std::move(inner.begin(), inner.end(), std::back_inserter(_submodels));
         }
+        _isTryingAgain = false;
     }
     _submodels.push_back({std::move(steps)});
     return static_cast<std::uint32_t>(_submodels.size() - 1);
@@ -179,9 +200,12 @@ void PlanBuilder::addUnheld(const PartList& parts, BuildingStep& step)
     _unheld.insert(_unheld.end(), parts.begin(), parts.end());
 }
 
-bool PlanBuilder::proceed(std::size_t)
+/** @param numPlaced the parts of the model in place; those of submodels are counted when they are attached. */
+bool PlanBuilder::proceed(std::size_t numPlaced)
 {
     _isCancelled = _isCancelled || (_options.isCancelled && _options.isCancelled());
+    if (_options.progress && numPlaced > 0)
+        _options.progress(static_cast<double>(numPlaced) / static_cast<double>(_boxes.size()));
     return !_isCancelled;
 }
 

@@ -28,15 +28,17 @@ public:
 private:
     using PartList = std::vector<std::uint32_t>;
 
-    /** Whether parts are built upright or upside down, and on what. */
+    /** How parts are built. */
     struct Setting
     {
+        bool isSubmodel = false;
         bool isUpsideDown = false;
         BuildingBase base = BuildingBase::TABLE;
     };
 
     std::vector<PartList> findPieces() const;
     std::vector<BuildingStep> planSteps(const PartList& parts, const Setting& setting);
+    double getCellHeight() const;
     std::uint32_t planSubmodel(const PartList& parts);
     std::size_t countFalls(const std::vector<BuildingStep>& steps, std::ptrdiff_t firstSubmodel) const;
     bool isBetterUpsideDown(const PartList& parts) const;
@@ -50,6 +52,7 @@ private:
     std::vector<BuildingBox> _turnedBoxes; // upside down
     std::vector<Submodel> _submodels;
     PartList _unheld;
+    bool _isTryingAgain = false; // the other way up; submodels within are not tried again
     bool _isCancelled = false;
 };
 

@@ -14,15 +14,15 @@ constexpr double TOLERANCE = 1e-9; // newtons
 
 } // namespace
 
-std::optional<BearingForces> SpringBalance::solve(const std::vector<bool>& isPlaced)
+std::optional<BearingForces> SpringBalance::add(const BearingForces& start, const std::vector<bool>& isPlaced)
 {
     constexpr int MOST_ROUNDS = 20;
     _isPlaced = isPlaced;
     findFloorPoints();
     for (int round = 0; round < MOST_ROUNDS; ++round)
     {
-        if (!solveSprings()) return std::nullopt;
-        if (_joints.getBase() == BuildingBase::PLATE || !releaseFloor()) return createForces();
+        if (!solveSprings(start.isPlaced)) return std::nullopt;
+        if (_joints.getBase() == BuildingBase::PLATE || !releaseFloor()) return createForces(start);
     }
     return std::nullopt;
 }
@@ -48,8 +48,9 @@ double SpringBalance::getDepth(std::uint32_t part, const Eigen::Vector2d& place)
     return _depths.segment<3>(_rows[part]).dot(toRow(part, place));
 }
 
-/** Find the depths at which the springs bear the weights. @return false if parts are loose. */
-bool SpringBalance::solveSprings()
+/** Find the depths at which the springs bear the weights of parts that are not known. @return false if parts are
+ * loose. */
+bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
 {
     _rows.assign(_isPlaced.size(), -1);
     Eigen::Index numRows = 0;
@@ -87,7 +88,7 @@ bool SpringBalance::solveSprings()
             add(point.part, point.part, toRow(point.part, point.place) * toRow(point.part, point.place).transpose());
     _weights.setZero(3 * numRows);
     for (std::uint32_t part = 0; part < _isPlaced.size(); ++part)
-        if (_isPlaced[part]) _weights[_rows[part]] = _joints.getWeight(part)[0];
+        if (_isPlaced[part] && !isKnown[part]) _weights[_rows[part]] = _joints.getWeight(part)[0];
     _stiffness.resize(3 * numRows, 3 * numRows);
     _stiffness.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(_stiffness);
@@ -109,26 +110,24 @@ bool SpringBalance::releaseFloor()
     bool hasChanged = false;
     for (FloorPoint& point : _floor)
     {
-        if (point.isReleased || getDepth(point.part, point.place) >= 0.0) continue;
+        if (point.isReleased || getDepth(point.part, point.place) >= -TOLERANCE) continue;
         point.isReleased = true;
         hasChanged = true;
     }
     return hasChanged;
 }
 
-std::optional<BearingForces> SpringBalance::createForces() const
+std::optional<BearingForces> SpringBalance::createForces(const BearingForces& start) const
 {
-    BearingForces forces;
+    BearingForces forces = start;
     forces.isPlaced = _isPlaced;
-    forces.pressures.assign(_joints.getPoints().size(), 0.0);
-    forces.floorLoads.assign(_isPlaced.size(), VerticalLoad::Zero());
     for (const BearingJoints::Joint& joint : _joints.getJoints())
     {
         if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
         for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
         {
             const Eigen::Vector2d& place = _joints.getPoints()[point];
-            forces.pressures[point] = getDepth(joint.upper, place) - getDepth(joint.lower, place);
+            forces.pressures[point] += getDepth(joint.upper, place) - getDepth(joint.lower, place);
             if (forces.pressures[point] < -BearingForces::CAPACITY) return std::nullopt;
         }
     }

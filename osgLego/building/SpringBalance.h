@@ -10,7 +10,7 @@
 namespace osgLego
 {
 
-/** Finds the forces between parts as if all contact points were equal springs, which spreads loads evenly.
+/** Finds forces between parts as if all contact points were equal springs, which spreads loads evenly.
  *
  * If the forces are within the capacity of the joints, the parts stand, as with WeightFlow. Corners of parts that would
  * pull at a table are released, one group after the other.
@@ -22,8 +22,11 @@ public:
     /** @param joints must outlive this object. */
     explicit SpringBalance(const BearingJoints& joints) : _joints(joints) {}
 
-    /** @return nothing if no forces within the capacity were found for these parts. */
-    std::optional<BearingForces> solve(const std::vector<bool>& isPlaced);
+    /** Add parts to those that are in place.
+     * @param start forces that are kept, to which those due to the new parts are added.
+     * @param isPlaced those that are to be in place, which include all that are.
+     * @return nothing if no forces within the capacity were found. */
+    std::optional<BearingForces> add(const BearingForces& start, const std::vector<bool>& isPlaced);
 
 private:
     /** A point at which the base bears a part. */
@@ -35,12 +38,12 @@ private:
     };
 
     void findFloorPoints();
-    bool solveSprings();
+    bool solveSprings(const std::vector<bool>& isKnown);
     Eigen::Vector3d toRow(std::uint32_t part, const Eigen::Vector2d& place) const;
     double getDepth(std::uint32_t part, const Eigen::Vector2d& place) const;
     bool releaseFloor();
     bool isBalanced() const;
-    std::optional<BearingForces> createForces() const;
+    std::optional<BearingForces> createForces(const BearingForces& start) const;
 
     const BearingJoints& _joints;
     std::vector<bool> _isPlaced;

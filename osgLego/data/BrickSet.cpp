@@ -6,10 +6,11 @@ namespace osgLego
 {
 
 BrickSet::BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics,
-                   MeasureLayout measureLayout) :
+                   MeasureLayout measureLayout, const BrickModel* shown) :
     _revision(revision),
-    _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(model)), _statistics(statistics),
-    _makeModel([] { return nullptr; }), _measureLayout(std::move(measureLayout)), _model(&model)
+    _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(shown ? *shown : model)),
+    _statistics(statistics), _makeModel([] { return nullptr; }), _measureLayout(std::move(measureLayout)),
+    _model(&model)
 {
     _statistics.numDrawnBricks = _points.points.size();
 }

@@ -31,9 +31,10 @@ public:
 
     /** Create a set made on the CPU. Computes the points, and adds their number to the statistics.
      * @param revision the number of the source (LegoSource::revision).
-     * @param measureLayout computes the figures of parts; empty without parts. */
+     * @param measureLayout computes the figures of parts; empty without parts.
+     * @param shown the model with other colours, which are drawn; null: those of the model. */
     BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics,
-             MeasureLayout measureLayout = {});
+             MeasureLayout measureLayout = {}, const BrickModel* shown = nullptr);
     /** Create a set made on the GPU. @param makeModel called at most once, by the first getModel(). */
     BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel);
 

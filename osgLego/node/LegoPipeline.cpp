@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
+#include <osgLego/stability/LoadColors.h>
 
 #include <utility>
 
@@ -21,11 +22,17 @@ LegoPipeline::LegoPipeline(const LegoSettings& settings) :
 
 void LegoPipeline::setSettings(const LegoSettings& settings)
 {
-    const std::lock_guard lock(_mutex);
-    if (!settings.givesSameBricks(_request.settings)) _isDirty = true;
-    _request.settings = settings;
-    _display.setLook(settings.look, settings.drawing);
-    applyProgress();
+    osg::ref_ptr<const BrickModel> stored;
+    {
+        const std::lock_guard lock(_mutex);
+        const bool isShownAlike = settings.show == _request.settings.show;
+        if (!settings.givesSameBricks(_request.settings) || !isShownAlike) _isDirty = true;
+        if (!isShownAlike) stored = _storedBricks;
+        _request.settings = settings;
+        _display.setLook(settings.look, settings.drawing);
+        applyProgress();
+    }
+    if (stored) showStored(*stored);
 }
 
 void LegoPipeline::setProgress(double progress)
@@ -95,21 +102,31 @@ void LegoPipeline::Announcement::operator()()
 
 void LegoPipeline::setStoredBricks(const BrickModel* bricks)
 {
-    std::uint64_t revision = 0;
     {
         const std::lock_guard lock(_mutex);
         if (bricks == _storedBricks) return;
         _storedBricks = bricks;
-        revision = _watch.drop();
+        if (!bricks) _watch.drop();
     }
     _isDirty = !bricks;
-    if (!bricks) return;
+    if (bricks) showStored(*bricks);
+}
+
+void LegoPipeline::showStored(const BrickModel& bricks)
+{
+    const bool isByLoad = getSettings().show == Show::LOAD;
+    const osg::ref_ptr<const BrickModel> shown = isByLoad ? colorByLoad(bricks) : osg::ref_ptr(&bricks);
+    std::uint64_t revision = 0;
+    {
+        const std::lock_guard lock(_mutex);
+        revision = _watch.drop();
+    }
     _cpuProducer->cancel();
     _gpuProducer->cancel();
     _store->clear(revision);
     LegoStatistics statistics;
     statistics.isStored = true;
-    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, *bricks, statistics);
+    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, bricks, statistics, {}, shown.get());
     _store->deliver(*set);
     _display.dirtyBound();
 }

@@ -113,6 +113,7 @@ private:
     bool mustWait(const ContextBricks& bricks) const;
     void warnOfObstacle();
     void applyProgress();
+    void showStored(const BrickModel& bricks);
     void prepareBuilding(const LegoSource* source);
     void preparePickedBricks(const LegoSource& source);
     osg::ref_ptr<const BrickSet> makeOnCpu(const LegoSource& source);

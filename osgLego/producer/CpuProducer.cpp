@@ -2,6 +2,7 @@
 
 #include <osgLego/cpu/CpuBricks.h>
 #include <osgLego/producer/BackgroundTask.h>
+#include <osgLego/stability/LoadColors.h>
 
 #include <exception>
 #include <new>
@@ -52,7 +53,10 @@ private:
             work.isCancelled = [this] { return _task.isCancelled(); };
             work.previous = &_layout;
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
-            if (model) _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout);
+            osg::ref_ptr<const BrickModel> shown = model;
+            if (model && _source->settings.show == Show::LOAD) shown = colorByLoad(*model, work.isCancelled);
+            if (shown)
+                _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout, shown.get());
             _error = work.error;
         }
         catch (const std::bad_alloc&)

@@ -13,14 +13,15 @@ namespace osgLego
 namespace
 {
 
-// Newtons, or newtons times the pitch, that may be missing: a thousandth of the weight of the lightest part.
-constexpr double RESIDUAL_TOLERANCE = 2e-6;
+// Newtons, or newtons times the pitch, that may be missing: a quarter of a percent of the weight of a brick 1 x 1.
+constexpr double RESIDUAL_TOLERANCE = 1e-5;
 // The tension, in newtons, that is taken for none.
 constexpr double TENSION_TOLERANCE = 1e-6;
-// Penalties of newtons that are missing, beside newtons of tension. The higher one is for models that stand, but have
-// such long levers that a missing newton saves more than a hundred of tension.
-constexpr double PENALTY = 1e2;
-constexpr double HIGH_PENALTY = 1e5;
+// Penalty of a newton that is missing, beside a newton of tension.
+constexpr double PENALTY = 1e4;
+// If less than this is missing, long levers may be the cause: the higher penalty makes it worth the tension.
+constexpr double DOUBTFUL_RESIDUAL = 2.0 * StabilityReport::CAPACITY / PENALTY;
+constexpr double HIGH_PENALTY = 1e7;
 
 /** Solves the linear programs of one component. */
 class ComponentSolver
@@ -36,24 +37,19 @@ public:
 
     std::optional<ComponentStability> solve()
     {
-        std::optional<Equilibrium> equilibrium = findTension(PENALTY);
+        std::optional<Equilibrium> equilibrium = findTension(StabilityReport::CAPACITY);
         if (!equilibrium) return std::nullopt;
         ComponentStability result;
         result.tension = getTension(*equilibrium);
         if (result.tension > StabilityReport::CAPACITY)
         {
-            std::optional<Equilibrium> nearest = _solver.solve({1.0, StabilityReport::CAPACITY, false});
-            if (!nearest) return std::nullopt;
-            if (isComplete(*nearest))
+            findFalling(*equilibrium, result);
+            // More capacity helps only if all of it is used.
+            if (equilibrium->tension > StabilityReport::CAPACITY - TENSION_TOLERANCE)
             {
-                equilibrium = findTension(HIGH_PENALTY);
-                if (!equilibrium) return std::nullopt;
-                result.tension = std::min(getTension(*equilibrium), StabilityReport::CAPACITY);
-            }
-            else
-            {
-                findFalling(*nearest, result);
-                if (!isComplete(*equilibrium)) equilibrium = std::move(nearest);
+                const std::optional<Equilibrium> stronger = findTension(2.0 * StabilityReport::CAPACITY);
+                if (!stronger) return std::nullopt;
+                result.tension = getTension(*stronger);
             }
         }
         result.weakest = findWeakest(*equilibrium);
@@ -62,9 +58,12 @@ public:
     }
 
 private:
-    std::optional<Equilibrium> findTension(double penalty)
+    std::optional<Equilibrium> findTension(double capacity)
     {
-        return _solver.solve({penalty, 2.0 * StabilityReport::CAPACITY, true});
+        std::optional<Equilibrium> equilibrium = _solver.solve({PENALTY, capacity, true});
+        if (!equilibrium || isComplete(*equilibrium) || equilibrium->residuals.abs().maxCoeff() > DOUBTFUL_RESIDUAL)
+            return equilibrium;
+        return _solver.solve({HIGH_PENALTY, capacity, true});
     }
 
     double getTension(const Equilibrium& equilibrium) const

@@ -178,8 +178,10 @@ double InteriorPointSolver::computeGap(const Point& point) const
 bool InteriorPointSolver::hasConverged() const
 {
     const double goal = _goal.penalty * (_point.lacks + _point.excesses).sum() + _point.tension;
+    // Where newtons are missing, the price of forces matters less.
+    const double forceTolerance = FORCE_TOLERANCE * std::min(1.0 + goal, 10.0);
     return _rowErrors.lpNorm<Eigen::Infinity>() <= ROW_TOLERANCE &&
-           _forceErrors.lpNorm<Eigen::Infinity>() <= FORCE_TOLERANCE && std::abs(_tensionError) <= FORCE_TOLERANCE &&
+           _forceErrors.lpNorm<Eigen::Infinity>() <= forceTolerance && std::abs(_tensionError) <= FORCE_TOLERANCE &&
            computeGap(_point) <= GAP_TOLERANCE * (1.0 + goal);
 }
 

@@ -19,8 +19,8 @@ namespace osgLego
 struct LDrawModel
 {
     /** The most parts of a model of which the stability is checked after every step, unless its node has a plan: more
-     * take longer than a minute. */
-    static constexpr std::size_t MOST_CHECKED = 1000;
+     * take longer than conversions should. */
+    static constexpr std::size_t MOST_CHECKED = 500;
 
     osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
     std::string title;                     //!< the node's name; may be empty

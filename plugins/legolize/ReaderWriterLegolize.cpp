@@ -7,10 +7,29 @@
 #include <osgLego/LegoNode.h>
 #include <osgLego/Palette.h>
 
+#include <vector>
+
+#include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
+
+/** Finds the nodes whose bricks are stored. */
+class StoredBricksFinder : public osg::NodeVisitor
+{
+public:
+    StoredBricksFinder() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+
+    void apply(osg::Group& group) override
+    {
+        auto* lego = dynamic_cast<osgLego::LegoNode*>(&group);
+        if (lego && lego->getStoredBricks()) found.push_back(lego);
+        traverse(group);
+    }
+
+    std::vector<osgLego::LegoNode*> found;
+};
 
 /** The pseudo-loader `.legolize`: reads the file named before the extension and puts it under an osgLego::LegoNode.
  * This is put under an osgLego::AmbientOcclusionScene, unless `look=plain` or `occlusion=off` is given.
@@ -91,6 +110,9 @@ public:
         // Don't return "not handled": this is the reader of .legolize, and osgDB need not search for another one.
         if (result.notHandled()) return ReadResult("there is no reader for '" + parsed.fileName + "'");
         if (!result.validNode()) return result;
+        StoredBricksFinder finder;
+        result.getNode()->accept(finder);
+        if (!finder.found.empty()) return showStored(result.getNode(), finder.found, parsed.fileName, settings, *probe);
         return legolize(result.getNode(), settings, *probe, name);
     }
 
@@ -120,6 +142,29 @@ private:
         return probe;
     }
 
+    /** Show a file that is bricks already, as the settings ask for. */
+    static ReadResult showStored(const osg::ref_ptr<osg::Node>& source, const std::vector<osgLego::LegoNode*>& nodes,
+                                 const std::string& fileName, const LegolizeSettings& settings,
+                                 const osgLego::LightProbe& probe)
+    {
+        if (!settings.lego.givesSameBricks(osgLego::LegoSettings()))
+            return ReadResult(
+                "'" + fileName +
+                "' is in bricks already; expected no settings but look, drawing, progress, show, occlusion "
+                "and probe");
+        for (osgLego::LegoNode* lego : nodes)
+        {
+            osgLego::LegoSettings shown = lego->getSettings();
+            shown.look = settings.lego.look;
+            shown.drawing = settings.lego.drawing;
+            shown.progress = settings.lego.progress;
+            shown.show = settings.lego.show;
+            lego->setSettings(shown);
+            lego->setLightProbe(&probe);
+        }
+        return addOcclusion(source, settings, probe, source->getName());
+    }
+
     static ReadResult legolize(const osg::ref_ptr<osg::Node>& source, const LegolizeSettings& settings,
                                const osgLego::LightProbe& probe, const std::string& name)
     {
@@ -129,13 +174,19 @@ private:
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
         if (const std::string obstacle = lego->getObstacle(); !obstacle.empty()) return ReadResult(obstacle);
         lego->setLightProbe(&probe);
+        return addOcclusion(lego, settings, probe, name);
+    }
+
+    static ReadResult addOcclusion(const osg::ref_ptr<osg::Node>& bricks, const LegolizeSettings& settings,
+                                   const osgLego::LightProbe& probe, const std::string& name)
+    {
         const std::optional<osgLego::AmbientOcclusionSettings> occlusion = settings.getOcclusion();
-        if (!occlusion) return lego.get();
+        if (!occlusion) return bricks.get();
         osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
         scene->setSettings(*occlusion);
         scene->setLightProbe(&probe);
         scene->setName(name);
-        scene->addChild(lego);
+        scene->addChild(bricks);
         return scene.get();
     }
 };

@@ -1,6 +1,7 @@
 #include <ldraw/LDrawDocument.h>
 #include <ldraw/LDrawWriter.h>
 
+#include <osgLego/BuildingPlanner.h>
 #include <osgLego/LegoNode.h>
 #include <osgLego/PartType.h>
 
@@ -278,8 +279,16 @@ TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
             filling.seed = seed;
             filling.isCovered = [](const glm::ivec3& cell) { return (cell.x + cell.y) % 11 != 0; };
             const auto model = createParts(createPartGrid({17, 14, 15}, 0.4, up), filling);
-            const Written written = write(*createStoredNode(*model, "parts=bricks,proportions=plate"));
-            EXPECT_EQ(written.getReferences().size(), model->getParts().size());
+            const auto node = createStoredNode(*model, "parts=bricks,proportions=plate");
+            PlanningOptions options;
+            options.checksStability = false;
+            node->setBuildingPlan(planBuilding(*model, options));
+            EXPECT_EQ(write(*node).getReferences().size(), model->getParts().size());
+            const Written mpd = write(*node, "a.mpd");
+            std::size_t numParts = 0;
+            for (const std::string& line : mpd.getReferences())
+                numParts += line.ends_with(".dat") ? 1 : 0;
+            EXPECT_EQ(numParts, model->getParts().size());
         }
 }
 

@@ -71,9 +71,10 @@ osg::ref_ptr<const BrickModel> findModel(const CaptureOptions& options, const Le
     return model;
 }
 
-osg::ref_ptr<const BuildingPlan> plan(const BrickModel& model, BookletProgress& progress)
+osg::ref_ptr<const BuildingPlan> createPlan(const BrickModel& model, BuildingBase base, BookletProgress& progress)
 {
     PlanningOptions options;
+    options.base = base;
     options.isCancelled = Cancellation::isRequested;
     options.progress = [&progress](double share)
     { progress.show(PLANNING_SHARE * share, "planning the order of building"); };
@@ -143,20 +144,20 @@ std::vector<BookletDownload> createDownloads(const std::string& name, const Book
             {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name)}};
 }
 
-StabilityReport computeStanding(const BrickModel& model)
+StabilityReport computeStanding(const BrickModel& model, BuildingBase base)
 {
-    const std::optional<StabilityReport> report =
-        computeStability(model, {BuildingBase::TABLE, Cancellation::isRequested});
+    const std::optional<StabilityReport> report = computeStability(model, {base, Cancellation::isRequested});
     Cancellation::check();
     return report.value();
 }
 
 /** Sentences for the cover if the model can't be built as planned. */
-std::vector<std::string> createWarnings(const BookletModel& model, const StabilityReport& stability)
+std::vector<std::string> createWarnings(const BookletModel& model, const StabilityReport& stability, BuildingBase base)
 {
     std::vector<std::string> warnings;
+    const std::string place = base == BuildingBase::TABLE ? "a table" : "a base plate";
     if (!stability.stands)
-        warnings.push_back("This model does not stand on a table: " + countOf(stability.falling.size(), "part") +
+        warnings.push_back("This model does not stand on " + place + ": " + countOf(stability.falling.size(), "part") +
                            " would fall. Support it from below, or hang it up.");
     else if (!stability.safe)
         warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
@@ -258,21 +259,23 @@ void checkBookletPlace(const CaptureOptions& options)
         throw cannotWrite(getBookletFile(options), obstacle);
 }
 
-void writeBooklet(const CaptureOptions& options, const LegoNode& lego,
+void writeBooklet(const CaptureOptions& options, LegoNode& lego,
                   const std::function<osg::ref_ptr<osg::GraphicsContext>()>& createContext)
 {
     const Cancellation cancellation;
     const osg::ref_ptr<const BrickModel> bricks = findModel(options, lego);
     checkSize(options, *bricks);
     BookletProgress progress;
-    const osg::ref_ptr<const BuildingPlan> order = plan(*bricks, progress);
+    const BuildingBase base = options.base.value_or(BuildingBase::TABLE);
+    const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks, base, progress);
+    lego.setBuildingPlan(plan); // for the steps in its .mpd
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(lego.getSettings(), error);
-    const BookletModel model(*bricks, *order, palette ? palette->getColors() : std::span<const PaletteColor>());
+    const BookletModel model(*bricks, *plan, palette ? palette->getColors() : std::span<const PaletteColor>());
 
     BookletFacts facts;
     facts.title = titleOf(nameFiles(options));
-    facts.warnings = createWarnings(model, computeStanding(*bricks));
+    facts.warnings = createWarnings(model, computeStanding(*bricks, base), base);
     facts.downloads = createDownloads(nameFiles(options), model, lego);
     setSteps(options, model.getMainChapter().steps.size(), facts);
 

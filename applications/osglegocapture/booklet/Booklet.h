@@ -22,8 +22,9 @@ void checkBookletPlace(const CaptureOptions& options);
 /** Write a booklet of building instructions: one HTML file, complete or not at all.
  *
  * SIGINT and SIGTERM cancel it. Throws CaptureError.
+ * @param lego gets the building plan.
  * @param createContext is called once it is known that there is something to draw. */
-void writeBooklet(const CaptureOptions& options, const LegoNode& lego,
+void writeBooklet(const CaptureOptions& options, LegoNode& lego,
                   const std::function<osg::ref_ptr<osg::GraphicsContext>()>& createContext);
 
 } // namespace osgLego

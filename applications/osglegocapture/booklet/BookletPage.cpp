@@ -204,16 +204,18 @@ void BookletPage::writeDetails(const PartsList::Row& row)
 {
     const std::string name = nameColor(row.color);
     const std::string brickLinkName = nameBrickLinkColor(row.color);
-    const bool hasCode = row.color.code != Part::NO_CODE;
-    *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span class=\"name\">"
-             << escapedForHtml(nameType(*row.type)) << "</span> "
-             << escapedForHtml(brickLinkName.empty() ? name : brickLinkName) << " <span class=\"code\">Part "
-             << row.type->number << "</span>";
-    if (row.color.brickLink >= 0) *_stream << " <span class=\"code\">BrickLink " << row.color.brickLink << "</span>";
-    if (hasCode)
-        *_stream << " <span class=\"code\">LDraw " << row.color.code
-                 << (name == brickLinkName ? std::string() : " " + escapedForHtml(name)) << "</span>";
-    *_stream << "</p>";
+    std::vector<std::string> codes;
+    if (row.color.brickLink >= 0) codes.push_back("BrickLink\u00a0" + std::to_string(row.color.brickLink));
+    if (row.color.code != Part::NO_CODE)
+        codes.push_back("LDraw\u00a0" + std::to_string(row.color.code) +
+                        (name == brickLinkName ? std::string() : " " + name));
+    std::string text;
+    for (const std::string& code : codes)
+        text += (text.empty() ? "" : " · ") + escapedForHtml(code);
+    *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span><span class=\"name\">"
+             << escapedForHtml(nameType(*row.type)) << "</span> <span class=\"code\">" << row.type->number
+             << "</span></span> <span>" << escapedForHtml(brickLinkName.empty() ? name : brickLinkName)
+             << "</span> <span class=\"code\">" << text << "</span></p>";
 }
 
 void BookletPage::writeSteps()

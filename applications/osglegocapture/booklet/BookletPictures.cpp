@@ -176,6 +176,7 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     const osg::ref_ptr<const BrickModel> model = createModelOfKind(_model.getKinds()[kind]);
     _renderer.setModel(*model, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
+    _renderer.setUpsideDown(false);
     _renderer.setOcclusion(false);
     _shown = NONE;
     const BookletCamera camera(model->getGrid(), {});
@@ -189,6 +190,7 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
+    _renderer.setUpsideDown(false);
     const bool isSubmodel = chapter > 0;
     _renderer.setOcclusion(!isSubmodel);
     const BookletCamera camera(own.model->getGrid(), {});
@@ -206,6 +208,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
+    _renderer.setUpsideDown(shown.isUpsideDown);
     _renderer.setOcclusion(false);
 
     const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isUpsideDown});

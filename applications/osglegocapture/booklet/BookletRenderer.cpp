@@ -18,10 +18,13 @@ const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
 constexpr unsigned int SAMPLES = 4;
 constexpr double OUTLINE = 2.0; // pixels
 
-osg::ref_ptr<LightProbe> createSky(UpAxis up)
+/** The built-in sky. @param isUpsideDown whether it is below the model. */
+osg::ref_ptr<LightProbe> createSky(UpAxis up, bool isUpsideDown)
 {
     osg::ref_ptr<LightProbe> sky = new LightProbe;
-    if (up == UpAxis::Y) sky->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
+    const osg::Quat over(isUpsideDown ? osg::PI : 0.0, osg::Vec3d(0, 1, 0)); // about the front of the model
+    const osg::Quat upright = up == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
+    sky->setRotation(over * upright);
     return sky;
 }
 
@@ -89,11 +92,15 @@ void BookletRenderer::addLight()
 void BookletRenderer::setModel(const BrickModel& model, const BuildingPlan& plan)
 {
     _model = &model;
-    const osg::ref_ptr<LightProbe> sky = createSky(model.getGrid().upAxis);
-    _occlusion->setLightProbe(sky);
-    _lego->setLightProbe(sky); // for pictures without ambient occlusion
     _lego->setStoredBricks(&model);
     _lego->setBuildingPlan(&plan);
+}
+
+void BookletRenderer::setUpsideDown(bool isUpsideDown)
+{
+    const osg::ref_ptr<LightProbe> sky = createSky(_model->getGrid().upAxis, isUpsideDown);
+    _occlusion->setLightProbe(sky);
+    _lego->setLightProbe(sky); // for pictures without ambient occlusion
 }
 
 void BookletRenderer::setOcclusion(bool hasOcclusion)

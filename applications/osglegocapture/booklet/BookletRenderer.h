@@ -34,6 +34,8 @@ public:
     /** Show the first parts in the order of building, and highlight the last of them. */
     void setPlaced(std::size_t numPlaced, std::size_t numNew);
 
+    /** Light the model from above, or from below if it lies on its studs. Call it after setModel(). */
+    void setUpsideDown(bool isUpsideDown);
     /** Set whether pictures have ambient occlusion, which takes two thirds of the time. */
     void setOcclusion(bool hasOcclusion);
 

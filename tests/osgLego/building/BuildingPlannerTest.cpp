@@ -152,6 +152,112 @@ osg::ref_ptr<const BrickModel> createBricks(const osg::Node& node, const std::st
     return legolizeOnCpu(node, settings);
 }
 
+/** Expect that the parts in place stand after every step that the plan says they do, and that all steps of held parts
+ * do. */
+void expectStandingSteps(const BrickModel& model)
+{
+    const osg::ref_ptr<const BuildingPlan> plan = planBuilding(model);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(PlanCheck(model, *plan).toString(), "");
+    std::vector<std::uint32_t> placed;
+    for (const BuildingStep& step : plan->getSteps())
+    {
+        for (const std::uint32_t part : plan->getPlacedParts(step))
+            placed.push_back(part);
+        const auto& unheld = plan->getUnheldParts();
+        if (std::binary_search(unheld.begin(), unheld.end(), placed.back())) break;
+        EXPECT_TRUE(step.stands) << placed.size();
+        const std::optional<StabilityReport> report = computeStability(*selectParts(model, placed));
+        EXPECT_TRUE(report && report->stands) << placed.size() << " parts";
+    }
+}
+
+TEST(BuildingPlanner, APartThatWouldFallIsPlacedTogetherWithThePartThatHoldsIt)
+{
+    // A long beam that rests on a column with one stud at its end, and a counterweight on that end.
+    std::vector<Part> parts;
+    for (int z = 0; z < 6; ++z)
+        parts.push_back(makePart({0, 0, z}, {2, 2, 1}));
+    for (int z = 0; z < 14; ++z)
+        parts.push_back(makePart({20, 0, z}, {2, 4, 1}));
+    parts.push_back(makePart({1, 0, 6}, {8, 1, 1}));
+    for (int z = 7; z < 12; ++z)
+        parts.push_back(makePart({0, 0, z}, {2, 2, 1}));
+    expectStandingSteps(*createModel(std::move(parts)));
+}
+
+TEST(BuildingPlanner, PartsInPlaceStandAfterEveryStep)
+{
+    expectStandingSteps(*createWall(24, 6));
+    expectStandingSteps(*createBricks(*createRacingCar(), "24,proportions=brick,parts=bricks"));
+}
+
+TEST(BuildingPlanner, PartsThatMirrorEachOtherAreInTheSameStep)
+{
+    // Four legs in two halves, and a top.
+    std::vector<Part> parts;
+    for (int z = 0; z < 7; ++z)
+        for (const int x : {0, 14})
+            for (const int y : {0, 6})
+                parts.push_back(makePart({x, y, z}, {2, 2, 1}));
+    const auto model = createModel(std::move(parts), {16, 8, 7});
+    const auto plan = expectGoodPlan(*model);
+    for (const BuildingStep& step : plan->getSteps())
+        for (const std::uint32_t part : step.parts)
+        {
+            glm::ivec3 mirrored = model->getParts()[part].getCell();
+            mirrored.x = 14 - mirrored.x;
+            EXPECT_TRUE(std::count(step.parts.begin(), step.parts.end(), indexOf(*model, mirrored))) << part;
+        }
+}
+
+TEST(BuildingPlanner, LegsAreBuiltOneAfterTheOther)
+{
+    std::vector<Part> parts;
+    for (int z = 0; z < 8; ++z)
+        for (const int x : {0, 5, 30}) // no symmetry
+            parts.push_back(makePart({x, 0, z}, {2, 2, 1}));
+    const auto model = createModel(std::move(parts));
+    const auto plan = expectGoodPlan(*model);
+    ASSERT_EQ(plan->getSteps().size(), 3u);
+    for (const BuildingStep& step : plan->getSteps())
+        for (const std::uint32_t part : step.parts)
+            EXPECT_EQ(model->getParts()[part].cell[0], model->getParts()[step.parts[0]].cell[0]);
+}
+
+TEST(BuildingPlanner, TheViewTurnsOnlyIfOtherPartsHideTheNewOnes)
+{
+    // A wall, behind which lower parts are placed; they are hidden from the front.
+    std::vector<Part> parts;
+    for (int z = 0; z < 9; ++z)
+        for (int x = 0; x < 24; x += 4)
+            parts.push_back(makePart({x, 0, z}, {4, 2, 1}));
+    parts.push_back(makePart({0, 2, 9}, {2, 2, 1}));
+    const auto wall = createModel(parts);
+    for (const BuildingStep& step : planFast(*wall)->getSteps())
+        EXPECT_EQ(step.turns, 0) << "a wall alone";
+}
+
+TEST(BuildingPlanner, APlanThatIsCancelledIsNull)
+{
+    PlanningOptions options;
+    int numCalls = 0;
+    options.isCancelled = [&numCalls] { return ++numCalls > 3; };
+    EXPECT_FALSE(planBuilding(*createWall(40, 12), options));
+}
+
+TEST(BuildingPlanner, ProgressRisesToOne)
+{
+    PlanningOptions options;
+    options.checksStability = false;
+    std::vector<double> fractions;
+    options.progress = [&fractions](double fraction) { fractions.push_back(fraction); };
+    planBuilding(*createWall(40, 12), options);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    ASSERT_FALSE(fractions.empty());
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
 TEST(BuildingPlanner, TheRacingCarCanBeBuilt)
 {
     expectGoodPlan(*createBricks(*createRacingCar(), "32,proportions=brick,parts=bricks"));

@@ -2,9 +2,13 @@
 #include "PlainEquilibrium.h"
 
 #include <osgLego/Stability.h>
+#include <osgLego/stability/LoadColors.h>
+#include <osgLego/stability/StabilityAnalysis.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -111,6 +115,20 @@ TEST(Stability, FourStudsOfAWidePartHoldAtTwelvePoints)
     EXPECT_NEAR(compute(createPartModel(parts)).margin, marginOf(GRAVITY * MASS_2X2 / 12.0), 1e-6);
 }
 
+TEST(Stability, AStairOf19BricksStandsAndOneOf20Falls)
+{
+    // As built by StableLego's authors (Figure 1): each brick 2 x 4 overlaps the one below by half.
+    for (const int count : {19, 20})
+    {
+        std::vector<Part> parts;
+        for (int z = 0; z < count; ++z)
+            parts.push_back(createBrick({2 * z, 0, z}, 4, 2));
+        const StabilityReport report = compute(createPartModel(std::move(parts)), BuildingBase::PLATE);
+        EXPECT_EQ(report.stands, count == 19);
+        EXPECT_NEAR(report.margin, 0.0, 0.1);
+    }
+}
+
 TEST(Stability, ATallColumnStandsSafely)
 {
     std::vector<Part> parts;
@@ -173,6 +191,45 @@ TEST(Stability, TwoCopiesHaveTheMarginOfOne)
         EXPECT_EQ(twice.numComponents, 2 * once.numComponents) << seed;
         EXPECT_EQ(twice.falling.size(), 2 * once.falling.size()) << seed;
     }
+}
+
+TEST(Stability, SubsetsStandOnTheirOwnLowestLayer)
+{
+    // A column of three bricks with a beam on top, and a brick beside the third one.
+    const osg::ref_ptr<const BrickModel> model =
+        createPartModel({createBrick({0, 0, 0}, 2, 2), createBrick({0, 0, 1}, 2, 2), createBrick({0, 0, 2}, 2, 2),
+                         createBrick({0, 0, 3}, 8, 1), createBrick({2, 0, 2}, 2, 2)});
+    StabilityAnalysis analysis(*model, BuildingBase::PLATE);
+    const auto solve = [&](const std::vector<std::uint32_t>& parts) { return *analysis.solve(parts); };
+    EXPECT_TRUE(solve({0}).stands);
+    EXPECT_EQ(solve({0, 2}).falling, (std::vector<std::uint32_t>{2}));
+    EXPECT_TRUE(solve({2, 0, 1}).stands);
+    const StabilityReport whole = solve({0, 1, 2, 3, 4});
+    EXPECT_NEAR(whole.margin, compute(model, BuildingBase::PLATE).margin, 1e-9);
+    const StabilityReport upper = solve({4, 2});
+    EXPECT_TRUE(upper.stands);
+    EXPECT_EQ(upper.loads.size(), model->getParts().size());
+    EXPECT_EQ(upper.loads[0], 0.0f);
+    // Results that are kept between calls don't change them.
+    EXPECT_NEAR(solve({0, 1, 2, 3, 4}).margin, whole.margin, 1e-9);
+    EXPECT_NEAR(upper.margin, StabilityAnalysis(*model, BuildingBase::PLATE).solve(std::vector{2u, 4u})->margin, 1e-9);
+    EXPECT_TRUE(solve({}).stands);
+}
+
+TEST(Stability, PartsAreColoredByTheirLoad)
+{
+    // Nothing pulls in the column, and the third part is in the air.
+    const osg::ref_ptr<const BrickModel> model =
+        createPartModel({createBrick({0, 0, 0}, 2, 2), createBrick({0, 0, 1}, 2, 2), createBrick({9, 0, 1}, 2, 2)});
+    const osg::ref_ptr<const BrickModel> colored = colorByLoad(*model);
+    using Color = std::array<std::uint8_t, 3>;
+    EXPECT_EQ(colored->getParts()[0].color, (Color{49, 84, 190}));
+    EXPECT_EQ(colored->getParts()[1].color, (Color{49, 84, 190}));
+    EXPECT_EQ(colored->getParts()[2].color, (Color{220, 0, 200}));
+    EXPECT_EQ(model->getParts()[0].color, Color{});
+    EXPECT_FALSE(colorByLoad(*model, [] { return true; }));
+    const osg::ref_ptr<const BrickModel> cells = BrickModel::create(model->getGrid(), model->getBricks());
+    EXPECT_EQ(colorByLoad(*cells), cells);
 }
 
 TEST(Stability, ACancelledComputationGivesNothing)

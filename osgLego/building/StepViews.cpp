@@ -1,0 +1,138 @@
+#include <osgLego/building/StepViews.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double DEGREE = std::numbers::pi / 180.0;
+constexpr double AZIMUTH = 30.0 * DEGREE; // as in osglegocapture
+constexpr double ELEVATION = 25.0 * DEGREE;
+constexpr int NUM_TURNS = 4;
+
+/** The direction to the eye, in cells. */
+glm::dvec3 getDirection(int turns, double cellHeight)
+{
+    const double azimuth = AZIMUTH + 0.5 * std::numbers::pi * turns;
+    return {std::sin(azimuth) * std::cos(ELEVATION), -std::cos(azimuth) * std::cos(ELEVATION),
+            std::sin(ELEVATION) / cellHeight};
+}
+
+} // namespace
+
+StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight) : _boxes(boxes), _cellHeight(cellHeight)
+{
+    if (boxes.empty()) return;
+    _lower = boxes.front().lower;
+    glm::ivec3 upper = boxes.front().upper;
+    for (const BuildingBox& box : boxes)
+    {
+        _lower = glm::min(_lower, box.lower);
+        upper = glm::max(upper, box.upper);
+    }
+    _size = upper - _lower;
+    _isCovered.assign(static_cast<std::size_t>(_size.x) * static_cast<std::size_t>(_size.y) *
+                          static_cast<std::size_t>(_size.z),
+                      false);
+}
+
+std::size_t StepViews::toIndex(const glm::ivec3& cell) const
+{
+    const glm::ivec3 place = cell - _lower;
+    return static_cast<std::size_t>(place.x) +
+           static_cast<std::size_t>(_size.x) * (static_cast<std::size_t>(place.y) +
+                                                static_cast<std::size_t>(_size.y) * static_cast<std::size_t>(place.z));
+}
+
+int StepViews::show(const std::vector<std::uint32_t>& parts)
+{
+    for (const std::uint32_t part : parts)
+    {
+        const BuildingBox& box = _boxes[part];
+        for (int z = box.lower.z; z < box.upper.z; ++z)
+            for (int y = box.lower.y; y < box.upper.y; ++y)
+                for (int x = box.lower.x; x < box.upper.x; ++x)
+                    _isCovered[toIndex({x, y, z})] = true;
+    }
+    std::size_t most = countVisible(parts, _turns);
+    if (2 * most > parts.size()) return _turns;
+    const int before = _turns;
+    for (int turn = 1; turn < NUM_TURNS; ++turn)
+    {
+        const int turns = (before + turn) % NUM_TURNS;
+        const std::size_t numVisible = countVisible(parts, turns);
+        if (numVisible <= most) continue;
+        most = numVisible;
+        _turns = turns;
+    }
+    return _turns;
+}
+
+std::size_t StepViews::countVisible(const std::vector<std::uint32_t>& parts, int turns) const
+{
+    const glm::dvec3 toEye = getDirection(turns, _cellHeight);
+    return static_cast<std::size_t>(
+        std::count_if(parts.begin(), parts.end(), [&](std::uint32_t part) { return isVisible(_boxes[part], toEye); }));
+}
+
+/** Whether a quarter of the faces of a part's cells, those towards the eye, are visible. */
+bool StepViews::isVisible(const BuildingBox& box, const glm::dvec3& toEye) const
+{
+    constexpr double OUTSIDE = 1e-3; // cells
+    std::size_t numFaces = 0;
+    std::size_t numVisible = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        BuildingBox face = box;
+        (toEye[axis] > 0.0 ? face.lower : face.upper)[axis] =
+            toEye[axis] > 0.0 ? box.upper[axis] - 1 : box.lower[axis] + 1;
+        glm::dvec3 middle(0.5);
+        middle[axis] = toEye[axis] > 0.0 ? 1.0 + OUTSIDE : -OUTSIDE;
+        for (int z = face.lower.z; z < face.upper.z; ++z)
+            for (int y = face.lower.y; y < face.upper.y; ++y)
+                for (int x = face.lower.x; x < face.upper.x; ++x, ++numFaces)
+                    numVisible += isHidden(glm::dvec3(x, y, z) + middle, toEye) ? 0 : 1;
+    }
+    return 4 * numVisible >= numFaces;
+}
+
+/** Whether cells are between a place, in cells, and the eye. */
+bool StepViews::isHidden(glm::dvec3 place, const glm::dvec3& toEye) const
+{
+    for (;;)
+    {
+        const glm::ivec3 cell(glm::floor(place));
+        const bool isInside =
+            glm::all(glm::greaterThanEqual(cell, _lower)) && glm::all(glm::lessThan(cell, _lower + _size));
+        if (isInside && _isCovered[toIndex(cell)]) return true;
+        double way = 0.0; // to the next cell
+        int next = -1;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double bound = toEye[axis] > 0.0 ? cell[axis] + 1.0 : cell[axis];
+            const double length = (bound - place[axis]) / toEye[axis];
+            if (next < 0 || length < way)
+            {
+                way = length;
+                next = axis;
+            }
+        }
+        constexpr double BEHIND = 1e-6; // the border of the cell
+        place += (way + BEHIND) * toEye;
+        // The eye is above, and beyond the border to which the ray leads.
+        if (place.z >= _lower.z + _size.z) return false;
+        if (toEye.x > 0.0 ? place.x >= _lower.x + _size.x : place.x < _lower.x) return false;
+        if (toEye.y > 0.0 ? place.y >= _lower.y + _size.y : place.y < _lower.y) return false;
+    }
+}
+
+} // namespace osgLego

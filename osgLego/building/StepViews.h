@@ -1,0 +1,42 @@
+#pragma once
+
+#include <osgLego/building/JointGraph.h>
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** Chooses the direction from which each step of a model or submodel is shown: by quarter turns, and seldom.
+ *
+ * The first view is from the front right, as in osglegocapture: an azimuth of 30 and an elevation of 25 degrees.
+ * Another one is chosen when other parts hide at least half of the new ones.
+ *
+ * One thread. */
+class StepViews
+{
+public:
+    /** @param boxes those of all parts; they must outlive this object.
+     * @param cellHeight the height of a cell, in studs. */
+    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight);
+
+    /** Put parts in place. @return the quarter turns, 0 to 3, counter-clockwise from above, that show them. */
+    int show(const std::vector<std::uint32_t>& parts);
+
+private:
+    std::size_t countVisible(const std::vector<std::uint32_t>& parts, int turns) const;
+    bool isVisible(const BuildingBox& box, const glm::dvec3& toEye) const;
+    bool isHidden(glm::dvec3 place, const glm::dvec3& toEye) const;
+    std::size_t toIndex(const glm::ivec3& cell) const;
+
+    const std::vector<BuildingBox>& _boxes;
+    double _cellHeight;
+    glm::ivec3 _lower{0};
+    glm::ivec3 _size{0};
+    std::vector<bool> _isCovered; // cells
+    int _turns = 0;
+};
+
+} // namespace osgLego

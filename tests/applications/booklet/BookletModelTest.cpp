@@ -1,0 +1,124 @@
+#include <osglegocapture/booklet/BookletModel.h>
+
+#include <PartModels.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr std::array<std::uint8_t, 3> RED{180, 0, 0};
+constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
+
+Part createPart(const glm::ivec3& cell, const glm::ivec3& size, const std::array<std::uint8_t, 3>& color,
+                std::int32_t code)
+{
+    Part part;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        part.cell[axis] = static_cast<std::uint16_t>(cell[static_cast<int>(axis)]);
+        part.size[axis] = static_cast<std::uint8_t>(size[static_cast<int>(axis)]);
+    }
+    part.color = color;
+    part.colorCode = code;
+    return part;
+}
+
+/** Four bricks 2x4 and one 1x1: 0 and 1 below, 2 across both, 3 and 4 upon it. */
+osg::ref_ptr<const BrickModel> createModel()
+{
+    return BrickModel::createOfParts(test::createPartGrid({8, 4, 3}, 1.2), {createPart({0, 0, 0}, {2, 4, 1}, RED, 4),
+                                                                            createPart({4, 0, 0}, {2, 4, 1}, RED, 4),
+                                                                            createPart({1, 0, 1}, {4, 2, 1}, BLUE, 1),
+                                                                            createPart({1, 0, 2}, {4, 2, 1}, RED, 4),
+                                                                            createPart({5, 1, 2}, {1, 1, 1}, RED, 4)});
+}
+
+BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {})
+{
+    BuildingStep step;
+    step.parts = std::move(parts);
+    step.submodels = std::move(submodels);
+    return step;
+}
+
+/** Parts 0 and 1; then submodel 0, which attaches submodel 1 to part 2; then part 4. */
+osg::ref_ptr<const BuildingPlan> createPlan()
+{
+    Submodel outer;
+    outer.steps = {createStep({2}), createStep({}, {1})};
+    Submodel inner;
+    inner.steps = {createStep({3})};
+    std::vector<BuildingStep> steps{createStep({0, 1}), createStep({}, {0}), createStep({4})};
+    steps[2].turns = 2;
+    return BuildingPlan::create(5, std::move(steps), {outer, inner});
+}
+
+class BookletModelTest : public testing::Test
+{
+protected:
+    osg::ref_ptr<const BrickModel> _bricks = createModel();
+    osg::ref_ptr<const BuildingPlan> _plan = createPlan();
+    BookletModel _model{*_bricks, *_plan, Palette::getKnownColors()};
+};
+
+} // namespace
+
+TEST_F(BookletModelTest, CountsTheKindsOfEachStep)
+{
+    ASSERT_EQ(_model.getKinds().size(), 3u);
+    const std::vector<BookletStep>& steps = _model.getMainChapter().steps;
+    ASSERT_EQ(steps.size(), 3u);
+    ASSERT_EQ(steps[0].items.size(), 1u);
+    EXPECT_EQ(steps[0].items[0].quantity, 2u);
+    EXPECT_EQ(_model.getKinds()[steps[0].items[0].kind].type->number, "3001");
+    EXPECT_EQ(_model.getKinds()[steps[0].items[0].kind].color.name, "Red");
+    EXPECT_TRUE(steps[1].items.empty());
+    EXPECT_EQ(steps[1].numNew, 2u);
+    EXPECT_EQ(steps[1].numPlaced, 4u);
+}
+
+TEST_F(BookletModelTest, ListsThePartsOfSubmodelsWithinSubmodels)
+{
+    const BookletChapter& outer = _model.getChapters()[1];
+    EXPECT_EQ(outer.model->getParts().size(), 2u);
+    EXPECT_EQ(outer.plan->getNumPlaced(0), 1u);
+    EXPECT_EQ(outer.plan->getNumPlaced(1), 2u);
+    // The blue brick is placed first, and only the red one of its model last.
+    EXPECT_EQ(outer.model->getParts()[outer.plan->getOrder()[0]].color, BLUE);
+    std::size_t quantity = 0;
+    for (const BookletItem& item : outer.items)
+        quantity += item.quantity;
+    EXPECT_EQ(quantity, 2u);
+}
+
+TEST_F(BookletModelTest, NamesStepsAndSubmodelsInTheOrderOfBuilding)
+{
+    EXPECT_EQ(_model.getChapters()[1].letter, "A");
+    EXPECT_EQ(_model.getChapters()[2].letter, "B");
+    EXPECT_EQ(_model.getMainChapter().steps[2].name, "3");
+    EXPECT_EQ(_model.getChapters()[1].steps[1].name, "A2");
+}
+
+TEST_F(BookletModelTest, MarksStepsWhoseViewChanges)
+{
+    const std::vector<BookletStep>& steps = _model.getMainChapter().steps;
+    EXPECT_FALSE(steps[0].isTurned);
+    EXPECT_FALSE(steps[1].isTurned);
+    EXPECT_TRUE(steps[2].isTurned);
+}
+
+TEST_F(BookletModelTest, MeasuresTheModelInMillimetres)
+{
+    EXPECT_EQ(_model.getNumParts(), 5u);
+    EXPECT_EQ(_model.getNumPieces(), 2u); // nothing is below the smallest brick
+    EXPECT_DOUBLE_EQ(_model.getSize().x, 48.0);
+    EXPECT_DOUBLE_EQ(_model.getSize().y, 32.0);
+    EXPECT_NEAR(_model.getSize().z, 28.8, 1e-9);
+    EXPECT_NEAR(_model.getMass(), 4 * 2.16 + 0.43, 1e-9);
+}
+
+} // namespace osgLego

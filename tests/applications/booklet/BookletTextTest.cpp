@@ -1,0 +1,74 @@
+#include <osglegocapture/booklet/Base64.h>
+#include <osglegocapture/booklet/BookletText.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+PartsList::Row createRow(PartFamily family, int width, int length, const std::string& color)
+{
+    PartsList::Row row;
+    row.type = findPartType(family, width, length);
+    row.color.name = color;
+    row.color.code = 4;
+    return row;
+}
+
+} // namespace
+
+TEST(Base64Test, EncodesTheExamplesOfTheStandard)
+{
+    EXPECT_EQ(toBase64(""), "");
+    EXPECT_EQ(toBase64("f"), "Zg==");
+    EXPECT_EQ(toBase64("fo"), "Zm8=");
+    EXPECT_EQ(toBase64("foo"), "Zm9v");
+    EXPECT_EQ(toBase64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(toBase64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(BookletTextTest, EscapesAllThatHtmlReads)
+{
+    EXPECT_EQ(escapedForHtml("<a href=\"x\">&</a>"), "&lt;a href=&quot;x&quot;&gt;&amp;&lt;/a&gt;");
+}
+
+TEST(BookletTextTest, GroupsDigitsAndFormsPlurals)
+{
+    EXPECT_EQ(countOf(1, "part"), "1 part");
+    EXPECT_EQ(countOf(999, "part"), "999 parts");
+    EXPECT_EQ(countOf(20000, "part"), "20,000 parts");
+    EXPECT_EQ(formatNumber(1234567), "1,234,567");
+}
+
+TEST(BookletTextTest, DescribesPartsInASentence)
+{
+    EXPECT_EQ(describeParts(createRow(PartFamily::BRICK, 2, 4, "Dark_Red"), 2), "2 dark red bricks 2 x 4");
+    EXPECT_EQ(describeParts(createRow(PartFamily::PLATE, 1, 1, "White"), 1), "1 white plate 1 x 1");
+}
+
+TEST(BookletTextTest, NamesColorsAsBrickLinkDoes)
+{
+    PaletteColor color;
+    color.name = "Light_Bluish_Grey";
+    EXPECT_EQ(nameBrickLinkColor(color), "");
+    color.brickLink = 86;
+    EXPECT_EQ(nameBrickLinkColor(color), "Light Bluish Gray");
+    EXPECT_EQ(nameColor(color), "Light Bluish Grey");
+    color.name = "Medium_Lilac";
+    color.brickLink = 89;
+    EXPECT_EQ(nameBrickLinkColor(color), "Dark Purple");
+}
+
+TEST(BookletTextTest, NamesBookletsAfterTheModelAndNotItsSettings)
+{
+    EXPECT_EQ(nameBooklet("models/bunny.ply"), "bunny");
+    EXPECT_EQ(nameBooklet("models/bunny.ply.64.legolize"), "bunny");
+    EXPECT_EQ(nameBooklet("bunny.ply.(64,palette=/a/b.csv).legolize"), "bunny");
+    EXPECT_EQ(nameBooklet("tower.mpd"), "tower");
+    EXPECT_EQ(titleOf("racing-car"), "Racing car");
+}
+
+} // namespace osgLego
