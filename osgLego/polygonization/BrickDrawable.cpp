@@ -85,9 +85,11 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         bricks->markUnsupported(contextID, missing);
         return;
     }
+    // Before the context is locked: the store locks itself first, and contexts after that.
+    const Shown shown{_store->getBricks(), _isPartial ? _store->getBuilding() : nullptr, _store->getState()};
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
-    if (!prepare(state, *bricks) || !state.getLastAppliedProgramObject()) return;
+    if (!prepare(state, *bricks, shown) || !state.getLastAppliedProgramObject()) return;
 
     // Bricks have cell coordinates. The transform to eye coordinates is computed in double precision, so that models
     // far from the origin of their coordinates do not jitter.
@@ -109,25 +111,22 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks->findDistantOcclusion(state);
         distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(), width);
     }
-    const BuildingState building = _store->getState();
-    const BrickLines lines(_outline, _isPartial && building.numNew > 0, *workspace.cellsToEye,
+    const BrickLines lines(_outline, _isPartial && shown.state.numNew > 0, *workspace.cellsToEye,
                            state.getProjectionMatrix(), width);
-    drawBricks(state, _isPartial ? DrawnBricks(*bricks, building, lines) : DrawnBricks(*bricks, lines), workspace,
+    drawBricks(state, _isPartial ? DrawnBricks(*bricks, shown.state, lines) : DrawnBricks(*bricks, lines), workspace,
                distant ? &*distant : nullptr);
     state.applyModelViewMatrix(modelView.get());
 }
 
 /** Upload the newest bricks if they are not there yet. The caller holds the mutex of `bricks`.
  * @return whether there are bricks to draw. */
-bool BrickDrawable::prepare(osg::State& state, ContextBricks& bricks) const
+bool BrickDrawable::prepare(const osg::State& state, ContextBricks& bricks, const Shown& shown) const
 {
     // Also if they are drawn partly built, so that the last frame of an animation has nothing to upload.
-    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    if (newest && newest->hasPoints()) bricks.upload(state, *newest);
+    if (shown.bricks && shown.bricks->hasPoints()) bricks.upload(state, *shown.bricks);
     bricks.pollBlocks(state);
     if (!_isPartial) return bricks.numBricks > 0;
-    const osg::ref_ptr<const BuildingSet> building = _store->getBuilding();
-    return building && bricks.upload(state, *building) && !building->getPoints().points.empty();
+    return shown.building && bricks.upload(state, *shown.building) && !shown.building->getPoints().points.empty();
 }
 
 void BrickDrawable::drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,

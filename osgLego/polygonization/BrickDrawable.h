@@ -75,7 +75,15 @@ private:
         BrickRanges ranges;
     };
 
-    bool prepare(osg::State& state, ContextBricks& bricks) const;
+    /** The contents of the store in one frame. */
+    struct Shown
+    {
+        osg::ref_ptr<const BrickSet> bricks;
+        osg::ref_ptr<const BuildingSet> building;
+        BuildingState state;
+    };
+
+    bool prepare(const osg::State& state, ContextBricks& bricks, const Shown& shown) const;
     void drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
                     const DistantOcclusionView* distant) const;
 

@@ -28,7 +28,7 @@ struct BuildingState
 
 /** The bricks that a LegoNode shows. Producers deliver them; drawing, picking, bounds and export read them.
  *
- * Every function may be called from any thread.
+ * Every function may be called from any thread, but not while it holds the mutex of a ContextBricks.
  */
 class BrickStore : public osg::Referenced
 {
