@@ -70,6 +70,10 @@ public:
         supportsOption("seed=<number>", "the start of random numbers for the layout of parts, 0 to 4294967295");
         supportsOption("effort=instant|normal|best", "the time spent on the layout of parts");
         supportsOption("drawing=auto|triangles|splats", "how bricks are rasterized");
+        supportsOption("support=off|on", "whether a model of parts is made to stand, on columns if need be");
+
+        supportsOption("progress=<number>", "the share of parts that is shown, in the order of building, 0 to 1");
+        supportsOption("show=color|load", "parts in their colours, or in colours for the load on their joints");
         supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
         supportsOption("occlusion=off|low|medium|high",
                        "the quality of ambient occlusion; by default medium, or off with look=plain");
