@@ -38,10 +38,10 @@ struct OSGLEGO_EXPORT LayoutStatistics
     double meanColorError = 0.0;    //!< the mean distance of visible cells from their surface's colour, in Oklab
     double maximumColorError = 0.0;
     std::optional<SupportStatistics> support; //!< unset unless LegoSettings::support is on
-    double palette = 0.0; //!< the time taken to look up colours
-    double fill = 0.0;    //!< likewise to find interior cells
-    double layout = 0.0;  //!< likewise to lay parts
-    double figures = 0.0; //!< likewise to compute these figures
+    double palette = 0.0;                     //!< the time taken to look up colours
+    double fill = 0.0;                        //!< likewise to find interior cells
+    double layout = 0.0;                      //!< likewise to lay parts
+    double figures = 0.0;                     //!< likewise to compute these figures
 
     /** A report in a few lines of English, without the times. */
     std::string toString() const;

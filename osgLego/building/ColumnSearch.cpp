@@ -1,5 +1,6 @@
 #include <osgLego/building/ColumnSearch.h>
 
+#include <osgLego/building/CellKeys.h>
 #include <osgLego/building/LayoutStanding.h>
 #include <osgLego/layout/UnionFind.h>
 
@@ -8,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace osgLego
@@ -55,29 +57,26 @@ SupportedLayout addTo(const SupportedLayout& bare, const std::vector<SupportColu
     return layout;
 }
 
-/** Whether two parts have sides, or parts of them, in common. */
-bool areTouching(const LaidPart& part, const LaidPart& other)
+BuildingBox toBox(const LaidPart& part)
 {
-    int numGaps = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        const int begin = std::max(part.place[axis], other.place[axis]);
-        const int end = std::min(part.place[axis] + part.size[axis], other.place[axis] + other.size[axis]);
-        if (begin > end) return false;
-        if (begin == end) ++numGaps;
-    }
-    return numGaps <= 1;
+    BuildingBox box;
+    box.lower = {part.place[0], part.place[1], part.place[2]};
+    box.upper = box.lower + glm::ivec3(part.size[0], part.size[1], part.size[2]);
+    return box;
 }
 
 /** Groups of parts that touch each other, the largest first. @param members indices of parts. */
 std::vector<std::vector<std::uint32_t>> findGroups(const LaidParts& parts, const std::vector<std::uint32_t>& members)
 {
+    std::unordered_map<CellKey, std::int32_t> cells;
+    for (std::size_t i = 0; i < members.size(); ++i)
+        visitCells(toBox(parts[members[i]]),
+                   [&](const glm::ivec3& cell) { cells.emplace(toCellKey(cell), static_cast<std::int32_t>(i)); });
     UnionFind sets;
     sets.reset(members.size());
-    for (std::size_t i = 0; i < members.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (areTouching(parts[members[i]], parts[members[j]]))
-                sets.join(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+    for (const auto& [key, member] : cells)
+        for (const CellKey step : {CELL_RIGHT, CELL_BEHIND, CELL_ABOVE})
+            if (const auto next = cells.find(key + step); next != cells.end()) sets.join(member, next->second);
     std::map<std::int32_t, std::vector<std::uint32_t>> byRoot;
     for (std::size_t i = 0; i < members.size(); ++i)
         byRoot[sets.find(static_cast<std::int32_t>(i))].push_back(members[i]);
@@ -117,14 +116,14 @@ bool ColumnSearch::run()
 bool ColumnSearch::addBelowGroups()
 {
     std::vector<SupportColumn> columns = _columns;
-    LayoutProblem problem = _layout.problem;
+    SupportColumns places(_layout.problem, _layout.parts);
     for (const std::vector<std::uint32_t>& group : findGroups(_layout.parts, _report.falling))
     {
-        const std::vector<SupportColumn> places = SupportColumns(problem, _layout.parts).find(group);
-        if (places.empty() || columns.size() == MOST_COLUMNS) continue;
-        columns.push_back(places.front());
-        for (const LaidPart& part : buildColumn(columns.back(), problem.isOfPlates))
-            addCells(part, problem.cells);
+        if (columns.size() == MOST_COLUMNS) break;
+        const std::vector<SupportColumn> found = places.find(group);
+        if (found.empty()) continue;
+        columns.push_back(found.front());
+        places.add(found.front());
     }
     return columns.size() == _columns.size() || keepIfBetter(std::move(columns));
 }

@@ -20,6 +20,9 @@ constexpr std::size_t LARGE_MODEL = 2000; // parts
 /** Around weak parts, in cells: parts within it are laid again, in each attempt within more. */
 constexpr int REACH = 3;
 constexpr int BOND = 4; // the factor of the costs of stacked seams
+/** Weak parts near which others are laid again. If more parts fall, other parts than those hardly make the model stand.
+ */
+constexpr std::size_t MOST_WEAK_PARTS = 256;
 /** Each attempt has random numbers of its own. */
 constexpr std::uint32_t SEED_STEP = 0x9e3779b9u;
 
@@ -30,7 +33,9 @@ std::vector<std::uint32_t> findWeakParts(const StabilityReport& report)
     if (report.weakest)
         for (const std::uint32_t part : {report.weakest->lower, report.weakest->upper})
             if (part != StabilityReport::Joint::BASE) weak.insert(part);
-    return {weak.begin(), weak.end()};
+    std::vector<std::uint32_t> parts(weak.begin(), weak.end());
+    parts.resize(std::min(parts.size(), MOST_WEAK_PARTS));
+    return parts;
 }
 
 bool isNear(const LaidPart& part, const LaidPart& other, int reach)

@@ -1,5 +1,7 @@
 #include <osgLego/building/SupportColumns.h>
 
+#include <osgLego/building/CellKeys.h>
+
 #include <algorithm>
 #include <array>
 
@@ -12,13 +14,6 @@ namespace
 {
 
 constexpr int BRICK_PLATES = 3; // the height of a brick in plates
-
-std::uint64_t keyOf(const glm::ivec3& cell)
-{
-    // Cells are less than 2^16 along each axis; one is added for places beside the lowest cells.
-    return static_cast<std::uint64_t>(cell.x + 1) | static_cast<std::uint64_t>(cell.y + 1) << 20 |
-           static_cast<std::uint64_t>(cell.z + 1) << 40;
-}
 
 /** Whether all columns of a size were made in a colour; bit 0 is the size 1x1, and bit 6 is 2x2. */
 bool exists(const LayoutColor& color, int width)
@@ -51,12 +46,20 @@ SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& pa
 {
     _covered.reserve(problem.cells.size());
     for (const LayoutCell& cell : problem.cells)
-        _covered.insert(keyOf({cell.place[0], cell.place[1], cell.place[2]}));
+        _covered.insert(toCellKey({cell.place[0], cell.place[1], cell.place[2]}));
+}
+
+void SupportColumns::add(const SupportColumn& column)
+{
+    for (int z = 0; z < column.height; ++z)
+        for (int y = 0; y < column.width; ++y)
+            for (int x = 0; x < column.width; ++x)
+                _covered.insert(toCellKey(column.place + glm::ivec3(x, y, z)));
 }
 
 bool SupportColumns::isFree(const glm::ivec3& cell) const
 {
-    return !_covered.contains(keyOf(cell));
+    return !_covered.contains(toCellKey(cell));
 }
 
 /** The column whose highest cell is `top`. @return one without height if the place isn't free. */

@@ -37,6 +37,9 @@ public:
      * @param below indices of parts. @return none if no place below them is free. */
     std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
 
+    /** Regard the cells of a column as covered from now on. */
+    void add(const SupportColumn& column);
+
 private:
     bool isFree(const glm::ivec3& cell) const;
     SupportColumn makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const;

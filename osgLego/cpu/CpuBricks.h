@@ -2,8 +2,8 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoStatistics.h>
-#include <osgLego/flattening/LegoSource.h>
 #include <osgLego/building/ModelBuilder.h>
+#include <osgLego/flattening/LegoSource.h>
 
 #include <functional>
 #include <string>

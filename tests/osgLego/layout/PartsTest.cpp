@@ -2,6 +2,7 @@
 #include <osgLego/LegoNode.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
+#include <osgLego/Stability.h>
 
 #include <common/RacingCar.h>
 
@@ -173,6 +174,30 @@ TEST(Parts, AProgramMayEndALayout)
     EXPECT_FALSE(model);
     EXPECT_GE(last, 0.0);
     EXPECT_LT(last, 1.0);
+}
+
+TEST(Parts, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
+{
+    osg::ref_ptr<osg::Group> roofAndFloor = new osg::Group;
+    roofAndFloor->addChild(createTriangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}));
+    roofAndFloor->addChild(createTriangle({0, 0, 4}, {8, 0, 4}, {0, 8, 4}));
+    for (const char* settings : {"10,parts=bricks", "10,parts=bricks,proportions=plate"})
+    {
+        LegoStatistics statistics;
+        const auto bare = legolize(*roofAndFloor, settings, &statistics);
+        EXPECT_FALSE(statistics.layout->support);
+        EXPECT_FALSE(computeStability(*bare)->stands);
+        const auto model = legolize(*roofAndFloor, std::string(settings) + ",support=on", &statistics);
+        EXPECT_TRUE(computeStability(*model)->stands);
+        ASSERT_TRUE(statistics.layout->support);
+        const SupportStatistics& support = *statistics.layout->support;
+        EXPECT_TRUE(support.stands);
+        EXPECT_GE(support.numColumns, 1u);
+        EXPECT_EQ(statistics.layout->numParts, model->getParts().size());
+        EXPECT_GT(model->getBricks().size(), bare->getBricks().size());
+        for (const Brick& brick : bare->getBricks())
+            EXPECT_TRUE(model->find(brick.getCell()));
+    }
 }
 
 TEST(Parts, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
