@@ -25,7 +25,8 @@ std::string describe(const SupportStatistics& support)
         text += (support.isLaidAgain ? ", and " : "") + counted(support.numColumns, "column", "columns") + " of " +
                 counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") +
                 " added";
-    return text + (support.stands ? "" : "; the model still falls");
+    const bool wasChanged = support.isLaidAgain || support.numColumns > 0;
+    return text + (!support.stands ? "; the model still falls" : wasChanged ? "; the model stands" : "");
 }
 
 } // namespace

@@ -81,6 +81,7 @@ std::vector<std::vector<std::uint32_t>> findGroups(const LaidParts& parts, const
     for (std::size_t i = 0; i < members.size(); ++i)
         byRoot[sets.find(static_cast<std::int32_t>(i))].push_back(members[i]);
     std::vector<std::vector<std::uint32_t>> groups;
+    groups.reserve(byRoot.size());
     for (auto& [root, group] : byRoot)
         groups.push_back(std::move(group));
     std::stable_sort(groups.begin(), groups.end(),

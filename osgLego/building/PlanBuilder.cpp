@@ -86,6 +86,7 @@ std::vector<PlanBuilder::PartList> PlanBuilder::findPieces() const
     for (std::uint32_t part = 0; part < _boxes.size(); ++part)
         pieces[sets.find(static_cast<std::int32_t>(part + 1))].push_back(part);
     std::vector<PartList> lists;
+    lists.reserve(pieces.size());
     for (auto& [set, parts] : pieces)
         lists.push_back(std::move(parts));
     return lists;

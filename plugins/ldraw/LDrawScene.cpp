@@ -13,6 +13,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <osg/NodeVisitor>
 #include <osg/Transform>
+#include <osgDB/FileNameUtils>
 
 namespace osgLego
 {
@@ -123,7 +124,7 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
         return false;
     }
     const LegoSettings settings = node.getSettings();
-    LDrawModel model{nullptr, node.getName(), settings.toString(), nullptr, nullptr};
+    LDrawModel model{nullptr, osgDB::getSimpleFileName(node.getName()), settings.toString(), nullptr, nullptr};
     error = findObstacle(*bricks, name);
     if (!error.empty()) return false;
     model.palette = readPalette(settings, !bricks->getParts().empty(), scene);

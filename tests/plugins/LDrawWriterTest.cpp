@@ -230,7 +230,7 @@ TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
 TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorLicenceAndSettings)
 {
     const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
-    node->setName("two\nlines");
+    node->setName("/models/two\nlines"); // a title without folders can be published
     const Lines lines = write(*node, "/some/where/My Car.LDR").getLines('0');
     ASSERT_GE(lines.size(), 6u);
     EXPECT_EQ(lines[0], "0 Model: two lines");

@@ -16,13 +16,14 @@
     };
 
     const findCurrent = () => {
-        const middle = window.innerHeight / 2;
+        const upperQuarter = window.innerHeight / 4;
         let current = 0;
-        stops.forEach((stop, index) => { if (stop.getBoundingClientRect().top < middle) current = index; });
+        stops.forEach((stop, index) => { if (stop.getBoundingClientRect().top < upperQuarter) current = index; });
         return current;
     };
     const isCalm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-    // While the page scrolls, further keys count from the stop that it scrolls to.
+    // Keys count from the stop that they led to last, which may be lower in the window at the end of the page, until the
+    // reader scrolls.
     let target = null;
     const goTo = index => {
         target = Math.max(0, Math.min(stops.length - 1, index));
@@ -43,9 +44,10 @@
     };
     document.body.append(bar);
     window.addEventListener("scroll", show, { passive: true });
-    window.addEventListener("scrollend", () => { target = null; show(); });
-    for (const event of ["wheel", "touchmove"])
-        window.addEventListener(event, () => { target = null; }, { passive: true });
+    for (const name of ["wheel", "touchmove", "mousedown"])
+        window.addEventListener(name, event => {
+            if (!bar.contains(event.target)) target = null;
+        }, { passive: true });
 
     const moves = {
         ArrowRight: () => goBy(1), ArrowDown: () => goBy(1), PageDown: () => goBy(1),

@@ -43,8 +43,8 @@ TEST(LayoutStatistics, TheReportSaysHowTheModelWasMadeToStand)
         return text.substr(text.rfind('\n') + 1);
     };
     EXPECT_EQ(describe({true, false, 0, 0}), "support: the model stands without it");
-    EXPECT_EQ(describe({true, true, 0, 0}), "support: parts were laid again");
-    EXPECT_EQ(describe({true, false, 1, 4}), "support: 1 column of 4 parts was added");
+    EXPECT_EQ(describe({true, true, 0, 0}), "support: parts were laid again; the model stands");
+    EXPECT_EQ(describe({true, false, 1, 4}), "support: 1 column of 4 parts was added; the model stands");
     EXPECT_EQ(describe({false, true, 2, 1}),
               "support: parts were laid again, and 2 columns of 1 part were added; the model still falls");
     EXPECT_EQ(describe({false, false, 0, 0}), "support: nothing was found that helps; the model still falls");
