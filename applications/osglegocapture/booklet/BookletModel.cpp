@@ -123,6 +123,10 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         own.turns = step.turns;
         own.isUpsideDown = step.isFromBelow;
         own.stands = step.stands;
+        const std::vector<std::uint32_t>& unheld = plan.getUnheldParts();
+        own.numUnheld = static_cast<std::size_t>(std::count_if(
+            placed.back().begin(), placed.back().end(),
+            [&unheld](std::uint32_t part) { return std::binary_search(unheld.begin(), unheld.end(), part); }));
         own.numNew = placed.back().size();
         own.numPlaced = all.size();
     }

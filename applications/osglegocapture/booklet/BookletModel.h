@@ -31,6 +31,7 @@ struct BookletStep
     bool isUpsideDown = false;          //!< as BuildingStep::isFromBelow
     bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from upright
     bool stands = true;        //!< as BuildingStep::stands
+    std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
 };

@@ -270,11 +270,13 @@ void BookletPage::writeStep(std::size_t chapter, std::size_t index)
         *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
                  << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
                  << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>\n";
-    *_stream << "</header>\n<figure class=\"model\">"
+    *_stream << "</header>\n";
+    writeNote(step);
+    *_stream << "<figure class=\"model\">"
              << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px">)",
                             _pictures.getAspect(chapter), picture.width / picture.density);
     writeImage(picture, describeStep(own, step));
-    writeArrows(picture);
+    writeArrows(step, picture);
     *_stream << "</div></figure>\n</section>\n";
 }
 
@@ -292,13 +294,29 @@ void BookletPage::writeCallout(const BookletStep& step)
     *_stream << "</ul>\n";
 }
 
-void BookletPage::writeArrows(const BookletPicture& picture)
+/** Say whether the builder must hold something. */
+void BookletPage::writeNote(const BookletStep& step)
+{
+    if (step.numUnheld > 0)
+        *_stream << "<p class=\"note\">Nothing holds " << countOf(step.numUnheld, "part") << " of this step.</p>\n";
+    else if (!step.stands)
+        *_stream << "<p class=\"note\">Hold the model after this step: it does not stand by itself yet.</p>\n";
+}
+
+void BookletPage::writeArrows(const BookletStep& step, const BookletPicture& picture)
 {
     if (picture.arrows.empty()) return;
     *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
                             picture.height);
-    for (const BookletArrow& arrow : picture.arrows)
+    for (std::size_t index = 0; index < picture.arrows.size(); ++index)
+    {
+        const BookletArrow& arrow = picture.arrows[index];
         *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
+        if (picture.arrows.size() > 1)
+            *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
+                                    arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
+                                    _model.getChapters()[step.submodels[index]].letter);
+    }
     *_stream << "</svg>";
 }
 

@@ -56,7 +56,8 @@ private:
     void writeSubmodel(std::size_t chapter);
     void writeStep(std::size_t chapter, std::size_t step);
     void writeCallout(const BookletStep& step);
-    void writeArrows(const BookletPicture& picture);
+    void writeNote(const BookletStep& step);
+    void writeArrows(const BookletStep& step, const BookletPicture& picture);
     void writeItems(const std::vector<BookletItem>& items);
     void writeItem(const BookletItem& item);
     void writeFinished();
