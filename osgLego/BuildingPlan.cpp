@@ -1,6 +1,7 @@
 #include <osgLego/BuildingPlan.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace osgLego
@@ -18,9 +19,12 @@ public:
     {
     }
 
-    /** @return false if a part or a submodel is unknown or is placed twice. */
+    /** @return false if there is nothing to place, if a part or a submodel is unknown or is placed twice, or if the
+     * view is impossible. */
     bool add(const BuildingStep& step)
     {
+        if (step.parts.empty() && step.submodels.empty()) return false;
+        if (step.turns < 0 || step.turns >= BuildingStep::NUM_TURNS) return false;
         for (const std::uint32_t part : step.parts)
         {
             if (part >= _isPlaced.size() || _isPlaced[part]) return false;
@@ -32,8 +36,9 @@ public:
             if (submodel >= _isUsed.size() || _isUsed[submodel]) return false;
             _isUsed[submodel] = true;
             const std::vector<BuildingStep>& steps = _submodels[submodel].steps;
-            const bool isGood = std::all_of(steps.begin(), steps.end(), [this](const auto& own) { return add(own); });
-            if (steps.empty() || !isGood) return false;
+            const auto addOwn = [&](const BuildingStep& own)
+            { return own.isFromBelow == steps.front().isFromBelow && add(own); };
+            if (steps.empty() || !std::all_of(steps.begin(), steps.end(), addOwn)) return false;
         }
         return true;
     }
@@ -54,6 +59,13 @@ private:
     std::vector<std::uint32_t> _order;
 };
 
+/** Whether parts are in ascending order, each once, and exist. */
+bool areAscending(const std::vector<std::uint32_t>& parts, std::size_t numParts)
+{
+    return std::adjacent_find(parts.begin(), parts.end(), std::greater_equal<>()) == parts.end() &&
+           (parts.empty() || parts.back() < numParts);
+}
+
 } // namespace
 
 osg::ref_ptr<const BuildingPlan> BuildingPlan::create(std::size_t numParts, std::vector<BuildingStep> steps,
@@ -64,10 +76,10 @@ osg::ref_ptr<const BuildingPlan> BuildingPlan::create(std::size_t numParts, std:
     PlacingOrder order(submodels, numParts);
     for (const BuildingStep& step : steps)
     {
-        if (!order.add(step)) return nullptr;
+        if (step.isFromBelow || !order.add(step)) return nullptr;
         plan->_numPlaced.push_back(order.getNumPlaced());
     }
-    if (!order.isComplete()) return nullptr;
+    if (!order.isComplete() || !areAscending(unheld, numParts)) return nullptr;
     plan->_order = order.take();
     plan->_ranks.resize(numParts);
     for (std::size_t rank = 0; rank < numParts; ++rank)
@@ -76,6 +88,19 @@ osg::ref_ptr<const BuildingPlan> BuildingPlan::create(std::size_t numParts, std:
     plan->_submodels = std::move(submodels);
     plan->_unheld = std::move(unheld);
     return plan;
+}
+
+std::size_t BuildingPlan::getNumUnchecked() const
+{
+    const auto count = [](const std::vector<BuildingStep>& steps)
+    {
+        return static_cast<std::size_t>(
+            std::count_if(steps.begin(), steps.end(), [](const BuildingStep& step) { return !step.isChecked; }));
+    };
+    std::size_t number = count(_steps);
+    for (const Submodel& submodel : _submodels)
+        number += count(submodel.steps);
+    return number;
 }
 
 std::vector<std::uint32_t> BuildingPlan::getPlacedParts(const BuildingStep& step) const

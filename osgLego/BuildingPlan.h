@@ -16,6 +16,10 @@ namespace osgLego
 /** The parts that are put in place together, and the picture of them. */
 struct BuildingStep
 {
+    static constexpr int NUM_TURNS = 4;
+    static constexpr double AZIMUTH = 33.0;   //!< degrees from the front to the right, of the view without turns
+    static constexpr double ELEVATION = 30.0; //!< degrees above the horizon, of all views
+
     /** Indices into BrickModel::getParts(), in the order of placing, without those of `submodels`. */
     std::vector<std::uint32_t> parts;
     /** Indices of submodels, each built before, that are attached after `parts`. */
@@ -25,8 +29,10 @@ struct BuildingStep
     /** Whether the submodel is built, and seen, upside down: all its steps are, or none. Steps of the model never are.
      */
     bool isFromBelow = false;
-    /** Whether the partial model stands after this step. */
+    /** Whether the partial model stands after this step; true if nothing is known. */
     bool stands = true;
+    /** Whether `stands` was computed, and not assumed. */
+    bool isChecked = false;
 
     bool operator==(const BuildingStep&) const = default;
 };
@@ -57,8 +63,10 @@ public:
     /** Create a plan.
      * @param numParts the number of parts in the model.
      * @param unheld parts, in ascending order, that nothing holds when they are placed.
-     * @return null if the steps do not contain each part, and each submodel, exactly once, or if a submodel contains
-     * itself. */
+     * @param submodels in any order: one may come before those that it contains.
+     * @return null if the steps do not contain each part, and each submodel, exactly once, if a submodel contains
+     * itself, if a step, or a submodel, has nothing to place, if `turns` is not 0 to 3, if a main step or only some
+     * steps of a submodel are from below, or if `unheld` is not in ascending order or has unknown parts. */
     static osg::ref_ptr<const BuildingPlan> create(std::size_t numParts, std::vector<BuildingStep> steps,
                                                    std::vector<Submodel> submodels = {},
                                                    std::vector<std::uint32_t> unheld = {});
@@ -67,6 +75,10 @@ public:
     const std::vector<Submodel>& getSubmodels() const { return _submodels; }
     /** Parts that nothing holds when they are placed, in ascending order: a model with such parts can't be built. */
     const std::vector<std::uint32_t>& getUnheldParts() const { return _unheld; }
+
+    /** The number of steps, with those of submodels, of which nobody knows whether the partial model stands after them:
+     * those that are not `isChecked`. */
+    std::size_t getNumUnchecked() const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
     std::vector<std::uint32_t> getPlacedParts(const BuildingStep& step) const;

@@ -16,7 +16,8 @@ namespace osgLego
 struct PlanningOptions
 {
     BuildingBase base = BuildingBase::TABLE;
-    /** Whether the stability of the partial model is checked after every step, and parts are placed accordingly. */
+    /** Whether the stability of the partial model is checked after every step, and parts are placed accordingly. In
+     * large models, some steps remain unchecked, which bounds the time: see BuildingPlan::getNumUnchecked(). */
     bool checksStability = true;
     /** Called now and then, from any thread; the plan is given up if it returns true. May be empty. */
     std::function<bool()> isCancelled;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include <Eigen/Dense>
 #include <glm/common.hpp>
 
 namespace osgLego
@@ -68,6 +69,26 @@ std::vector<Eigen::Vector2d> BearingJoints::findFloorPoints(std::uint32_t part) 
             for (const int y : {box.lower.y, box.upper.y})
                 points.emplace_back(x, y);
     return points;
+}
+
+std::optional<std::vector<double>> BearingJoints::spread(std::uint32_t part, const VerticalLoad& load) const
+{
+    const Eigen::Vector2d center = getCenter(part);
+    const std::vector<Eigen::Vector2d> points = findFloorPoints(part);
+    const auto toRow = [&center](const Eigen::Vector2d& point)
+    { return Eigen::Vector3d(1.0, point.x() - center.x(), point.y() - center.y()); };
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector2d& point : points)
+        sum += toRow(point) * toRow(point).transpose();
+    const Eigen::Vector3d wanted(load[0], load[1] - load[0] * center.x(), load[2] - load[0] * center.y());
+    const Eigen::Vector3d slopes = sum.ldlt().solve(wanted);
+    constexpr double TOLERANCE = 1e-9; // newtons
+    // Written so that NaN fails.
+    if (!((sum * slopes - wanted).cwiseAbs().maxCoeff() <= TOLERANCE)) return std::nullopt;
+    std::vector<double> pressures;
+    for (const Eigen::Vector2d& point : points)
+        pressures.push_back(slopes.dot(toRow(point)));
+    return pressures;
 }
 
 } // namespace osgLego

@@ -3,6 +3,7 @@
 #include <osgLego/Stability.h>
 #include <osgLego/building/JointGraph.h>
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,6 +44,8 @@ public:
     Eigen::Vector2d getCenter(std::uint32_t part) const;
     /** The points at which the base bears a part that stands on it: the corners of the part on a table. */
     std::vector<Eigen::Vector2d> findFloorPoints(std::uint32_t part) const;
+    /** The pressures at these points, as even as possible, that bear a load; nothing if none do. */
+    std::optional<std::vector<double>> spread(std::uint32_t part, const VerticalLoad& load) const;
 
 private:
     void addPoints(const BuildingBox& overlap, const BuildingBox& upper, std::vector<Eigen::Vector2d>& points) const;
@@ -58,12 +61,13 @@ private:
 /** Forces that keep the parts in place in equilibrium. */
 struct BearingForces
 {
-    /** The pull that a contact point bears, with something left for rounding errors. */
+    /** The pull that a contact point bears, also one with a base plate, with something left for rounding errors. */
     static constexpr double CAPACITY = 0.999 * StabilityReport::CAPACITY;
 
     std::vector<bool> isPlaced;
     std::vector<double> pressures;        //!< for each contact point, in newtons
     std::vector<VerticalLoad> floorLoads; //!< for each part, on the base
+    double floorPull = 0.0;               //!< pull at points of the base, at most, that `floorLoads` does not contain
 };
 
 } // namespace osgLego

@@ -65,13 +65,14 @@ void BuildingUnits::hangGroups(const std::vector<bool>& isPlaced)
     for (std::uint32_t part = 0; part < _graph.getNumParts(); ++part)
         if (!_isSupported[part] && !isPlaced[part]) groups[_sets.find(static_cast<std::int32_t>(part))].push_back(part);
     for (const auto& [set, hanging] : groups)
-        if (const std::uint32_t holder = chooseHolder(hanging); holder != NONE)
+        if (const std::uint32_t holder = chooseHolder(hanging, isPlaced); holder != NONE)
             _sets.join(set, static_cast<std::int32_t>(holder));
 }
 
-/** The supported part from which hanging parts hang best: by many studs, and near their centre. NONE if there is none
- * above them, which can only be if they were said to hang. */
-std::uint32_t BuildingUnits::chooseHolder(const std::vector<std::uint32_t>& hanging) const
+/** The supported part from which hanging parts hang best: by many studs, and near their centre. NONE if none above them
+ * is still to be placed, which can only be if they were said to hang, or if parts were forced into place. */
+std::uint32_t BuildingUnits::chooseHolder(const std::vector<std::uint32_t>& hanging,
+                                          const std::vector<bool>& isPlaced) const
 {
     std::map<std::uint32_t, int> studs;
     glm::ivec3 sum(0);
@@ -79,7 +80,7 @@ std::uint32_t BuildingUnits::chooseHolder(const std::vector<std::uint32_t>& hang
     {
         sum += getCenter(_graph.getBox(part));
         for (const PartLink& joint : _graph.getJointsAbove(part))
-            if (_isSupported[joint.part]) studs[joint.part] += joint.studs;
+            if (_isSupported[joint.part] && !isPlaced[joint.part]) studs[joint.part] += joint.studs;
     }
     const glm::ivec3 center = sum / static_cast<int>(hanging.size());
     const auto score = [&](const auto& holder)

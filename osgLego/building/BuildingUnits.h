@@ -51,7 +51,7 @@ public:
 private:
     void findSupported(const std::vector<bool>& isPlaced, const std::vector<bool>& isHung);
     void hangGroups(const std::vector<bool>& isPlaced);
-    std::uint32_t chooseHolder(const std::vector<std::uint32_t>& hanging) const;
+    std::uint32_t chooseHolder(const std::vector<std::uint32_t>& hanging, const std::vector<bool>& isPlaced) const;
     void createUnits(const std::vector<bool>& isPlaced);
     void linkUnits();
     bool joinCycles();

@@ -72,26 +72,28 @@ BearingForces PartialStability::createNoForces() const
             std::vector<VerticalLoad>(_parts.size(), VerticalLoad::Zero())};
 }
 
-std::vector<std::uint32_t> PartialStability::findFalling(const std::vector<bool>& isPlaced)
+std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
-    if (isBalanced(isPlaced)) return {};
-    if (_numSolved > MOST_SOLVED) return {};
+    if (isBalanced(isPlaced)) return std::vector<std::uint32_t>();
+    if (_numSolved >= _setting.mostSolved) return std::nullopt;
     if (!_analysis) createAnalysis();
     std::vector<std::uint32_t> placed;
     for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
         if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
     _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
+    if (!report) return std::nullopt;
     std::vector<std::uint32_t> falling;
-    if (!report) return falling;
     for (const std::uint32_t part : report->falling)
         falling.push_back(_fromAnalysis[part]);
     if (falling.empty())
     {
-        // Every contact point may pull as much as the one that pulls most, and the base bears what it bears.
+        // Every contact point, also with a base plate, may pull as much as the one that pulls most. The loads on the
+        // base are unknown, but the base bears them: forces are added that the base bears on their own.
         _proven = createNoForces();
         _proven.isPlaced = isPlaced;
-        _proven.pressures.assign(_proven.pressures.size(), -(1.0 - report->margin) * StabilityReport::CAPACITY);
+        _proven.floorPull = (1.0 - report->margin) * StabilityReport::CAPACITY;
+        _proven.pressures.assign(_proven.pressures.size(), -_proven.floorPull);
         _forces = _proven;
     }
     return falling;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace osgLego
@@ -24,8 +25,7 @@ class StabilityAnalysis;
 class PartialStability
 {
 public:
-    /** The most parts, over all linear programs, which bounds the time; later partial models
-     * that are not found to stand by simpler means count as standing. */
+    /** The most parts, over all linear programs, which bounds the time. */
     static constexpr std::size_t MOST_SOLVED = 15'000;
 
     /** How the parts are built. */
@@ -34,6 +34,7 @@ public:
         bool isUpsideDown = false;
         BuildingBase base = BuildingBase::TABLE;
         std::function<bool()> isCancelled;
+        std::size_t mostSolved = MOST_SOLVED;
     };
 
     /** @param model and graph must outlive this object.
@@ -43,8 +44,9 @@ public:
     ~PartialStability();
 
     /** @param isPlaced for each part of the graph.
-     * @return the parts that fall, as indices into the graph; none if it was cancelled. */
-    std::vector<std::uint32_t> findFalling(const std::vector<bool>& isPlaced);
+     * @return the parts that fall, as indices into the graph; nothing if that is not known: simpler means do not show
+     * that the parts stand, and linear programs have had `mostSolved` parts or more, or it was cancelled. */
+    std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
 
 private:
     bool isBalanced(const std::vector<bool>& isPlaced);

@@ -104,7 +104,9 @@ std::vector<BuildingBox> PlanBuilder::select(const PartList& parts, bool isUpsid
 std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Setting& setting)
 {
     const JointGraph graph(select(parts, setting.isUpsideDown));
-    PartialStability stability(_model, parts, graph, {setting.isUpsideDown, setting.base, _options.isCancelled});
+    PartialStability stability(
+        _model, parts, graph,
+        {.isUpsideDown = setting.isUpsideDown, .base = setting.base, .isCancelled = _options.isCancelled});
     StepBuilder::FindFalling findFalling;
     if (_options.checksStability)
         findFalling = [&stability](const std::vector<bool>& isPlaced) { return stability.findFalling(isPlaced); };
@@ -130,6 +132,7 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
         for (const PartList& submodel : assembly.submodels)
             step.submodels.push_back(planSubmodel(toParts(submodel)));
         step.stands = assembly.stands;
+        step.isChecked = assembly.isChecked;
         step.isFromBelow = setting.isUpsideDown;
         if (!setting.isUpsideDown && parts.size() <= MOST_VIEWED) step.turns = views.show(shown);
     }
@@ -198,6 +201,7 @@ void PlanBuilder::addUnheld(const PartList& parts, BuildingStep& step)
     else
         step.submodels.push_back(planSubmodel(parts));
     step.stands = false;
+    step.isChecked = true;
     _unheld.insert(_unheld.end(), parts.begin(), parts.end());
 }
 

@@ -135,7 +135,7 @@ std::optional<BearingForces> SpringBalance::createForces(const BearingForces& st
     {
         if (point.isReleased) continue;
         const double force = getDepth(point.part, point.place);
-        if (force < -BearingForces::CAPACITY) return std::nullopt;
+        if (force - start.floorPull < -BearingForces::CAPACITY) return std::nullopt;
         forces.floorLoads[point.part] += force * VerticalLoad(1.0, point.place.x(), point.place.y());
     }
     return forces;

@@ -60,6 +60,7 @@ void StepBuilder::place(const UnitList& units, bool stands)
 {
     AssemblyStep step;
     step.stands = stands;
+    step.isChecked = !stands || _isKnown;
     for (const std::uint32_t unit : units)
     {
         const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
@@ -74,14 +75,15 @@ void StepBuilder::place(const UnitList& units, bool stands)
     _queue->take(units);
 }
 
-/** The parts that fall if units are added. */
+/** The parts that fall if units are added; none if that is not known. */
 std::vector<std::uint32_t> StepBuilder::findFalling(const UnitList& units)
 {
     if (!_findFalling) return {};
     mark(units, true);
-    std::vector<std::uint32_t> falling = _findFalling(_isPlaced);
+    const std::optional<std::vector<std::uint32_t>> falling = _findFalling(_isPlaced);
     mark(units, false);
-    return falling;
+    _isKnown = falling.has_value();
+    return falling.value_or(std::vector<std::uint32_t>());
 }
 
 /** Place other parts than units with which parts fall, or group the parts in another way.

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace osgLego
@@ -15,6 +16,7 @@ struct AssemblyStep
     std::vector<std::uint32_t> parts;
     std::vector<std::vector<std::uint32_t>> submodels;
     bool stands = true;
+    bool isChecked = false; // whether `stands` is known
 };
 
 /** Divides the parts of a model or submodel into steps of 5 to 10 parts, at most 12, in an order in which they can be
@@ -30,13 +32,13 @@ struct AssemblyStep
 class StepBuilder
 {
 public:
-    /** The parts that fall if only some are in place, none if these stand. */
-    using FindFalling = std::function<std::vector<std::uint32_t>(const std::vector<bool>& isPlaced)>;
+    /** The parts that fall if only some are in place, none if these stand; nothing if that is not known. */
+    using FindFalling = std::function<std::optional<std::vector<std::uint32_t>>(const std::vector<bool>& isPlaced)>;
     /** Called with the number of parts in place after a step; the work is given up if it returns false. */
     using Proceed = std::function<bool(std::size_t numPlaced)>;
 
     /** @param graph must outlive this object.
-     * @param findFalling may be empty: then all steps count as standing. */
+     * @param findFalling may be empty. Steps of which nothing is known count as standing. */
     StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed);
 
     /** @return nothing if it was given up. */
@@ -64,6 +66,7 @@ private:
     std::vector<bool> _isHung;
     std::vector<bool> _isLost;    // parts that fall whatever is done
     std::vector<bool> _isDelayed; // units
+    bool _isKnown = false;        // whether the parts that fall with the units considered last are known
     std::size_t _numPlaced = 0;
     std::vector<AssemblyStep> _steps;
 };

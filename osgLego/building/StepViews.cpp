@@ -1,5 +1,7 @@
 #include <osgLego/building/StepViews.h>
 
+#include <osgLego/BuildingPlan.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,9 +17,8 @@ namespace
 {
 
 constexpr double DEGREE = std::numbers::pi / 180.0;
-constexpr double AZIMUTH = 30.0 * DEGREE; // as in osglegocapture
-constexpr double ELEVATION = 25.0 * DEGREE;
-constexpr int NUM_TURNS = 4;
+constexpr double AZIMUTH = BuildingStep::AZIMUTH * DEGREE;
+constexpr double ELEVATION = BuildingStep::ELEVATION * DEGREE;
 
 /** The direction to the eye, in cells. */
 glm::dvec3 getDirection(int turns, double cellHeight)
@@ -66,9 +67,9 @@ int StepViews::show(const std::vector<std::uint32_t>& parts)
     std::size_t most = countVisible(parts, _turns);
     if (2 * most > parts.size()) return _turns;
     const int before = _turns;
-    for (int turn = 1; turn < NUM_TURNS; ++turn)
+    for (int turn = 1; turn < BuildingStep::NUM_TURNS; ++turn)
     {
-        const int turns = (before + turn) % NUM_TURNS;
+        const int turns = (before + turn) % BuildingStep::NUM_TURNS;
         const std::size_t numVisible = countVisible(parts, turns);
         if (numVisible <= most) continue;
         most = numVisible;

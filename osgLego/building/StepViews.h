@@ -11,7 +11,7 @@ namespace osgLego
 
 /** Chooses the direction from which each step of a model or submodel is shown: by quarter turns, and seldom.
  *
- * The first view is from the front right, as in osglegocapture: an azimuth of 30 and an elevation of 25 degrees.
+ * The first view is from the front right, from BuildingStep::AZIMUTH and ELEVATION.
  * Another one is chosen when other parts hide at least half of the new ones.
  *
  * One thread. */

@@ -62,13 +62,14 @@ void UnitQueue::take(const UnitList& units)
     _numOpen -= units.size();
 }
 
-/** A unit of a cycle, in which each would have to be placed before another: the first that a part in place holds. */
+/** A unit of a cycle, in which each would have to be placed before another: the first that a part in place holds from
+ * below, or, if there is none, the first. */
 std::uint32_t UnitQueue::findForced() const
 {
+    const auto getForcedKey = [this](std::uint32_t unit) { return std::pair(!isHeld(unit), getKey(unit)); };
     std::uint32_t best = BuildingUnits::NONE;
     for (std::uint32_t unit = 0; unit < _ranks.size(); ++unit)
-        if (!_isTaken[unit] && isHeld(unit) && (best == BuildingUnits::NONE || getKey(unit) < getKey(best)))
-            best = unit;
+        if (!_isTaken[unit] && (best == BuildingUnits::NONE || getForcedKey(unit) < getForcedKey(best))) best = unit;
     return best;
 }
 
@@ -180,13 +181,17 @@ bool UnitQueue::areTwins(std::uint32_t unit, std::uint32_t other) const
     return twin != Symmetry::NONE && _units.getUnitOf(twin) == other;
 }
 
-bool UnitQueue::addWithAllBefore(std::uint32_t unit, UnitList& units) const
+/** @param openWeight of the units that follow this one. Counting them on the way limits the depth of the recursion,
+ * also if units would have to be placed before each other. */
+bool UnitQueue::addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const
 {
     if (std::find(units.begin(), units.end(), unit) != units.end()) return true;
+    openWeight += getWeight({unit});
+    if (getWeight(units) + openWeight > MOST) return false;
     for (const std::uint32_t before : _before[unit])
-        if (!_isTaken[before] && !addWithAllBefore(before, units)) return false;
+        if (!_isTaken[before] && !addWithAllBefore(before, units, openWeight)) return false;
     units.push_back(unit);
-    return getWeight(units) <= MOST;
+    return true;
 }
 
 bool UnitQueue::isOneStep(const UnitList& units) const

@@ -36,7 +36,7 @@ public:
 
     /** Add a unit and all that must be placed before it, in order, to units that are not empty.
      * @return false if these weigh more than MOST. */
-    bool addWithAllBefore(std::uint32_t unit, UnitList& units) const;
+    bool addWithAllBefore(std::uint32_t unit, UnitList& units) const { return addWithAllBefore(unit, units, 0); }
     /** Whether no part must be placed after a submodel among the units. */
     bool isOneStep(const UnitList& units) const;
 
@@ -44,6 +44,7 @@ public:
     bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].parts.size() > 1; }
 
 private:
+    bool addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const;
     std::pair<std::uint32_t, std::uint32_t> getKey(std::uint32_t unit) const { return {_ranks[unit], unit}; }
     std::uint32_t getLastPart(std::uint32_t unit) const;
     UnitList lookAhead(const std::vector<bool>& isAvoided);

@@ -58,12 +58,9 @@ LDrawSteps::LDrawSteps(const LDrawModel& model, std::string stem) :
     _model(model), _stem(std::move(stem)), _frame(*model.bricks)
 {
     const std::vector<Submodel>& submodels = model.plan->getSubmodels();
-    _depths.assign(submodels.size(), 1);
-    // A submodel comes after those that it contains.
-    for (std::size_t index = 0; index < submodels.size(); ++index)
-        for (const BuildingStep& step : submodels[index].steps)
-            for (const std::uint32_t inner : step.submodels)
-                _depths[index] = std::max(_depths[index], _depths[inner] + 1);
+    _depths.assign(submodels.size(), 0);
+    for (std::uint32_t index = 0; index < submodels.size(); ++index)
+        findDepth(index);
     _numbers.assign(submodels.size(), 0);
     for (std::uint32_t index = 0; index < submodels.size(); ++index)
         if (isFile(index))
@@ -72,6 +69,18 @@ LDrawSteps::LDrawSteps(const LDrawModel& model, std::string stem) :
             _numbers[index] = static_cast<std::uint32_t>(_submodels.size());
         }
     findOrigins();
+}
+
+/** Submodels may come before those that they contain. */
+std::size_t LDrawSteps::findDepth(std::uint32_t submodel)
+{
+    std::size_t& depth = _depths[submodel];
+    if (depth > 0) return depth;
+    std::size_t deepest = 0;
+    for (const BuildingStep& step : _model.plan->getSubmodels()[submodel].steps)
+        for (const std::uint32_t inner : step.submodels)
+            deepest = std::max(deepest, findDepth(inner));
+    return depth = deepest + 1;
 }
 
 void LDrawSteps::findOrigins()

@@ -50,6 +50,7 @@ private:
     };
 
     bool isFile(std::uint32_t submodel) const { return _depths[submodel] <= DEEPEST; }
+    std::size_t findDepth(std::uint32_t submodel);
     void findOrigins();
     void writeSteps(std::ostream& stream, const std::vector<BuildingStep>& steps, const glm::dvec3& origin);
     void writeContent(std::ostream& stream, const BuildingStep& step, const glm::dvec3& origin);
@@ -60,7 +61,7 @@ private:
     std::string _stem;
     LDrawFrame _frame;
     View _view;
-    std::vector<std::size_t> _depths; // for each submodel, 1 without others in it
+    std::vector<std::size_t> _depths; // for each submodel, 1 without others in it; 0 until it is found
     std::vector<std::uint32_t> _submodels;
     std::vector<std::uint32_t> _numbers; // for each submodel, in its name
     std::vector<glm::dvec3> _origins;    // for each submodel

@@ -204,6 +204,25 @@ TEST(LDrawWriter, SubmodelsDeeperThanReadersFollowAreWrittenWhereTheyAreAttached
     EXPECT_EQ(std::count(summary.begin(), summary.end(), '/'), 33);
 }
 
+TEST(LDrawWriter, SubmodelsThatComeBeforeThoseTheyContainAreAsDeep)
+{
+    constexpr std::uint32_t COUNT = 40;
+    std::vector<Part> parts;
+    std::vector<Submodel> submodels;
+    for (std::uint32_t index = 0; index < COUNT; ++index)
+    {
+        parts.push_back(makePart({0, 0, static_cast<int>(index)}, {1, 1, 1}, 1));
+        Submodel& submodel = submodels.emplace_back();
+        submodel.steps.emplace_back().parts = {index};
+        if (index + 1 < COUNT) submodel.steps.back().submodels = {index + 1};
+    }
+    const auto node = createNode({1, 1, COUNT}, parts);
+    node->setBuildingPlan(BuildingPlan::create(COUNT, {{{}, {0}}}, submodels));
+    const std::string summary = summarize(write(*node, "a.mpd").text);
+    EXPECT_EQ(std::count(summary.begin(), summary.end(), 'p'), COUNT);
+    EXPECT_EQ(std::count(summary.begin(), summary.end(), '/'), 33) << "the file of the model and 32 of submodels";
+}
+
 TEST(LDrawWriter, SeveralNodesOfAnMpdHaveSubmodelsOfTheirOwn)
 {
     osg::ref_ptr<osg::Group> group = new osg::Group;

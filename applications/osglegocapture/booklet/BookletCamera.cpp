@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <osgLego/BuildingPlan.h>
+
 #include <glm/common.hpp>
 #include <osg/Math>
 
@@ -12,9 +14,6 @@ namespace osgLego
 
 namespace
 {
-
-constexpr double AZIMUTH = 33.0;   // degrees from the front to the right
-constexpr double ELEVATION = 30.0; // degrees above the horizon
 
 osg::Vec3d toOsg(const glm::dvec3& vector)
 {
@@ -29,10 +28,10 @@ BookletCamera::BookletCamera(const BrickGrid& grid, const BookletView& view) : _
     const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
     const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
     const osg::Vec3d right(1, 0, 0);
-    const double azimuth = osg::DegreesToRadians(AZIMUTH + 90.0 * view.turns);
+    const double azimuth = osg::DegreesToRadians(BuildingStep::AZIMUTH + 90.0 * view.turns);
     // Upside down, the model turns about its front: the camera sees its underside, and its up axis points downwards.
     const double sign = view.isUpsideDown ? -1.0 : 1.0;
-    const double elevation = osg::DegreesToRadians(sign * ELEVATION);
+    const double elevation = osg::DegreesToRadians(sign * BuildingStep::ELEVATION);
     const osg::Vec3d ahead = front * std::cos(azimuth) + right * std::sin(azimuth);
     _toEye = ahead * std::cos(elevation) + up * std::sin(elevation);
     _up = (up * std::cos(elevation) - ahead * std::sin(elevation)) * sign;

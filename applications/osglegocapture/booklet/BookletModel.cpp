@@ -141,6 +141,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         flat.push_back(steps[step]);
         flat.back().submodels.clear();
         flat.back().parts.clear();
+        flat.back().isFromBelow = false; // the chapter's step knows it
         for (const std::uint32_t part : placed[step])
             flat.back().parts.push_back(indices[part]);
     }

@@ -103,12 +103,23 @@ TEST(BuildingPlanner, AHangingBrickIsASubmodelWithTheBrickAboveIt)
 
 TEST(BuildingPlanner, BricksThatHangInAHookBecomeSubmodelsWithinEachOther)
 {
-    // Two bars hang from a beam at different heights, so that the shorter one hangs in the submodel of both.
-    const auto model =
-        createModel({makePart({0, 0, 0}, {2, 2, 1}), makePart({0, 0, 1}, {2, 2, 1}), makePart({0, 0, 2}, {2, 2, 1}),
-                     makePart({0, 0, 3}, {8, 2, 1}), makePart({3, 0, 2}, {2, 2, 1}), makePart({6, 0, 2}, {2, 2, 1}),
-                     makePart({6, 0, 1}, {2, 2, 1})});
-    expectGoodPlan(*model);
+    // From a beam on a column hang a brick, on which nothing can stand, and a hook: posts, an arm, and a brick on the
+    // arm that hangs if the beam is turned upside down.
+    std::vector<Part> parts;
+    for (int z = 0; z < 5; ++z)
+        parts.push_back(makePart({2, 0, z}, {2, 2, 1}));
+    parts.push_back(makePart({0, 0, 5}, {8, 2, 1}));
+    parts.push_back(makePart({0, 0, 4}, {2, 2, 1}));
+    for (int z = 2; z < 5; ++z)
+        parts.push_back(makePart({6, 0, z}, {2, 2, 1}));
+    parts.push_back(makePart({4, 0, 1}, {4, 2, 1}));
+    parts.push_back(makePart({4, 0, 2}, {2, 2, 1}));
+    const auto plan = expectGoodPlan(*createModel(std::move(parts)));
+    ASSERT_EQ(plan->getSubmodels().size(), 2u);
+    std::vector<std::uint32_t> attached;
+    for (const BuildingStep& step : plan->getSubmodels()[1].steps)
+        attached.insert(attached.end(), step.submodels.begin(), step.submodels.end());
+    EXPECT_EQ(attached, std::vector<std::uint32_t>{0});
 }
 
 TEST(BuildingPlanner, PartsThatTouchNothingAreListedAndComeLast)
@@ -174,16 +185,32 @@ void expectStandingSteps(const BrickModel& model)
 
 TEST(BuildingPlanner, APartThatWouldFallIsPlacedTogetherWithThePartThatHoldsIt)
 {
-    // A long beam that rests on a column with one stud at its end, and a counterweight on that end.
+    // A column that would topple over with a beam to the right, the eighth part, without another one to the left.
     std::vector<Part> parts;
-    for (int z = 0; z < 6; ++z)
-        parts.push_back(makePart({0, 0, z}, {2, 2, 1}));
-    for (int z = 0; z < 14; ++z)
-        parts.push_back(makePart({20, 0, z}, {2, 4, 1}));
-    parts.push_back(makePart({1, 0, 6}, {8, 1, 1}));
-    for (int z = 7; z < 12; ++z)
-        parts.push_back(makePart({0, 0, z}, {2, 2, 1}));
-    expectStandingSteps(*createModel(std::move(parts)));
+    for (int z = 0; z < 7; ++z)
+        parts.push_back(makePart({6, 0, z}, {2, 2, 1}));
+    parts.push_back(makePart({6, 0, 7}, {8, 2, 1}));
+    parts.push_back(makePart({0, 0, 8}, {8, 2, 1}));
+    for (int z = 9; z < 15; ++z)
+        parts.push_back(makePart({6, 0, z}, {2, 2, 1}));
+    const auto model = createModel(std::move(parts));
+    expectStandingSteps(*model);
+    const auto plan = planBuilding(*model);
+    EXPECT_TRUE(plan->getSubmodels().empty());
+    ASSERT_EQ(plan->getSteps().size(), 2u);
+    const std::vector<std::uint32_t>& first = plan->getSteps()[0].parts;
+    EXPECT_EQ(std::count(first.begin(), first.end(), indexOf(*model, {6, 0, 7})), 1);
+    EXPECT_EQ(std::count(first.begin(), first.end(), indexOf(*model, {0, 0, 8})), 1);
+    const auto fast = planFast(*model);
+    EXPECT_EQ(fast->getNumPlaced(0), 8u) << "without the check of stability, the step ends between the beams";
+}
+
+TEST(BuildingPlanner, StepsAreCheckedIfTheOptionsSaySo)
+{
+    const auto model = createWall(24, 6);
+    EXPECT_EQ(planBuilding(*model)->getNumUnchecked(), 0u);
+    const auto plan = planFast(*model);
+    EXPECT_EQ(plan->getNumUnchecked(), plan->getSteps().size());
 }
 
 TEST(BuildingPlanner, PartsInPlaceStandAfterEveryStep)

@@ -47,6 +47,26 @@ TEST(WeightFlow, JointsBearWhatTheirCapacityAllows)
     EXPECT_FALSE(Cantilever(1, 1.0).isBalanced());
 }
 
+TEST(WeightFlow, StudsOfAPlateHoldWhatTheirCapacityAllows)
+{
+    // Two beams of 14x1 studs side by side, with their ends on a weightless brick of 2x2. At the joint of a beam of the
+    // weight F, eight points at the distances 0.25, 0.5, 0.5 and 0.75 bear the torque 6 F: one pulls with 1.88 F. Below
+    // the brick, six points for each beam, at 0.375, 0.5 and 0.75, bear it: one pulls with 2.19 F, at most 0.98 N.
+    const JointGraph graph({{{0, 0, 0}, {2, 2, 1}}, {{0, 0, 1}, {14, 1, 2}}, {{0, 1, 1}, {14, 2, 2}}});
+    const auto flows = [&graph](BuildingBase base, double weight, double floorPull)
+    {
+        const BearingJoints joints(graph, {0.0, weight, weight}, base);
+        BearingForces forces{std::vector<bool>(3, false), std::vector<double>(joints.getPoints().size(), 0.0),
+                             std::vector<VerticalLoad>(3, {0.0, 0.0, 0.0}), floorPull};
+        return WeightFlow(joints).add(forces, {true, true, true});
+    };
+    EXPECT_TRUE(flows(BuildingBase::PLATE, 0.44, 0.0));
+    EXPECT_FALSE(flows(BuildingBase::PLATE, 0.46, 0.0));
+    EXPECT_TRUE(flows(BuildingBase::PLATE, 0.22, 0.48)) << "half of the capacity is left";
+    EXPECT_FALSE(flows(BuildingBase::PLATE, 0.23, 0.48));
+    EXPECT_FALSE(flows(BuildingBase::TABLE, 0.1, 0.0)) << "it topples over";
+}
+
 } // namespace
 
 } // namespace osgLego::test

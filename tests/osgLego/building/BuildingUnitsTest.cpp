@@ -1,0 +1,39 @@
+#include <osgLego/building/BuildingUnits.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+TEST(BuildingUnits, PartsThatHangFromAPartInPlaceAreAUnitWithoutIt)
+{
+    // A beam on a column, and a brick below the end of the beam.
+    const JointGraph graph({{{0, 0, 2}, {8, 2, 3}}, {{0, 0, 0}, {2, 2, 2}}, {{6, 0, 1}, {8, 2, 2}}});
+    BuildingUnits units(graph);
+    units.group({true, true, false}, {false, false, false});
+    ASSERT_EQ(units.getUnits().size(), 1u);
+    EXPECT_EQ(units.getUnits()[0].parts, std::vector<std::uint32_t>{2});
+    EXPECT_EQ(units.getUnitOf(0), BuildingUnits::NONE);
+    EXPECT_EQ(units.getUnitOf(2), 0u);
+}
+
+TEST(BuildingUnits, PartsThatHangFromSeveralPartsHangFromOneThatIsNotInPlace)
+{
+    // A brick below the ends of two beams, of which one, with more studs on the brick, is in place.
+    const JointGraph graph({{{0, 0, 2}, {9, 2, 3}},
+                            {{0, 0, 0}, {2, 2, 2}},
+                            {{7, 0, 1}, {10, 2, 2}},
+                            {{9, 0, 2}, {16, 2, 3}},
+                            {{14, 0, 0}, {16, 2, 2}}});
+    BuildingUnits units(graph);
+    units.group({true, true, false, false, false}, std::vector<bool>(5, false));
+    ASSERT_EQ(units.getUnits().size(), 2u);
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(2)].parts, (std::vector<std::uint32_t>{2, 3}));
+}
+
+} // namespace
+
+} // namespace osgLego::test

@@ -1,0 +1,88 @@
+#include <osgLego/BuildingPlan.h>
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {}, int turns = 0,
+                        bool isFromBelow = false)
+{
+    BuildingStep step;
+    step.parts = std::move(parts);
+    step.submodels = std::move(submodels);
+    step.turns = turns;
+    step.isFromBelow = isFromBelow;
+    return step;
+}
+
+TEST(BuildingPlan, StepsMayAttachOnlySubmodels)
+{
+    const auto plan =
+        BuildingPlan::create(3, {createStep({2}), createStep({}, {0}, 3)}, {{{createStep({1}), createStep({0})}}});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->getOrder(), (std::vector<std::uint32_t>{2, 1, 0}));
+}
+
+TEST(BuildingPlan, EveryStepMustPlaceSomething)
+{
+    EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}), createStep({})}));
+    EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}, {0})}, {{{createStep({})}}}));
+    EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}, {0})}, {{}}));
+}
+
+TEST(BuildingPlan, ThereAreFourTurns)
+{
+    for (int turns = -2; turns < 7; ++turns)
+    {
+        EXPECT_EQ(BuildingPlan::create(1, {createStep({0}, {}, turns)}) != nullptr, turns >= 0 && turns <= 3) << turns;
+        const auto plan = BuildingPlan::create(1, {createStep({}, {0})}, {{{createStep({0}, {}, turns)}}});
+        EXPECT_EQ(plan != nullptr, turns >= 0 && turns <= 3) << turns;
+    }
+}
+
+TEST(BuildingPlan, OnlyWholeSubmodelsAreBuiltFromBelow)
+{
+    EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}, {}, 0, true)}));
+    for (const bool first : {false, true})
+        for (const bool second : {false, true})
+        {
+            const Submodel submodel{{createStep({0}, {}, 0, first), createStep({1}, {}, 0, second)}};
+            const auto plan = BuildingPlan::create(2, {createStep({}, {0})}, {submodel});
+            EXPECT_EQ(plan != nullptr, first == second) << first << second;
+        }
+    // A submodel may be the other way up than the one in which it is.
+    EXPECT_TRUE(
+        BuildingPlan::create(2, {createStep({}, {0})}, {{{createStep({0}, {1}, 0, true)}}, {{createStep({1})}}}));
+}
+
+TEST(BuildingPlan, CountsUncheckedStepsOfTheModelAndOfSubmodels)
+{
+    BuildingStep checked = createStep({2}, {0});
+    checked.isChecked = true;
+    const auto plan = BuildingPlan::create(4, {checked, createStep({3})}, {{{createStep({1}), createStep({0})}}});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->getNumUnchecked(), 3u);
+}
+
+TEST(BuildingPlan, UnheldPartsAreInAscendingOrder)
+{
+    const std::vector<BuildingStep> steps{createStep({0, 1, 2})};
+    for (const std::vector<std::uint32_t>& good : {std::vector<std::uint32_t>{}, {2}, {0, 2}, {0, 1, 2}})
+    {
+        const auto plan = BuildingPlan::create(3, steps, {}, good);
+        ASSERT_TRUE(plan);
+        EXPECT_EQ(plan->getUnheldParts(), good);
+    }
+    for (const std::vector<std::uint32_t>& bad : {std::vector<std::uint32_t>{1, 0}, {1, 1}, {3}, {0, 3}})
+        EXPECT_FALSE(BuildingPlan::create(3, steps, {}, bad));
+}
+
+} // namespace
+
+} // namespace osgLego::test
