@@ -1,7 +1,7 @@
 #include <osgLego/building/ColumnSearch.h>
 
 #include <osgLego/building/LayoutStanding.h>
-#include <osgLego/layout/UnionFind.h>
+#include <osgLego/data/UnionFind.h>
 
 #include <algorithm>
 #include <map>
