@@ -58,10 +58,12 @@ public:
         tbb::parallel_for(std::size_t(0), components.size(),
                           [&](std::size_t index) { results[index] = solve(components[index]); });
         Cache cache;
+        // Not report.margin, which a part that nothing holds makes -1.
+        double leastMargin = std::numeric_limits<double>::infinity();
         for (std::size_t index = 0; index < components.size(); ++index)
         {
             if (!results[index]) return std::nullopt;
-            add(components[index], *results[index], report);
+            add(components[index], *results[index], report, leastMargin);
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
@@ -149,12 +151,17 @@ private:
         report.stands = report.safe = false;
     }
 
-    static void add(const Component& component, const ComponentStability& result, StabilityReport& report)
+    static void add(const Component& component, const ComponentStability& result, StabilityReport& report,
+                    double& leastMargin)
     {
         for (std::size_t body = 0; body < component.parts.size(); ++body)
             report.loads[component.parts[body]] = result.loads[body];
         const double margin = std::max(-1.0, 1.0 - result.tension / StabilityReport::CAPACITY);
-        if (result.weakest && (!report.weakest || margin < report.margin)) report.weakest = result.weakest;
+        if (result.weakest && (!report.weakest || margin < leastMargin))
+        {
+            report.weakest = result.weakest;
+            leastMargin = margin;
+        }
         report.margin = std::min(report.margin, margin);
         report.stands = report.stands && result.falling.empty();
         report.safe = report.safe && result.tension <= StabilityReport::SAFE_CAPACITY;

@@ -193,6 +193,23 @@ TEST(Stability, TwoCopiesHaveTheMarginOfOne)
     }
 }
 
+TEST(Stability, TheWeakestJointIsThatOfTheWorstPieceEvenIfAnotherPartIsInTheAir)
+{
+    // Two cantilevers, the second one of which is longer, and a brick that nothing holds.
+    const std::vector<Part> parts{createBrick({0, 0, 0}, 1, 1), createBrick({0, 9, 0}, 1, 1),
+                                  createBrick({0, 0, 1}, 4, 1), createBrick({0, 9, 1}, 8, 1)};
+    std::vector<Part> inTheAir = parts;
+    inTheAir.push_back(createBrick({20, 20, 4}, 2, 2));
+    for (const std::vector<Part>& model : {parts, inTheAir})
+    {
+        const StabilityReport report = compute(createPartModel(model), BuildingBase::PLATE);
+        EXPECT_EQ(report.stands, model.size() == parts.size());
+        ASSERT_TRUE(report.weakest);
+        EXPECT_EQ(report.weakest->lower, 1u);
+        EXPECT_EQ(report.weakest->upper, 3u);
+    }
+}
+
 TEST(Stability, SubsetsStandOnTheirOwnLowestLayer)
 {
     // A column of three bricks with a beam on top, and a brick beside the third one.
