@@ -33,9 +33,8 @@ public:
     ComponentSolver(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
                     std::span<const Contact> contacts, const std::function<bool()>& isCancelled) :
         _contacts(contacts),
-        _program(boxes, parts, contacts), _solver(_program)
+        _program(boxes, parts, contacts), _solver(_program, isCancelled)
     {
-        _solver.setCancellation(isCancelled);
     }
 
     std::optional<ComponentStability> solve()

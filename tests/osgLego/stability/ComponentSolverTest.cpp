@@ -2,8 +2,10 @@
 
 #include <osgLego/stability/ComponentSolver.h>
 
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -50,6 +52,22 @@ TEST(ComponentSolver, PartsWhoseForcesAreTooImpreciseFall)
     ASSERT_TRUE(result);
     EXPECT_FALSE(result->falling.empty());
     EXPECT_GT(result->tension, 2.0 * StabilityReport::CAPACITY);
+}
+
+TEST(ComponentSolver, CanBeCancelledWithinAFactorization)
+{
+    constexpr std::uint32_t NUM_PARTS = 30;
+    int numCalls = 0;
+    const auto count = [&] { return ++numCalls < 0; };
+    ASSERT_TRUE(solveColumn(NUM_PARTS, 1.0, count));
+    // At least once for each part, in the analysis, at the start and in an iteration.
+    ASSERT_GE(numCalls, 3 * static_cast<int>(NUM_PARTS));
+    for (int last = 1; last <= numCalls; ++last)
+    {
+        int calls = 0;
+        EXPECT_FALSE(solveColumn(NUM_PARTS, 1.0, [&] { return ++calls == last; }));
+        EXPECT_EQ(calls, last);
+    }
 }
 
 } // namespace
