@@ -58,6 +58,23 @@ TEST(Stability, AgreesWithClpOnRandomTowers)
     EXPECT_GT(numStrained, 10);
 }
 
+TEST(Stability, PlatesAgreeWithClp)
+{
+    int numStrained = 0;
+    for (unsigned int seed = 300; seed < 320; ++seed)
+    {
+        const osg::ref_ptr<const BrickModel> model = createPartModel(createRandomTower(seed, 20)->getParts(), 0.4);
+        for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+        {
+            const std::optional<double> tension = computePlainTension(*model, base);
+            const double margin = tension ? std::max(-1.0, marginOf(*tension)) : -1.0;
+            EXPECT_NEAR(compute(model, base).margin, margin, 1e-6) << seed;
+            numStrained += margin > -1.0 && margin < 0.99;
+        }
+    }
+    EXPECT_GT(numStrained, 5);
+}
+
 TEST(Stability, QuarterTurnsMirrorImagesAndOtherUpAxesHaveTheSameMargin)
 {
     for (unsigned int seed = 100; seed < 120; ++seed)
