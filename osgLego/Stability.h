@@ -72,7 +72,9 @@ struct OSGLEGO_EXPORT StabilityReport
  *
  * Needs no GL context; may be called from any thread.
  * @param model with parts that are in getPartTypes(); a model without parts stands.
- * @return nothing if it was cancelled. */
+ * @return nothing if it was cancelled.
+ * @throws std::bad_alloc if there is not enough memory, of which large solid models need most: 288 bytes for each pair
+ * of parts that the factorization connects. */
 OSGLEGO_EXPORT std::optional<StabilityReport> computeStability(const BrickModel& model,
                                                                const StabilityOptions& options = {});
 
