@@ -143,8 +143,11 @@ public:
      *     lego->setStoredBricks(lego->getBricks());
      *     lego->removeChildren(0, lego->getNumChildren());
      *
-     * Bricks stored in a node have every look, and are picked, bounded and exported like others. Changes of the
-     * settings other than the look and the drawing take effect only after setStoredBricks(nullptr).
+     * Bricks stored in a node have every look, and are picked, bounded and exported like others. With Show::LOAD, parts
+     * have their own colours until those for their load have been computed in the background; if setWaiting(), frames
+     * wait for them instead. If there is not enough memory, a warning says so, and parts keep their colours. Changes of
+     * the settings other than the look, the drawing, the progress and the colours to show take effect only after
+     * setStoredBricks(nullptr).
      *
      * Children of the node, even if they are added later, are updated and receive events. They are drawn only in
      * contexts that can't draw bricks, and the option "bake" does not save them. Without children, such a context draws
@@ -164,6 +167,11 @@ public:
      *
      * The order is prepared in the background when it is first needed, and again after the bricks have changed. All
      * parts are shown until it is ready, or those of the bricks before; if setWaiting(), frames wait for it instead.
+     * It takes 40 bytes for each cell that is visible at some time of building, in memory and in a buffer of each
+     * context, which are kept until the bricks change.
+     *
+     * Drawing reads the value, not culling: if a thread of its own draws, a change may show one frame early, and not in
+     * all views of a frame. The same holds for setNumNewParts().
      * @param progress 0 (no part) to 1 (all parts).
      * @return false, with a warning and no change, for other values. */
     bool setBuildProgress(double progress);

@@ -55,7 +55,8 @@ struct OSGLEGO_EXPORT StabilityReport
      * does not suffice. */
     double margin = 1.0;
     std::optional<Joint> weakest; //!< the joint of the contact point that bears most; unset if nothing pulls
-    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. */
+    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. If
+     * the forces in a piece can't be computed precisely enough, its parts count too, and a warning says so. */
     std::vector<std::uint32_t> falling;
     /** For each part, the share of CAPACITY that its most loaded contact point bears, at least 0; 1 for parts that
      * fall. */
@@ -71,7 +72,9 @@ struct OSGLEGO_EXPORT StabilityReport
  *
  * Needs no GL context; may be called from any thread.
  * @param model with parts that are in getPartTypes(); a model without parts stands.
- * @return nothing if it was cancelled. */
+ * @return nothing if it was cancelled.
+ * @throws std::bad_alloc if there is not enough memory, of which large solid models need most: 288 bytes for each pair
+ * of parts that the factorization connects. */
 OSGLEGO_EXPORT std::optional<StabilityReport> computeStability(const BrickModel& model,
                                                                const StabilityOptions& options = {});
 

@@ -2,7 +2,7 @@
 
 #include <osgLego/building/CellKeys.h>
 #include <osgLego/building/Symmetry.h>
-#include <osgLego/layout/UnionFind.h>
+#include <osgLego/data/UnionFind.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/building/JointGraph.h>
-#include <osgLego/layout/UnionFind.h>
+#include <osgLego/data/UnionFind.h>
 
 #include <vector>
 

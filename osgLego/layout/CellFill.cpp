@@ -1,6 +1,6 @@
 #include <osgLego/layout/CellFill.h>
 
-#include <osgLego/layout/UnionFind.h>
+#include <osgLego/data/UnionFind.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/layout/LayoutRandom.h>
 #include <osgLego/layout/LayoutWindow.h>
 #include <osgLego/layout/PartMap.h>
-#include <osgLego/layout/UnionFind.h>
 
 #include <functional>
 #include <utility>

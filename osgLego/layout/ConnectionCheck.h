@@ -1,7 +1,7 @@
 #pragma once
 
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/layout/LayoutRegion.h>
-#include <osgLego/layout/UnionFind.h>
 #include <osgLego/layout/WindowBuilder.h>
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include <osgLego/layout/PossibleComponents.h>
 
 #include <osgLego/PartType.h>
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/layout/IndexLayer.h>
-#include <osgLego/layout/UnionFind.h>
 
 #include <algorithm>
 #include <numeric>

@@ -3,6 +3,7 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/producer/BackgroundTask.h>
 
+#include <exception>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,13 @@
 
 namespace osgLego
 {
+
+namespace
+{
+
+constexpr const char* OUT_OF_MEMORY = "there is not enough memory for it; expected a lower resolution";
+
+} // namespace
 
 /** A background task that makes one set. */
 class BuildingProducer::Job
@@ -40,21 +48,24 @@ private:
         }
         catch (const std::bad_alloc&)
         {
-            fail();
+            fail(OUT_OF_MEMORY);
         }
         catch (const std::length_error&) // more than a container can hold
         {
-            fail();
+            fail(OUT_OF_MEMORY);
+        }
+        catch (const std::exception& exception)
+        {
+            fail(exception.what());
         }
         const bool isMade = _building.valid();
         _task.end();
         if (isMade && _announce) _announce();
     }
 
-    static void fail()
+    static void fail(const char* reason)
     {
-        OSG_WARN << "osgLego: there is not enough memory for the order of building, so all parts are shown; expected a "
-                    "lower resolution"
+        OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << reason
                  << std::endl;
     }
 

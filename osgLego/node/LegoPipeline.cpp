@@ -2,7 +2,6 @@
 
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
-#include <osgLego/stability/LoadColors.h>
 
 #include <utility>
 
@@ -15,7 +14,8 @@ LegoPipeline::LegoPipeline(const LegoSettings& settings) :
     _store(new BrickStore), _display(*_store),
     _cpuProducer(new CpuProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
     _gpuProducer(new GpuProducer(*_store)),
-    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
+    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
+    _loads(new LoadProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
 {
     setSettings(settings);
 }
@@ -109,25 +109,31 @@ void LegoPipeline::setStoredBricks(const BrickModel* bricks)
         if (!bricks) _watch.drop();
     }
     _isDirty = !bricks;
-    if (bricks) showStored(*bricks);
+    if (bricks)
+        showStored(*bricks);
+    else
+        _loads->cancel();
 }
 
 void LegoPipeline::showStored(const BrickModel& bricks)
 {
-    const bool isByLoad = getSettings().show == Show::LOAD;
-    const osg::ref_ptr<const BrickModel> shown = isByLoad ? colorByLoad(bricks) : osg::ref_ptr(&bricks);
     std::uint64_t revision = 0;
+    std::uint64_t revisionByLoad = 0;
     {
         const std::lock_guard lock(_mutex);
         revision = _watch.drop();
+        // The parts have their own colours until those for their load have been computed.
+        if (_request.settings.show == Show::LOAD && !bricks.getParts().empty()) revisionByLoad = _watch.drop();
     }
+    _loads->cancel();
     _cpuProducer->cancel();
     _gpuProducer->cancel();
     _store->clear(revision);
     LegoStatistics statistics;
     statistics.isStored = true;
-    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, bricks, statistics, {}, shown.get());
+    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, bricks, statistics);
     _store->deliver(*set);
+    if (revisionByLoad != 0) _loads->produce(bricks, revisionByLoad);
     _display.dirtyBound();
 }
 
@@ -162,6 +168,7 @@ bool LegoPipeline::update(unsigned int frame)
 {
     _cpuProducer->update(frame);
     _gpuProducer->update(frame);
+    _loads->update(false);
     const osg::BoundingBoxd bounds = getBounds();
     const std::lock_guard lock(_mutex);
     if (bounds == _lastBounds) return false;
@@ -187,6 +194,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
         if (mustDrawSource(state, *bricks, revision)) return false;
     }
+    if (_waiting) _loads->update(true);
     prepareBuilding(source);
     _display.cull(visitor);
     return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -65,10 +66,18 @@ std::vector<std::uint32_t> chooseOrder(std::size_t numBlocks,
 
 } // namespace
 
-BlockCholesky::BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places) :
+BlockCholesky::BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
+                             std::function<bool()> isCancelled) :
+    _isCancelled(std::move(isCancelled)),
     _ranks(chooseOrder(numBlocks, places)), _diagonal(numBlocks), _scatter(numBlocks)
 {
     analyze(numBlocks, places);
+}
+
+bool BlockCholesky::mustStop()
+{
+    _hasBeenCancelled = _hasBeenCancelled || (_isCancelled && _isCancelled());
+    return _hasBeenCancelled;
 }
 
 void BlockCholesky::analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places)
@@ -82,6 +91,7 @@ void BlockCholesky::analyze(std::size_t numBlocks, std::span<const std::pair<std
     _starts.assign(1, 0);
     for (std::size_t column = 0; column < numBlocks; ++column)
     {
+        if (mustStop()) return;
         std::vector<std::uint32_t>& rows = columns[column];
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
@@ -131,6 +141,7 @@ void BlockCholesky::factorize()
 {
     for (std::size_t column = 0; column < _diagonal.size(); ++column)
     {
+        if (mustStop()) return;
         Block& diagonal = _diagonal[column];
         const Eigen::Matrix<double, 6, 1> original = diagonal.diagonal();
         for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@ namespace osgLego
  *
  * Usage:
  *
- *     BlockCholesky cholesky(numBlocks, places);
+ *     BlockCholesky cholesky(numBlocks, places, isCancelled);
  *     cholesky.setZero();
  *     cholesky.getDiagonal(row) += ...; // and cholesky.add(place, block)
  *     cholesky.factorize();
@@ -32,7 +33,11 @@ public:
     /** Choose the order of elimination.
      * @param places the row and the column of each block off the diagonal, each pair of different numbers once, and
      * not also the other way round. */
-    BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
+    BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
+                  std::function<bool()> isCancelled = {});
+
+    /** Whether the constructor or factorize() was cancelled. Then only the destructor may be called. */
+    bool isCancelled() const { return _hasBeenCancelled; }
 
     void setZero();
     Block& getDiagonal(std::size_t row) { return _diagonal[_ranks[row]]; }
@@ -43,12 +48,14 @@ public:
     /** Replace the right side of a system of equations by its solution. */
     void solve(Eigen::VectorXd& vector) const;
 
-    /** The number of blocks of the factor off its diagonal. */
-    std::size_t getNumBlocks() const { return _rows.size(); }
-
 private:
     void analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
 
+    /** Ask whether to go on. */
+    bool mustStop();
+
+    std::function<bool()> _isCancelled;
+    bool _hasBeenCancelled = false;
     std::vector<std::uint32_t> _ranks; //!< for each row of the matrix, its rank in the order of elimination
     std::vector<Block> _diagonal;
     std::vector<std::size_t> _starts;    //!< for each column, its first block in _rows and _blocks

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
+
+#include <osg/Notify>
 
 namespace osgLego
 {
@@ -30,9 +33,8 @@ public:
     ComponentSolver(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
                     std::span<const Contact> contacts, const std::function<bool()>& isCancelled) :
         _contacts(contacts),
-        _program(boxes, parts, contacts), _solver(_program)
+        _program(boxes, parts, contacts), _solver(_program, isCancelled)
     {
-        _solver.setCancellation(isCancelled);
     }
 
     std::optional<ComponentStability> solve()
@@ -41,7 +43,9 @@ public:
         if (!equilibrium) return std::nullopt;
         ComponentStability result;
         result.tension = getTension(*equilibrium);
-        if (result.tension > StabilityReport::CAPACITY)
+        if (!equilibrium->hasConverged)
+            giveUp(*equilibrium, result);
+        else if (result.tension > StabilityReport::CAPACITY)
         {
             findFalling(*equilibrium, result);
             // More capacity helps only if all of it is used.
@@ -61,15 +65,31 @@ private:
     std::optional<Equilibrium> findTension(double capacity)
     {
         std::optional<Equilibrium> equilibrium = _solver.solve({PENALTY, capacity, true});
-        if (!equilibrium || isComplete(*equilibrium) || equilibrium->residuals.abs().maxCoeff() > DOUBTFUL_RESIDUAL)
+        if (!equilibrium || !equilibrium->hasConverged || isComplete(*equilibrium) ||
+            equilibrium->residuals.abs().maxCoeff() > DOUBTFUL_RESIDUAL)
             return equilibrium;
         return _solver.solve({HIGH_PENALTY, capacity, true});
     }
 
     double getTension(const Equilibrium& equilibrium) const
     {
-        if (!isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
+        if (!equilibrium.hasConverged || !isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
         return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
+    }
+
+    /** Take parts to fall that forces found too imprecisely don't prove to stand. */
+    void giveUp(const Equilibrium& equilibrium, ComponentStability& result) const
+    {
+        if (equilibrium.residuals.isFinite().all() && equilibrium.forces.isFinite().all())
+            findFalling(equilibrium, result);
+        if (result.falling.empty())
+        {
+            result.falling.resize(_program.getNumBodies());
+            std::iota(result.falling.begin(), result.falling.end(), 0u);
+        }
+        OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
+                 << " parts can't be computed precisely enough, so that " << result.falling.size()
+                 << " of them are taken to fall" << std::endl;
     }
 
     bool isComplete(const Equilibrium& equilibrium) const

@@ -58,8 +58,8 @@ double findLength(const Eigen::ArrayXd& values, const Eigen::ArrayXd& step)
 
 } // namespace
 
-InteriorPointSolver::InteriorPointSolver(const EquilibriumProgram& program) :
-    _program(program), _cholesky(program.getNumBodies(), findPlaces(program)),
+InteriorPointSolver::InteriorPointSolver(const EquilibriumProgram& program, const std::function<bool()>& isCancelled) :
+    _program(program), _cholesky(program.getNumBodies(), findPlaces(program), isCancelled),
     _isDrag(static_cast<Eigen::Index>(program.getNumForces())), _isSigned(_isDrag.size())
 {
     for (Eigen::Index force = 0; force < _isDrag.size(); ++force)
@@ -74,13 +74,14 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
 {
     _goal = goal;
     if (_program.getNumDrags() == 0) _goal.minimizesTension = false;
-    start();
+    if (!_cholesky.isCancelled()) start();
+    if (_cholesky.isCancelled()) return std::nullopt;
     Equilibrium result;
     for (findErrors(); !(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS;
          findErrors())
     {
-        if (_isCancelled && _isCancelled()) return std::nullopt;
         factorize();
+        if (_cholesky.isCancelled()) return std::nullopt;
         findStep(findProducts(0.0));
         const auto [primal, dual] = findLengths();
         const double gap = computeGap(_point);
@@ -147,6 +148,7 @@ void InteriorPointSolver::startForces()
     _rowWeights = Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(_program.getNumRows()), 1e-6);
     const Eigen::ArrayXd wanted = forces * _isSigned;
     factorizeRows();
+    if (_cholesky.isCancelled()) return;
     Eigen::VectorXd rows, change;
     _program.multiply(wanted.matrix(), rows);
     rows = _program.getLoad() - rows;
@@ -193,7 +195,7 @@ void InteriorPointSolver::factorize()
                       FREE_INERTIA * (1.0 - _isSigned));
     _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + VELOCITY_INERTIA;
     factorizeRows();
-    if (!_goal.minimizesTension) return;
+    if (!_goal.minimizesTension || _cholesky.isCancelled()) return;
     _program.multiply((_weights * _slackWeights).matrix(), _tensionColumn);
     _tensionSolution = _tensionColumn;
     solveRows(_tensionSolution);

@@ -45,13 +45,11 @@ struct Equilibrium
 class InteriorPointSolver
 {
 public:
-    /** @param program must outlive the solver. */
-    explicit InteriorPointSolver(const EquilibriumProgram& program);
+    /** @param program must outlive the solver.
+     * @param isCancelled ends the constructor and solve() early by returning true; may be empty. */
+    explicit InteriorPointSolver(const EquilibriumProgram& program, const std::function<bool()>& isCancelled = {});
 
-    /** Let a function end solve() early by returning true. */
-    void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
-
-    /** @return nothing if it was cancelled. */
+    /** @return nothing if it was cancelled, or if the solver was before. */
     std::optional<Equilibrium> solve(const EquilibriumGoal& goal);
 
 private:
@@ -90,7 +88,6 @@ private:
     Point advance(double primal, double dual) const;
 
     const EquilibriumProgram& _program;
-    std::function<bool()> _isCancelled;
     BlockCholesky _cholesky;
     Eigen::ArrayXd _isDrag;   //!< 1 or 0
     Eigen::ArrayXd _isSigned; //!< 1 or 0

@@ -1,5 +1,6 @@
 #include <osgLego/stability/StabilityAnalysis.h>
 
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/ComponentSolver.h>
 #include <osgLego/stability/ContactFinder.h>
 
@@ -7,7 +8,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -19,29 +19,20 @@ namespace osgLego
 namespace
 {
 
-/** Disjoint groups of numbers. */
-class Groups
+/** Disjoint sets of indices of parts. */
+class PartSets
 {
 public:
-    explicit Groups(std::size_t count) : _parents(count) { std::iota(_parents.begin(), _parents.end(), 0u); }
+    explicit PartSets(std::size_t count) { _sets.reset(count); }
 
-    std::uint32_t find(std::uint32_t member)
-    {
-        while (_parents[member] != member)
-            member = _parents[member] = _parents[_parents[member]];
-        return member;
-    }
-    /** @return whether they were in different groups. */
-    bool join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        _parents[a] = b;
-        return a != b;
-    }
+    std::uint32_t find(std::uint32_t part) { return static_cast<std::uint32_t>(_sets.find(toNumber(part))); }
+    /** @return whether the parts were in different sets. */
+    bool join(std::uint32_t a, std::uint32_t b) { return _sets.join(toNumber(a), toNumber(b)); }
 
 private:
-    std::vector<std::uint32_t> _parents;
+    static std::int32_t toNumber(std::uint32_t part) { return static_cast<std::int32_t>(part); }
+
+    UnionFind _sets;
 };
 
 } // namespace
@@ -67,10 +58,12 @@ public:
         tbb::parallel_for(std::size_t(0), components.size(),
                           [&](std::size_t index) { results[index] = solve(components[index]); });
         Cache cache;
+        // Not report.margin, which a part that nothing holds makes -1.
+        double leastMargin = std::numeric_limits<double>::infinity();
         for (std::size_t index = 0; index < components.size(); ++index)
         {
             if (!results[index]) return std::nullopt;
-            add(components[index], *results[index], report);
+            add(components[index], *results[index], report, leastMargin);
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
@@ -101,8 +94,8 @@ private:
             _lowest = std::min(_lowest, _boxes[part].low.z);
         }
         const auto base = static_cast<std::uint32_t>(_boxes.size());
-        Groups studs(base + 1);
-        Groups pieces(base);
+        PartSets studs(base + 1);
+        PartSets pieces(base);
         std::size_t numPieces = parts.size();
         for (const std::uint32_t part : parts)
             if (_boxes[part].low.z == _lowest) studs.join(part, base);
@@ -121,7 +114,7 @@ private:
     /** Group the held parts by their contacts. */
     std::vector<Component> findComponents(std::span<const std::uint32_t> parts)
     {
-        Groups groups(_boxes.size());
+        PartSets groups(_boxes.size());
         for (const Contact& contact : _contacts)
             if (_isHeld[contact.lower] && _isHeld[contact.upper]) groups.join(contact.lower, contact.upper);
         std::vector<std::uint32_t> held;
@@ -158,12 +151,17 @@ private:
         report.stands = report.safe = false;
     }
 
-    static void add(const Component& component, const ComponentStability& result, StabilityReport& report)
+    static void add(const Component& component, const ComponentStability& result, StabilityReport& report,
+                    double& leastMargin)
     {
         for (std::size_t body = 0; body < component.parts.size(); ++body)
             report.loads[component.parts[body]] = result.loads[body];
         const double margin = std::max(-1.0, 1.0 - result.tension / StabilityReport::CAPACITY);
-        if (result.weakest && (!report.weakest || margin < report.margin)) report.weakest = result.weakest;
+        if (result.weakest && (!report.weakest || margin < leastMargin))
+        {
+            report.weakest = result.weakest;
+            leastMargin = margin;
+        }
         report.margin = std::min(report.margin, margin);
         report.stands = report.stands && result.falling.empty();
         report.safe = report.safe && result.tension <= StabilityReport::SAFE_CAPACITY;

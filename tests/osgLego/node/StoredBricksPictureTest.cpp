@@ -77,6 +77,34 @@ TEST_F(StoredBricksPicture, AmbientOcclusionIsThatOfTheBricksOfASource)
     EXPECT_EQ(countDifferent(*pictures[0], *pictures[1], 1), 0u);
 }
 
+TEST_F(StoredBricksPicture, PartsHaveTheColorsOfTheirLoadIfTheSettingsAskForIt)
+{
+    BrickGrid grid;
+    grid.cellSize = {1.0, 1.0, 1.2};
+    grid.dimensions = {4, 4, 4};
+    std::vector<Part> parts(1);
+    parts[0].size = {2, 2, 1};
+    // The colour of a part that nothing pulls at, and another one.
+    parts[0].color = {49, 84, 190};
+    const osg::ref_ptr<LegoNode> blue = new LegoNode;
+    blue->setStoredBricks(BrickModel::createOfParts(grid, parts));
+    parts[0].color = {200, 0, 0};
+    const osg::ref_ptr<LegoNode> red = new LegoNode;
+    red->setStoredBricks(BrickModel::createOfParts(grid, parts));
+    red->setWaiting(true);
+    const osg::ref_ptr<osg::Image> expected = draw(*blue);
+    EXPECT_GT(countDrawn(*expected), 1000u);
+    EXPECT_GT(countDifferent(*draw(*red), *expected, 1), 1000u);
+    LegoSettings settings;
+    settings.show = Show::LOAD;
+    red->setSettings(settings);
+    EXPECT_EQ(countDifferent(*draw(*red), *expected, 1), 0u);
+    EXPECT_TRUE(red->isLegolized(_context->getState()->getContextID()));
+    EXPECT_EQ(red->getBricks()->getParts()[0].color, parts[0].color);
+    red->setSettings({});
+    EXPECT_GT(countDifferent(*draw(*red), *expected, 1), 1000u);
+}
+
 TEST_F(StoredBricksPicture, StatisticsSayThatTheyAreStored)
 {
     const osg::ref_ptr<LegoNode> stored = createStored(*createCar("20"));

@@ -58,6 +58,23 @@ TEST(Stability, AgreesWithClpOnRandomTowers)
     EXPECT_GT(numStrained, 10);
 }
 
+TEST(Stability, PlatesAgreeWithClp)
+{
+    int numStrained = 0;
+    for (unsigned int seed = 300; seed < 320; ++seed)
+    {
+        const osg::ref_ptr<const BrickModel> model = createPartModel(createRandomTower(seed, 20)->getParts(), 0.4);
+        for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+        {
+            const std::optional<double> tension = computePlainTension(*model, base);
+            const double margin = tension ? std::max(-1.0, marginOf(*tension)) : -1.0;
+            EXPECT_NEAR(compute(model, base).margin, margin, 1e-6) << seed;
+            numStrained += margin > -1.0 && margin < 0.99;
+        }
+    }
+    EXPECT_GT(numStrained, 5);
+}
+
 TEST(Stability, QuarterTurnsMirrorImagesAndOtherUpAxesHaveTheSameMargin)
 {
     for (unsigned int seed = 100; seed < 120; ++seed)
@@ -190,6 +207,23 @@ TEST(Stability, TwoCopiesHaveTheMarginOfOne)
         EXPECT_NEAR(twice.margin, once.margin, 1e-6) << seed;
         EXPECT_EQ(twice.numComponents, 2 * once.numComponents) << seed;
         EXPECT_EQ(twice.falling.size(), 2 * once.falling.size()) << seed;
+    }
+}
+
+TEST(Stability, TheWeakestJointIsThatOfTheWorstPieceEvenIfAnotherPartIsInTheAir)
+{
+    // Two cantilevers, the second one of which is longer, and a brick that nothing holds.
+    const std::vector<Part> parts{createBrick({0, 0, 0}, 1, 1), createBrick({0, 9, 0}, 1, 1),
+                                  createBrick({0, 0, 1}, 4, 1), createBrick({0, 9, 1}, 8, 1)};
+    std::vector<Part> inTheAir = parts;
+    inTheAir.push_back(createBrick({20, 20, 4}, 2, 2));
+    for (const std::vector<Part>& model : {parts, inTheAir})
+    {
+        const StabilityReport report = compute(createPartModel(model), BuildingBase::PLATE);
+        EXPECT_EQ(report.stands, model.size() == parts.size());
+        ASSERT_TRUE(report.weakest);
+        EXPECT_EQ(report.weakest->lower, 1u);
+        EXPECT_EQ(report.weakest->upper, 3u);
     }
 }
 

@@ -1,0 +1,75 @@
+#include "BrickTowers.h"
+
+#include <osgLego/stability/ComponentSolver.h>
+
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+/** Solve a column of bricks 2 x 2 on a table. @param mass of the topmost one, in grams. */
+std::optional<ComponentStability> solveColumn(std::uint32_t count, double mass,
+                                              const std::function<bool()>& isCancelled = {})
+{
+    std::vector<Part> bricks;
+    for (std::uint32_t part = 0; part < count; ++part)
+        bricks.push_back(createBrick({0, 0, static_cast<int>(part)}, 2, 2));
+    const osg::ref_ptr<const BrickModel> model = createPartModel(std::move(bricks));
+    std::vector<PartBox> boxes = findPartBoxes(*model);
+    boxes.back().mass = mass;
+    std::vector<Contact> contacts = findContacts(*model);
+    contacts.push_back({Contact::BASE, 0, Contact::TABLE});
+    std::vector<std::uint32_t> parts(count);
+    std::iota(parts.begin(), parts.end(), 0u);
+    return solveComponent(boxes, parts, contacts, isCancelled);
+}
+
+TEST(ComponentSolver, PartsWhoseForcesCantBeComputedFall)
+{
+    EXPECT_TRUE(solveColumn(3, 1.0)->falling.empty());
+    for (const double mass : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e200})
+    {
+        const std::optional<ComponentStability> result = solveColumn(3, mass);
+        ASSERT_TRUE(result);
+        EXPECT_EQ(result->falling, (std::vector<std::uint32_t>{0, 1, 2})) << mass;
+        EXPECT_GT(result->tension, 2.0 * StabilityReport::CAPACITY) << mass;
+    }
+}
+
+TEST(ComponentSolver, PartsWhoseForcesAreTooImpreciseFall)
+{
+    // The least error of such a weight in double precision is larger than the tolerance of the forces.
+    const std::optional<ComponentStability> result = solveColumn(3, 1e15);
+    ASSERT_TRUE(result);
+    EXPECT_FALSE(result->falling.empty());
+    EXPECT_GT(result->tension, 2.0 * StabilityReport::CAPACITY);
+}
+
+TEST(ComponentSolver, CanBeCancelledWithinAFactorization)
+{
+    constexpr std::uint32_t NUM_PARTS = 30;
+    int numCalls = 0;
+    const auto count = [&] { return ++numCalls < 0; };
+    ASSERT_TRUE(solveColumn(NUM_PARTS, 1.0, count));
+    // At least once for each part, in the analysis, at the start and in an iteration.
+    ASSERT_GE(numCalls, 3 * static_cast<int>(NUM_PARTS));
+    for (int last = 1; last <= numCalls; ++last)
+    {
+        int calls = 0;
+        EXPECT_FALSE(solveColumn(NUM_PARTS, 1.0, [&] { return ++calls == last; }));
+        EXPECT_EQ(calls, last);
+    }
+}
+
+} // namespace
+
+} // namespace osgLego::test
