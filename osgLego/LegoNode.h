@@ -178,7 +178,8 @@ public:
     double getBuildProgress() const;
 
     /** Set the order of building; null: the order of planBuilding(), without checks of stability. A plan for another
-     * number of parts than the bricks have is ignored. */
+     * number of parts than the bricks have is ignored. Files of OSG's formats store neither the plan nor
+     * setNumNewParts(). */
     void setBuildingPlan(const BuildingPlan* plan);
     osg::ref_ptr<const BuildingPlan> getBuildingPlan() const;
 

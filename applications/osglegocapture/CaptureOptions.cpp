@@ -198,9 +198,11 @@ const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is t
   parts        none, bricks: real bricks and plates      (none)
   seed         0 to 4294967295, gives another layout     (0)
   effort       instant, normal, best                     (normal)
+  support      off, on: make parts stand that would fall (off)
   look         plain, full                               (full)
   drawing      auto, triangles, splats                   (auto: splats where OpenGL is in software)
   progress     0 to 1, the share of parts that is shown, in the order of building (1)
+  show         color, load: parts in their colours, or in colours for the load on joints (color)
 
 OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
   quality      low, medium, high                         (medium)

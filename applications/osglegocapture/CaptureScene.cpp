@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include <fmt/format.h>
 #include <osg/LightModel>
 #include <osg/LightSource>
 #include <osg/Math>
@@ -245,6 +246,14 @@ osg::ref_ptr<osg::Image> CaptureScene::drawTransparent(const osg::Image& image)
     _camera->setClearColor(WHITE);
     _viewer.frame();
     return makeTransparent(*overBlack, image);
+}
+
+LegoNode& CaptureScene::getOnlyLegoNode() const
+{
+    if (const std::size_t number = Finder<LegoNode>(*_shown).getAll().size(); number != 1)
+        throw CaptureError(EXIT_BAD_INPUT, fmt::format("'{}' has {} models in bricks; expected one for --instructions",
+                                                       _options.mesh, number));
+    return *_lego;
 }
 
 PartsList CaptureScene::createPartsList() const

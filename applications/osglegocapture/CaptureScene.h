@@ -37,6 +37,8 @@ public:
 
     /** The node that makes the bricks; null if the original mesh is drawn. */
     LegoNode* getLegoNode() const { return _lego.get(); }
+    /** The only node that makes bricks, for a booklet. Throws CaptureError if there are others. */
+    LegoNode& getOnlyLegoNode() const;
     /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
     PartsList createPartsList() const;
     /** The models of the scene that have parts. Throws CaptureError if there are none. */

@@ -191,12 +191,13 @@ int capture(const CaptureOptions& options)
     progress.show("reading");
     CaptureScene scene(options);
     progress.clear();
+    LegoNode* built = options.instructions.empty() ? nullptr : &scene.getOnlyLegoNode();
     if (!options.partsList.empty()) writePartsList(options, scene, output);
     const std::optional<SceneStability> stability = reportStability(options, scene);
     const int code = options.needsContext()
                          ? drawAndWrite(options, scene, stability ? &*stability : nullptr, output, reference)
                          : EXIT_FINE;
-    if (!options.instructions.empty()) writeBooklet(options, *scene.getLegoNode(), createContext);
+    if (built) writeBooklet(options, *built, createContext);
     return code;
 }
 

@@ -42,7 +42,7 @@ static bool readAppearance(osgDB::InputStream& stream, osgLego::LegoNode& node)
     osgLego::BrickAppearance appearance;
     bool hasImage = false;
     stream >> appearance.joints >> appearance.reliefHeight >> appearance.roughness >> appearance.variation >>
-        appearance.materialSpecular >> hasImage;
+        appearance.materialSpecular >> appearance.outline >> hasImage;
     if (hasImage) appearance.reliefImage = stream.readImage();
     return node.setAppearance(appearance);
 }
@@ -51,7 +51,7 @@ static bool writeAppearance(osgDB::OutputStream& stream, const osgLego::LegoNode
 {
     const osgLego::BrickAppearance appearance = node.getAppearance();
     stream << appearance.joints << appearance.reliefHeight << appearance.roughness << appearance.variation
-           << appearance.materialSpecular << appearance.reliefImage.valid();
+           << appearance.materialSpecular << appearance.outline << appearance.reliefImage.valid();
     if (appearance.reliefImage) stream.writeImage(appearance.reliefImage);
     stream << std::endl;
     return true;

@@ -124,6 +124,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
     BrickAppearance appearance;
     appearance.joints = false;
     appearance.variation = 0.5;
+    appearance.outline = 1.5;
     lego->setAppearance(appearance);
     lego->setLightProbe(probe);
     osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
@@ -149,6 +150,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
         const BrickAppearance backAppearance = backLego->getAppearance();
         EXPECT_FALSE(backAppearance.joints);
         EXPECT_DOUBLE_EQ(backAppearance.variation, 0.5);
+        EXPECT_DOUBLE_EQ(backAppearance.outline, 1.5);
         EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text format rounds it
         const osg::ref_ptr<const LightProbe> backProbe = backLego->getLightProbe();
         EXPECT_NEAR(backProbe->getIrradiance(osg::Vec3d(0, 0, 1)).x(), 1.0, 0.01);

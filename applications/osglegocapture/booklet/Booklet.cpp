@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -90,20 +91,29 @@ void checkSize(const CaptureOptions& options, const BrickModel& model)
     if (numParts <= MOST_PARTS_UNASKED || options.isBookletConfirmed || options.bookletSteps) return;
     PlanningOptions quick;
     quick.checksStability = false;
+    quick.isCancelled = Cancellation::isRequested;
     const osg::ref_ptr<const BuildingPlan> plan = planBuilding(model, quick);
+    Cancellation::check();
     throw CaptureError(
         EXIT_BAD_INPUT,
         fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or --steps FIRST-LAST",
                     nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size())));
 }
 
-/** A folder for temporary files, which is removed with its files. */
+/** A new folder for temporary files, which is removed with its files. */
 class TemporaryFolder
 {
 public:
-    TemporaryFolder() : _path(fs::temp_directory_path() / ("osglegocapture-" + std::to_string(getpid())))
+    TemporaryFolder()
     {
-        fs::create_directory(_path);
+        std::error_code error;
+        const fs::path place = fs::temp_directory_path(error);
+        if (error)
+            throw cannotWrite("osglegocapture-XXXXXX",
+                              "there is no folder for temporary files; expected one in TMPDIR");
+        std::string name = (place / "osglegocapture-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw cannotWrite(name, std::strerror(errno));
+        _path = name;
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -161,18 +171,15 @@ std::vector<std::string> createWarnings(const BookletModel& model, const Stabili
                            " would fall. Support it from below, or hang it up.");
     else if (!stability.safe)
         warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
-    const std::vector<BookletStep>& steps = model.getMainChapter().steps;
     if (const std::size_t unheld = model.getNumUnheld())
         warnings.push_back("This model can't be built as it is: nothing holds " + countOf(unheld, "part") + " when " +
                            (unheld == 1 ? "it is" : "they are") + " placed.");
     if (model.getNumPieces() > 1)
         warnings.push_back(
             fmt::format("This model consists of {} that no stud connects.", countOf(model.getNumPieces(), "piece")));
-    const auto numFalling =
-        std::count_if(steps.begin(), steps.end(), [](const BookletStep& step) { return !step.stands; });
-    if (numFalling > 0)
-        warnings.push_back(fmt::format("After {} the model does not stand by itself: hold it there.",
-                                       countOf(static_cast<std::size_t>(numFalling), "step")));
+    if (const std::size_t numFalling = model.getNumFallingSteps())
+        warnings.push_back(fmt::format("After {} the model, or a submodel, does not stand by itself: hold it there.",
+                                       countOf(numFalling, "step")));
     for (const std::string& warning :
          {model.getPartsList().describeNeverMade(), model.getPartsList().describeWithoutNumber()})
         if (!warning.empty()) warnings.push_back("Parts " + warning + ".");
@@ -252,7 +259,8 @@ std::string getBookletFile(const CaptureOptions& options)
 void checkBookletPlace(const CaptureOptions& options)
 {
     std::error_code ignored;
-    const fs::path folder = fs::path(options.instructions);
+    fs::path folder = fs::path(options.instructions);
+    if (!folder.has_filename()) folder = folder.parent_path(); // without the slash at the end
     // A folder that does not exist yet is created by the rules for a file in its place.
     const std::string file = fs::exists(folder, ignored) ? getBookletFile(options) : folder.string();
     if (const std::string obstacle = findObstacleToWriting(file); !obstacle.empty())
@@ -262,25 +270,29 @@ void checkBookletPlace(const CaptureOptions& options)
 void writeBooklet(const CaptureOptions& options, LegoNode& lego,
                   const std::function<osg::ref_ptr<osg::GraphicsContext>()>& createContext)
 {
-    const Cancellation cancellation;
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read(lego.getSettings(), error);
+    if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
     const osg::ref_ptr<const BrickModel> bricks = findModel(options, lego);
+    const Cancellation cancellation; // from here on, all long work asks it
     checkSize(options, *bricks);
+    // Before planning, which may take long.
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    BookletRenderer renderer(*context);
+
     BookletProgress progress;
     const BuildingBase base = options.base.value_or(BuildingBase::TABLE);
     const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks, base, progress);
     lego.setBuildingPlan(plan); // for the steps in its .mpd
-    std::string error;
-    const osg::ref_ptr<const Palette> palette = Palette::read(lego.getSettings(), error);
     const BookletModel model(*bricks, *plan, palette ? palette->getColors() : std::span<const PaletteColor>());
 
     BookletFacts facts;
     facts.title = titleOf(nameFiles(options));
     facts.warnings = createWarnings(model, computeStanding(*bricks, base), base);
     facts.downloads = createDownloads(nameFiles(options), model, lego);
+    Cancellation::check();
     setSteps(options, model.getMainChapter().steps.size(), facts);
 
-    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-    BookletRenderer renderer(*context);
     BookletPictures pictures(model, renderer);
     std::size_t numDone = 0;
     std::size_t numPictures = 0;

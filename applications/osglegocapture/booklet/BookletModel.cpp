@@ -92,10 +92,28 @@ std::size_t countPieces(const BrickModel& model)
     return pieces.getNumber();
 }
 
+std::size_t countFallingSteps(const BuildingPlan& plan)
+{
+    const std::vector<std::uint32_t>& unheld = plan.getUnheldParts();
+    const auto isUnheld = [&unheld](std::uint32_t part)
+    { return std::binary_search(unheld.begin(), unheld.end(), part); };
+    std::size_t count = 0;
+    for (const BuildingStep& step : plan.getSteps())
+    {
+        const std::vector<std::uint32_t> placed = plan.getPlacedParts(step);
+        if (!step.stands && std::none_of(placed.begin(), placed.end(), isUnheld)) ++count;
+    }
+    for (const Submodel& submodel : plan.getSubmodels())
+        count += static_cast<std::size_t>(std::count_if(submodel.steps.begin(), submodel.steps.end(),
+                                                        [](const BuildingStep& step) { return !step.stands; }));
+    return count;
+}
+
 } // namespace
 
 BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette) :
-    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
+    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size()),
+    _numFallingSteps(countFallingSteps(plan))
 {
     _list.add(model, palette);
     _kinds = _list.getRows();

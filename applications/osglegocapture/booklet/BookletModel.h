@@ -76,6 +76,8 @@ public:
     glm::dvec3 getSize() const;
     /** The number of parts that nothing holds when they are placed. */
     std::size_t getNumUnheld() const { return _numUnheld; }
+    /** The number of steps, also of submodels, after which parts fall, without steps that place unheld parts. */
+    std::size_t getNumFallingSteps() const { return _numFallingSteps; }
 
 private:
     BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
@@ -89,6 +91,7 @@ private:
     std::vector<BookletChapter> _chapters;
     std::size_t _numPieces = 0;
     std::size_t _numUnheld = 0;
+    std::size_t _numFallingSteps = 0;
 };
 
 } // namespace osgLego

@@ -29,7 +29,7 @@ class BookletRenderer
 public:
     explicit BookletRenderer(osg::GraphicsContext& context);
 
-    /** Show a model. @param plan the order of its parts, for show(numPlaced, numNew). */
+    /** Show a model. @param plan the order of its parts, for setPlaced(). */
     void setModel(const BrickModel& model, const BuildingPlan& plan);
     /** Show the first parts in the order of building, and highlight the last of them. */
     void setPlaced(std::size_t numPlaced, std::size_t numNew);

@@ -11,6 +11,8 @@ namespace osgLego
 namespace
 {
 
+constexpr std::array<int, 2> SIGNALS{SIGINT, SIGTERM};
+
 // Signal handlers may only use atomic objects without locks.
 std::atomic<int> arrived{0};
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -24,14 +26,17 @@ void note(int signal)
 
 Cancellation::Cancellation()
 {
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
+    for (std::size_t index = 0; index < SIGNALS.size(); ++index)
+    {
+        _former[index] = std::signal(SIGNALS[index], note);
+        if (_former[index] == SIG_IGN) std::signal(SIGNALS[index], SIG_IGN);
+    }
 }
 
 Cancellation::~Cancellation()
 {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (std::size_t index = 0; index < SIGNALS.size(); ++index)
+        std::signal(SIGNALS[index], _former[index]);
 }
 
 bool Cancellation::isRequested()
@@ -42,7 +47,8 @@ bool Cancellation::isRequested()
 void Cancellation::check()
 {
     constexpr int BY_SIGNAL = 128;
-    if (isRequested()) throw CaptureError(static_cast<ExitCode>(BY_SIGNAL + arrived), "cancelled; nothing was written");
+    if (isRequested())
+        throw CaptureError(static_cast<ExitCode>(BY_SIGNAL + arrived), "cancelled; the booklet was not written");
 }
 
 } // namespace osgLego

@@ -121,4 +121,21 @@ TEST_F(BookletModelTest, MeasuresTheModelInMillimetres)
     EXPECT_NEAR(_model.getMass(), 4 * 2.16 + 0.43, 1e-9);
 }
 
+TEST_F(BookletModelTest, CountsFallingStepsOfSubmodelsButNotThoseOfUnheldParts)
+{
+    Submodel outer;
+    outer.steps = {createStep({2}), createStep({}, {1})};
+    outer.steps[0].stands = false;
+    Submodel inner;
+    inner.steps = {createStep({3})};
+    std::vector<BuildingStep> steps{createStep({0}), createStep({1}), createStep({}, {0}), createStep({4})};
+    steps[1].stands = false;
+    steps[3].stands = false;
+    const osg::ref_ptr<const BuildingPlan> plan = BuildingPlan::create(5, std::move(steps), {outer, inner}, {4});
+    const BookletModel model(*_bricks, *plan, Palette::getKnownColors());
+    EXPECT_EQ(model.getNumFallingSteps(), 2u);
+    EXPECT_EQ(model.getNumUnheld(), 1u);
+    EXPECT_EQ(_model.getNumFallingSteps(), 0u);
+}
+
 } // namespace osgLego
