@@ -40,6 +40,10 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::size_t MOST_PARTS_UNASKED = 2000;
+/** Parts up to which the steps are planned with stability, which takes minutes for more. */
+constexpr std::size_t MOST_CHECKED_PARTS = 2000;
+/** Parts up to which it is computed whether the finished model stands. */
+constexpr std::size_t MOST_COMPUTED_PARTS = 6000;
 constexpr double PLANNING_SHARE = 0.1; // of the time, on the progress bar
 
 std::string nameModel(const CaptureOptions& options)
@@ -76,6 +80,7 @@ osg::ref_ptr<const BuildingPlan> createPlan(const BrickModel& model, BuildingBas
 {
     PlanningOptions options;
     options.base = base;
+    options.checksStability = model.getParts().size() <= MOST_CHECKED_PARTS;
     options.isCancelled = Cancellation::isRequested;
     options.progress = [&progress](double share)
     { progress.show(PLANNING_SHARE * share, "planning the order of building"); };
@@ -154,22 +159,27 @@ std::vector<BookletDownload> createDownloads(const std::string& name, const Book
             {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name)}};
 }
 
-StabilityReport computeStanding(const BrickModel& model, BuildingBase base)
+/** @return nothing for models so large that it would take too long. */
+std::optional<StabilityReport> computeStanding(const BrickModel& model, BuildingBase base)
 {
+    if (model.getParts().size() > MOST_COMPUTED_PARTS) return std::nullopt;
     const std::optional<StabilityReport> report = computeStability(model, {base, Cancellation::isRequested});
     Cancellation::check();
-    return report.value();
+    return report;
 }
 
 /** Sentences for the cover if the model can't be built as planned. */
-std::vector<std::string> createWarnings(const BookletModel& model, const StabilityReport& stability, BuildingBase base)
+std::vector<std::string> createWarnings(const BookletModel& model, const std::optional<StabilityReport>& stability,
+                                        const BuildingPlan& plan, BuildingBase base)
 {
     std::vector<std::string> warnings;
     const std::string place = base == BuildingBase::TABLE ? "a table" : "a base plate";
-    if (!stability.stands)
-        warnings.push_back("This model does not stand on " + place + ": " + countOf(stability.falling.size(), "part") +
-                           " would fall. Support it from below, or hang it up.");
-    else if (!stability.safe)
+    if (!stability)
+        warnings.push_back("It was not computed whether this model stands, since it has so many parts.");
+    else if (!stability->stands)
+        warnings.push_back("This model does not stand on " + place + ": " + countOf(stability->falling.size(), "part") +
+                           " would fall. Support it from below, or make it with support=on.");
+    else if (!stability->safe)
         warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
     if (const std::size_t unheld = model.getNumUnheld())
         warnings.push_back("This model can't be built as it is: nothing holds " + countOf(unheld, "part") + " when " +
@@ -180,6 +190,9 @@ std::vector<std::string> createWarnings(const BookletModel& model, const Stabili
     if (const std::size_t numFalling = model.getNumFallingSteps())
         warnings.push_back(fmt::format("After {} the model, or a submodel, does not stand by itself: hold it there.",
                                        countOf(numFalling, "step")));
+    if (const std::size_t numUnchecked = plan.getNumUnchecked())
+        warnings.push_back(fmt::format("Of {}, it was not computed whether the model stands after {}.",
+                                       countOf(numUnchecked, "step"), numUnchecked == 1 ? "it" : "them"));
     for (const std::string& warning :
          {model.getPartsList().describeNeverMade(), model.getPartsList().describeWithoutNumber()})
         if (!warning.empty()) warnings.push_back("Parts " + warning + ".");
@@ -288,7 +301,7 @@ void writeBooklet(const CaptureOptions& options, LegoNode& lego,
 
     BookletFacts facts;
     facts.title = titleOf(nameFiles(options));
-    facts.warnings = createWarnings(model, computeStanding(*bricks, base), base);
+    facts.warnings = createWarnings(model, computeStanding(*bricks, base), *plan, base);
     facts.downloads = createDownloads(nameFiles(options), model, lego);
     Cancellation::check();
     setSteps(options, model.getMainChapter().steps.size(), facts);
