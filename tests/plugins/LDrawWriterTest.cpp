@@ -211,7 +211,7 @@ TEST(LDrawWriter, SubmodelsThatComeBeforeThoseTheyContainAreAsDeep)
     std::vector<Submodel> submodels;
     for (std::uint32_t index = 0; index < COUNT; ++index)
     {
-        parts.push_back(makePart({0, 0, static_cast<int>(index)}, {1, 1, 1}, 1));
+        parts.push_back(makePart({0, 0, static_cast<std::uint16_t>(index)}, {1, 1, 1}, 1));
         Submodel& submodel = submodels.emplace_back();
         submodel.steps.emplace_back().parts = {index};
         if (index + 1 < COUNT) submodel.steps.back().submodels = {index + 1};
