@@ -86,6 +86,7 @@ std::optional<std::vector<double>> BearingJoints::spread(std::uint32_t part, con
     // Written so that NaN fails.
     if (!((sum * slopes - wanted).cwiseAbs().maxCoeff() <= TOLERANCE)) return std::nullopt;
     std::vector<double> pressures;
+    pressures.reserve(points.size());
     for (const Eigen::Vector2d& point : points)
         pressures.push_back(slopes.dot(toRow(point)));
     return pressures;

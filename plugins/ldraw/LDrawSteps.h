@@ -54,7 +54,7 @@ private:
     void findOrigins();
     void writeSteps(std::ostream& stream, const std::vector<BuildingStep>& steps, const glm::dvec3& origin);
     void writeContent(std::ostream& stream, const BuildingStep& step, const glm::dvec3& origin);
-    void writePart(std::ostream& stream, std::uint32_t part, const LDrawTransform& transform);
+    void writePart(std::ostream& stream, std::uint32_t index, const LDrawTransform& transform);
     void endStep(std::ostream& stream, const BuildingStep& step);
 
     const LDrawModel& _model;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include <glm/common.hpp>
+
 namespace osgLego
 {
 

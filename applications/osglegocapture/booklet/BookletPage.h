@@ -54,7 +54,7 @@ private:
     void writeSteps();
     void writeSubmodels(const BookletStep& step);
     void writeSubmodel(std::size_t chapter);
-    void writeStep(std::size_t chapter, std::size_t step);
+    void writeStep(std::size_t chapter, std::size_t index);
     void writeCallout(const BookletStep& step);
     void writeNote(const BookletStep& step);
     void writeArrows(const BookletStep& step, const BookletPicture& picture);
