@@ -254,7 +254,8 @@ TEST(BuildingPlanner, LegsAreBuiltOneAfterTheOther)
 
 TEST(BuildingPlanner, AWallIsShownFromOneSide)
 {
-    for (const BuildingStep& step : planFast(*createWall(40, 12))->getSteps())
+    const osg::ref_ptr<const BuildingPlan> plan = planFast(*createWall(40, 12));
+    for (const BuildingStep& step : plan->getSteps())
         EXPECT_EQ(step.turns, 0);
 }
 
