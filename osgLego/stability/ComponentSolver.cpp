@@ -43,7 +43,7 @@ public:
         if (!equilibrium) return std::nullopt;
         ComponentStability result;
         result.tension = getTension(*equilibrium);
-        if (!equilibrium->hasConverged)
+        if (!equilibrium->hasConverged && !isProven(*equilibrium))
             giveUp(*equilibrium, result);
         else if (result.tension > StabilityReport::CAPACITY)
         {
@@ -73,7 +73,8 @@ private:
 
     double getTension(const Equilibrium& equilibrium) const
     {
-        if (!equilibrium.hasConverged || !isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
+        if (!isComplete(equilibrium) || (!equilibrium.hasConverged && !isProven(equilibrium)))
+            return std::numeric_limits<double>::infinity();
         return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
     }
 
@@ -90,6 +91,17 @@ private:
         OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
                  << " parts can't be computed precisely enough, so that " << result.falling.size()
                  << " of them are taken to fall" << std::endl;
+    }
+
+    /** Whether forces keep all parts in equilibrium, even if they are not the best ones: then the margin is at least
+     * that of these forces. */
+    bool isProven(const Equilibrium& equilibrium) const
+    {
+        if (!equilibrium.forces.isFinite().all()) return false;
+        const Eigen::VectorXd forces = equilibrium.forces.matrix();
+        Eigen::VectorXd rows(static_cast<Eigen::Index>(_program.getNumRows()));
+        _program.multiply(forces, rows);
+        return (rows - _program.getLoad()).cwiseAbs().maxCoeff() <= RESIDUAL_TOLERANCE;
     }
 
     bool isComplete(const Equilibrium& equilibrium) const
