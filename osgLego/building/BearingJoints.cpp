@@ -71,10 +71,9 @@ std::vector<Eigen::Vector2d> BearingJoints::findFloorPoints(std::uint32_t part) 
     return points;
 }
 
-std::optional<std::vector<double>> BearingJoints::spread(std::uint32_t part, const VerticalLoad& load) const
+std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const std::vector<Eigen::Vector2d>& points,
+                                              const Eigen::Vector2d& center)
 {
-    const Eigen::Vector2d center = getCenter(part);
-    const std::vector<Eigen::Vector2d> points = findFloorPoints(part);
     const auto toRow = [&center](const Eigen::Vector2d& point)
     { return Eigen::Vector3d(1.0, point.x() - center.x(), point.y() - center.y()); };
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -85,11 +84,11 @@ std::optional<std::vector<double>> BearingJoints::spread(std::uint32_t part, con
     constexpr double TOLERANCE = 1e-9; // newtons
     // Written so that NaN fails.
     if (!((sum * slopes - wanted).cwiseAbs().maxCoeff() <= TOLERANCE)) return std::nullopt;
-    std::vector<double> pressures;
-    pressures.reserve(points.size());
+    std::vector<double> forces;
+    forces.reserve(points.size());
     for (const Eigen::Vector2d& point : points)
-        pressures.push_back(slopes.dot(toRow(point)));
-    return pressures;
+        forces.push_back(slopes.dot(toRow(point)));
+    return forces;
 }
 
 } // namespace osgLego

@@ -44,8 +44,6 @@ public:
     Eigen::Vector2d getCenter(std::uint32_t part) const;
     /** The points at which the base bears a part that stands on it: the corners of the part on a table. */
     std::vector<Eigen::Vector2d> findFloorPoints(std::uint32_t part) const;
-    /** The pressures at these points, as even as possible, that bear a load; nothing if none do. */
-    std::optional<std::vector<double>> spread(std::uint32_t part, const VerticalLoad& load) const;
 
 private:
     void addPoints(const BuildingBox& overlap, const BuildingBox& upper, std::vector<Eigen::Vector2d>& points) const;
@@ -57,6 +55,11 @@ private:
     std::vector<std::vector<std::uint32_t>> _jointsOf;
     std::vector<Eigen::Vector2d> _points;
 };
+
+/** Spread a load over points as evenly as possible: the least forces at the points that amount to the load.
+ * @param center near the points, for precision. @return nothing if no forces at these points do. */
+std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const std::vector<Eigen::Vector2d>& points,
+                                              const Eigen::Vector2d& center);
 
 /** Forces that keep the parts in place in equilibrium. */
 struct BearingForces

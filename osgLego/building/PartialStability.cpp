@@ -1,6 +1,7 @@
 #include <osgLego/building/PartialStability.h>
 
 #include <osgLego/PartType.h>
+#include <osgLego/stability/EquilibriumProgram.h>
 #include <osgLego/stability/StabilityAnalysis.h>
 
 #include <utility>
@@ -13,12 +14,11 @@ namespace
 
 std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
 {
-    constexpr double NEWTONS_PER_GRAM = 9.8e-3;
     std::vector<double> weights;
     for (const std::uint32_t part : parts)
     {
         const PartType* type = findPartType(model.getParts()[part], model.getGrid());
-        weights.push_back(type ? NEWTONS_PER_GRAM * type->mass : 0.0);
+        weights.push_back(type ? EquilibriumProgram::NEWTONS_PER_GRAM * type->mass : 0.0);
     }
     return weights;
 }

@@ -102,23 +102,18 @@ private:
         const VerticalLoad load = _loads[part];
         if (load.isZero(0.0)) return true;
         if (_graph.isOnBase(part)) return addToFloor(part, load);
-        const Eigen::Vector2d center = _joints.getCenter(part);
-        const auto toRow = [&center](const Eigen::Vector2d& point)
-        { return Eigen::Vector3d(1.0, point.x() - center.x(), point.y() - center.y()); };
-        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        std::vector<Eigen::Vector2d> points;
         visitBearing(part, [&](const BearingJoints::Joint&, std::size_t point)
-                     { sum += toRow(_joints.getPoints()[point]) * toRow(_joints.getPoints()[point]).transpose(); });
-        const Eigen::Vector3d wanted(load[0], load[1] - load[0] * center.x(), load[2] - load[0] * center.y());
-        const Eigen::Vector3d slopes = sum.ldlt().solve(wanted);
-        constexpr double TOLERANCE = 1e-9; // newtons
-        // Written so that NaN fails.
-        if (!((sum * slopes - wanted).cwiseAbs().maxCoeff() <= TOLERANCE)) return false;
+                     { points.push_back(_joints.getPoints()[point]); });
+        const std::optional<std::vector<double>> forces = spreadLoad(load, points, _joints.getCenter(part));
+        if (!forces) return false;
+        auto next = forces->begin();
         bool isWithin = true;
         visitBearing(part,
                      [&](const BearingJoints::Joint& joint, std::size_t point)
                      {
                          const Eigen::Vector2d& place = _joints.getPoints()[point];
-                         const double force = slopes.dot(toRow(place));
+                         const double force = *next++;
                          double& pressure = _forces.pressures[point];
                          pressure += joint.upper == part ? force : -force;
                          isWithin = isWithin && pressure >= -BearingForces::CAPACITY;
@@ -146,7 +141,8 @@ private:
         const VerticalLoad& sum = _forces.floorLoads[part] += load;
         if (_joints.getBase() == BuildingBase::PLATE)
         {
-            const std::optional<std::vector<double>> pressures = _joints.spread(part, sum);
+            const std::optional<std::vector<double>> pressures =
+                spreadLoad(sum, _joints.findFloorPoints(part), _joints.getCenter(part));
             return pressures && std::all_of(pressures->begin(), pressures->end(),
                                             [this](double pressure)
                                             { return pressure - _forces.floorPull >= -BearingForces::CAPACITY; });

@@ -15,8 +15,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double GRAVITY = 9.8;
-constexpr double NEWTONS_PER_GRAM = GRAVITY / 1000.0;
 constexpr double PLATE_HEIGHT = 0.4; // of the pitch
 
 /** A corner of a box, in pitches. */

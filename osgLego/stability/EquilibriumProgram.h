@@ -26,6 +26,7 @@ class EquilibriumProgram
 {
 public:
     static constexpr std::int32_t NO_BODY = -1; //!< instead of a part: the base
+    static constexpr double NEWTONS_PER_GRAM = 9.8e-3;
 
     enum Kind : std::uint8_t
     {
