@@ -3,9 +3,7 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/producer/BackgroundTask.h>
 
-#include <exception>
-#include <new>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <osg/Notify>
@@ -42,31 +40,13 @@ public:
 private:
     void run()
     {
-        try
-        {
-            makeBuilding();
-        }
-        catch (const std::bad_alloc&)
-        {
-            fail(OUT_OF_MEMORY);
-        }
-        catch (const std::length_error&) // more than a container can hold
-        {
-            fail(OUT_OF_MEMORY);
-        }
-        catch (const std::exception& exception)
-        {
-            fail(exception.what());
-        }
+        const std::string failure = catchFailure([this] { makeBuilding(); }, OUT_OF_MEMORY);
+        if (!failure.empty())
+            OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << failure
+                     << std::endl;
         const bool isMade = _building.valid();
         _task.end();
         if (isMade && _announce) _announce();
-    }
-
-    static void fail(const char* reason)
-    {
-        OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << reason
-                 << std::endl;
     }
 
     void makeBuilding()

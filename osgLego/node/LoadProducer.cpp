@@ -3,9 +3,7 @@
 #include <osgLego/producer/BackgroundTask.h>
 #include <osgLego/stability/LoadColors.h>
 
-#include <exception>
-#include <new>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <osg/Notify>
@@ -38,14 +36,7 @@ public:
 private:
     void run()
     {
-        try
-        {
-            makeBricks();
-        }
-        catch (const std::exception& exception)
-        {
-            warn(exception.what());
-        }
+        warn(catchFailure([this] { makeBricks(); }, OUT_OF_MEMORY));
         const bool isMade = _bricks.valid();
         _task.end();
         if (isMade && _announce) _announce();
@@ -63,23 +54,17 @@ private:
     /** The model in the colours to show; null if it was cancelled. */
     osg::ref_ptr<const BrickModel> makeShown() const
     {
-        try
-        {
-            return colorByLoad(*_model, [this] { return _task.isCancelled(); });
-        }
-        catch (const std::bad_alloc&)
-        {
-            warn(OUT_OF_MEMORY);
-        }
-        catch (const std::length_error&) // more than a container can hold
-        {
-            warn(OUT_OF_MEMORY);
-        }
-        return _model;
+        osg::ref_ptr<const BrickModel> shown;
+        const std::string failure =
+            catchFailure([&] { shown = colorByLoad(*_model, [this] { return _task.isCancelled(); }); }, OUT_OF_MEMORY);
+        warn(failure);
+        return failure.empty() ? shown : _model;
     }
 
-    static void warn(const char* reason)
+    /** Print a reason, if there is one. */
+    static void warn(const std::string& reason)
     {
+        if (reason.empty()) return;
         OSG_WARN << "osgLego: parts keep their colours, because the load on their joints can't be computed: " << reason
                  << std::endl;
     }

@@ -1,15 +1,43 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
 namespace osgLego
 {
+
+/** Do work that may throw.
+ * @param outOfMemory the sentence for a lack of memory. @param prefix comes before the reason of any other failure.
+ * @return the reason why the work failed; empty if it did not. */
+inline std::string catchFailure(const std::function<void()>& work, const char* outOfMemory, const char* prefix = "")
+{
+    try
+    {
+        work();
+        return {};
+    }
+    catch (const std::bad_alloc&)
+    {
+        return outOfMemory;
+    }
+    catch (const std::length_error&) // more than a container can hold
+    {
+        return outOfMemory;
+    }
+    catch (const std::exception& exception)
+    {
+        return std::string(prefix) + exception.what();
+    }
+}
 
 /** Work that starts at once in a thread of oneTBB, and can be cancelled and waited for. */
 class BackgroundTask

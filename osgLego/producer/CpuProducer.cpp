@@ -4,9 +4,6 @@
 #include <osgLego/producer/BackgroundTask.h>
 #include <osgLego/stability/LoadColors.h>
 
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -47,33 +44,23 @@ public:
 private:
     void run()
     {
-        try
-        {
-            CpuBricksWork work;
-            work.isCancelled = [this] { return _task.isCancelled(); };
-            work.previous = &_layout;
-            const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
-            osg::ref_ptr<const BrickModel> shown = model;
-            if (model && _source->settings.show == Show::LOAD) shown = colorByLoad(*model, work.isCancelled);
-            if (shown)
-                _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout, shown.get());
-            _error = work.error;
-        }
-        catch (const std::bad_alloc&)
-        {
-            _error = OUT_OF_MEMORY;
-        }
-        catch (const std::length_error&) // more than a container can hold
-        {
-            _error = OUT_OF_MEMORY;
-        }
-        catch (const std::exception& exception)
-        {
-            _error = std::string("the bricks can't be made: ") + exception.what();
-        }
+        const std::string failure = catchFailure([this] { makeBricks(); }, OUT_OF_MEMORY, "the bricks can't be made: ");
+        if (!failure.empty()) _error = failure;
         const bool isMade = _bricks.valid();
         _task.end();
         if (isMade && _announce) _announce();
+    }
+
+    void makeBricks()
+    {
+        CpuBricksWork work;
+        work.isCancelled = [this] { return _task.isCancelled(); };
+        work.previous = &_layout;
+        const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
+        osg::ref_ptr<const BrickModel> shown = model;
+        if (model && _source->settings.show == Show::LOAD) shown = colorByLoad(*model, work.isCancelled);
+        if (shown) _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout, shown.get());
+        _error = work.error;
     }
 
     osg::ref_ptr<const LegoSource> _source;
