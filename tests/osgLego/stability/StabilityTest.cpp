@@ -1,6 +1,9 @@
 #include "BrickTowers.h"
 #include "PlainEquilibrium.h"
 
+#include <Meshes.h>
+
+#include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
 #include <osgLego/stability/LoadColors.h>
 #include <osgLego/stability/StabilityAnalysis.h>
@@ -33,6 +36,21 @@ StabilityReport compute(const osg::ref_ptr<const BrickModel>& model, BuildingBas
 double marginOf(double tension)
 {
     return 1.0 - tension / StabilityReport::CAPACITY;
+}
+
+TEST(Stability, ForcesThatAreNotTheBestOnesProveThatALargeModelStands)
+{
+    const osg::ref_ptr<osg::Node> bunny = readBunny();
+    if (!bunny) GTEST_SKIP() << "bunny.ply was not downloaded";
+    // The solver reaches its limit of iterations just before the tension is exact.
+    LegoSettings settings;
+    std::string error;
+    ASSERT_TRUE(LegoSettings::parse("34,up=y,parts=bricks,palette=ldraw,colors=1,effort=instant", settings, error));
+    const StabilityReport report = compute(legolizeOnCpu(*bunny, settings));
+    EXPECT_TRUE(report.stands);
+    EXPECT_TRUE(report.safe);
+    EXPECT_TRUE(report.falling.empty());
+    EXPECT_NEAR(report.margin, 0.9646, 1e-4);
 }
 
 TEST(Stability, AgreesWithClpOnRandomTowers)
