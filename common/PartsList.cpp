@@ -1,5 +1,7 @@
 #include <common/PartsList.h>
 
+#include <common/MarkupText.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -60,27 +62,6 @@ std::string quotedForCsv(const std::string& value)
     for (const char letter : value)
         quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
     return quoted + "\"";
-}
-
-std::string escapedForXml(const std::string& text)
-{
-    std::string escaped;
-    for (const char letter : text)
-        switch (letter)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        default:
-            escaped += letter;
-        }
-    return escaped;
 }
 
 /** A number that files give only where there is one. */
@@ -178,7 +159,7 @@ void PartsList::writeWantedList(std::ostream& stream) const
         stream << "<ITEM><ITEMTYPE>P</ITEMTYPE><ITEMID>" << row.type->number << "</ITEMID>";
         if (row.color.brickLink >= 0) stream << "<COLOR>" << row.color.brickLink << "</COLOR>";
         stream << "<MINQTY>" << row.quantity << "</MINQTY>";
-        if (row.color.brickLink < 0) stream << "<REMARKS>" << escapedForXml(row.color.name) << "</REMARKS>";
+        if (row.color.brickLink < 0) stream << "<REMARKS>" << escapedForMarkup(row.color.name) << "</REMARKS>";
         stream << "</ITEM>\n";
     }
     stream << "</INVENTORY>\n";

@@ -94,28 +94,10 @@ std::size_t countPieces(const BrickModel& model)
     return pieces.getNumber();
 }
 
-std::size_t countFallingSteps(const BuildingPlan& plan)
-{
-    const std::vector<std::uint32_t>& unheld = plan.getUnheldParts();
-    const auto isUnheld = [&unheld](std::uint32_t part)
-    { return std::binary_search(unheld.begin(), unheld.end(), part); };
-    std::size_t count = 0;
-    for (const BuildingStep& step : plan.getSteps())
-    {
-        const std::vector<std::uint32_t> placed = plan.getPlacedParts(step);
-        if (!step.stands && std::none_of(placed.begin(), placed.end(), isUnheld)) ++count;
-    }
-    for (const Submodel& submodel : plan.getSubmodels())
-        count += static_cast<std::size_t>(std::count_if(submodel.steps.begin(), submodel.steps.end(),
-                                                        [](const BuildingStep& step) { return !step.stands; }));
-    return count;
-}
-
 } // namespace
 
 BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette) :
-    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size()),
-    _numFallingSteps(countFallingSteps(plan))
+    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
 {
     _list.add(model, palette);
     _kinds = _list.getRows();
@@ -193,6 +175,15 @@ void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
             nameSteps(_chapters[submodel], numNamed);
         }
     }
+}
+
+std::size_t BookletModel::getNumFallingSteps() const
+{
+    std::size_t number = 0;
+    for (const BookletChapter& chapter : _chapters)
+        number += static_cast<std::size_t>(std::count_if(chapter.steps.begin(), chapter.steps.end(),
+                                                         [](const BookletStep& step) { return step.falls(); }));
+    return number;
 }
 
 std::size_t BookletModel::getNumParts() const

@@ -34,6 +34,9 @@ struct BookletStep
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
+
+    /** Whether parts fall after this step, other than those that nothing holds anyway. */
+    bool falls() const { return !stands && numUnheld == 0; }
 };
 
 /** The steps of the main model, or of a submodel. */
@@ -77,7 +80,7 @@ public:
     /** The number of parts that nothing holds when they are placed. */
     std::size_t getNumUnheld() const { return _numUnheld; }
     /** The number of steps, also of submodels, after which parts fall, without steps that place unheld parts. */
-    std::size_t getNumFallingSteps() const { return _numFallingSteps; }
+    std::size_t getNumFallingSteps() const;
 
 private:
     BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
@@ -91,7 +94,6 @@ private:
     std::vector<BookletChapter> _chapters;
     std::size_t _numPieces = 0;
     std::size_t _numUnheld = 0;
-    std::size_t _numFallingSteps = 0;
 };
 
 } // namespace osgLego

@@ -3,6 +3,8 @@
 #include "Base64.h"
 #include "BookletText.h"
 
+#include <common/MarkupText.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -10,6 +12,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <osgDB/FileNameUtils>
 
 namespace osgLego
 {
@@ -26,13 +29,6 @@ constexpr double BRICKS_PER_MINUTE_FAST = 10.0;
 std::string dataOf(const std::string& mediaType, const std::string& bytes)
 {
     return "data:" + mediaType + ";base64," + toBase64(bytes);
-}
-
-std::string lowerLetters(std::string text)
-{
-    for (char& letter : text)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    return text;
 }
 
 /** A time for people: in minutes, or from two hours on in hours. */
@@ -127,7 +123,7 @@ void BookletPage::writeHead()
 {
     *_stream << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
              << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-             << "<meta name=\"generator\" content=\"osgLego\">\n<title>" << escapedForHtml(_facts.title)
+             << "<meta name=\"generator\" content=\"osgLego\">\n<title>" << escapedForMarkup(_facts.title)
              << ": building instructions</title>\n<style>\n"
              << getBookletTexts().at("Booklet.css") << "</style>\n</head>\n<body>\n"
              << "<svg class=\"symbols\" aria-hidden=\"true\">" << getBookletTexts().at("Booklet.svg")
@@ -137,7 +133,7 @@ void BookletPage::writeHead()
 void BookletPage::writeCover()
 {
     _progress("cover");
-    *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1>" << escapedForHtml(_facts.title)
+    *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1>" << escapedForMarkup(_facts.title)
              << "</h1>\n<p class=\"subtitle\">Building instructions</p>\n<figure class=\"picture\">";
     writeImage(_pictures.drawFinished(0), "The finished model: " + _facts.title);
     *_stream << "</figure>\n";
@@ -145,7 +141,7 @@ void BookletPage::writeCover()
     {
         *_stream << "<ul class=\"warnings\">\n";
         for (const std::string& warning : _facts.warnings)
-            *_stream << "<li>" << escapedForHtml(warning) << "</li>\n";
+            *_stream << "<li>" << escapedForMarkup(warning) << "</li>\n";
         *_stream << "</ul>\n";
     }
     writeFacts();
@@ -211,10 +207,10 @@ void BookletPage::writeDetails(const PartsList::Row& row)
                         (name == brickLinkName ? std::string() : " " + name));
     std::string text;
     for (const std::string& code : codes)
-        text += (text.empty() ? "<span>" : " <span>") + escapedForHtml(code) + "</span>";
+        text += (text.empty() ? "<span>" : " <span>") + escapedForMarkup(code) + "</span>";
     *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span><span class=\"name\">"
-             << escapedForHtml(nameType(*row.type)) << "</span> <span class=\"code\">" << row.type->number
-             << "</span></span> <span>" << escapedForHtml(brickLinkName.empty() ? name : brickLinkName)
+             << escapedForMarkup(nameType(*row.type)) << "</span> <span class=\"code\">" << row.type->number
+             << "</span></span> <span>" << escapedForMarkup(brickLinkName.empty() ? name : brickLinkName)
              << "</span> <span class=\"code\">" << text << "</span></p>";
 }
 
@@ -235,7 +231,7 @@ void BookletPage::writeSubmodels(const BookletStep& step)
 void BookletPage::writeSubmodel(std::size_t chapter)
 {
     const BookletChapter& own = _model.getChapters()[chapter];
-    const std::string id = "submodel-" + lowerLetters(own.letter);
+    const std::string id = "submodel-" + osgDB::convertToLowerCase(own.letter);
     _progress("submodel " + own.letter);
     const BookletPicture picture = _pictures.drawFinished(chapter);
     _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height) / picture.density;
@@ -262,9 +258,9 @@ void BookletPage::writeStep(std::size_t chapter, std::size_t index)
     writeSubmodels(step);
     _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
     const BookletPicture picture = _pictures.drawStep(chapter, index);
-    *_stream << "<section class=\"step\" id=\"step-" << lowerLetters(step.name) << "\" data-stop=\"Step " << step.name
-             << " of " << own.steps.size() << "\">\n<header><h3><span class=\"hidden\">Step </span>" << step.name
-             << "</h3>\n";
+    *_stream << "<section class=\"step\" id=\"step-" << osgDB::convertToLowerCase(step.name) << "\" data-stop=\"Step "
+             << step.name << " of " << own.steps.size() << "\">\n<header><h3><span class=\"hidden\">Step </span>"
+             << step.name << "</h3>\n";
     writeCallout(step);
     if (step.isTurned)
         *_stream << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
@@ -287,7 +283,8 @@ void BookletPage::writeCallout(const BookletStep& step)
     {
         const std::string& letter = _model.getChapters()[submodel].letter;
         *_stream << "<li>";
-        writeUse("submodel-" + lowerLetters(letter) + "-picture", "Submodel " + letter, _submodelSizes[submodel]);
+        writeUse("submodel-" + osgDB::convertToLowerCase(letter) + "-picture", "Submodel " + letter,
+                 _submodelSizes[submodel]);
         *_stream << "<span class=\"letter\" aria-hidden=\"true\">" << letter << "</span></li>\n";
     }
     writeItems(step.items);
@@ -299,7 +296,7 @@ void BookletPage::writeNote(const BookletStep& step)
 {
     if (step.numUnheld > 0)
         *_stream << "<p class=\"note\">Nothing holds " << countOf(step.numUnheld, "part") << " of this step.</p>\n";
-    else if (!step.stands)
+    else if (step.falls())
         *_stream << "<p class=\"note\">Hold the model after this step: it does not stand by itself yet.</p>\n";
 }
 
@@ -342,8 +339,8 @@ void BookletPage::writeFinished()
     writeImage(_pictures.drawFinished(0), "The finished model");
     *_stream << "</figure>\n<ul class=\"downloads\">\n";
     for (const BookletDownload& download : _facts.downloads)
-        *_stream << "<li><a download=\"" << escapedForHtml(download.fileName) << "\" href=\""
-                 << dataOf(download.mediaType, download.content) << "\">" << escapedForHtml(download.label)
+        *_stream << "<li><a download=\"" << escapedForMarkup(download.fileName) << "\" href=\""
+                 << dataOf(download.mediaType, download.content) << "\">" << escapedForMarkup(download.label)
                  << "</a></li>\n";
     *_stream << "</ul>\n</section>\n";
 }
@@ -359,12 +356,12 @@ void BookletPage::writeUse(const std::string& id, const std::string& text, const
 {
     *_stream << fmt::format(
         R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}px" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
-        escapedForHtml(text), id, size.x, size.y);
+        escapedForMarkup(text), id, size.x, size.y);
 }
 
 void BookletPage::writeImage(const BookletPicture& picture, const std::string& text)
 {
-    *_stream << fmt::format(R"(<img alt="{}" width="{:.0f}" height="{:.0f}" src=")", escapedForHtml(text),
+    *_stream << fmt::format(R"(<img alt="{}" width="{:.0f}" height="{:.0f}" src=")", escapedForMarkup(text),
                             picture.width / picture.density, picture.height / picture.density)
              << dataOf(picture.mediaType, picture.bytes) << "\">";
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include <osgDB/FileNameUtils>
@@ -22,38 +21,7 @@ constexpr std::array<std::pair<int, const char*>, 7> OTHER_NAMES{{{32, "Light Or
                                                                   {109, "Dark Blue-Violet"},
                                                                   {245, "Lilac"}}};
 
-std::string toLower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-}
-
 } // namespace
-
-std::string escapedForHtml(std::string_view text)
-{
-    std::string escaped;
-    for (const char letter : text)
-        switch (letter)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += letter;
-        }
-    return escaped;
-}
 
 std::string formatNumber(std::size_t number)
 {
@@ -93,9 +61,10 @@ std::string nameBrickLinkColor(const PaletteColor& color)
 
 std::string describeParts(const PartsList::Row& row, std::size_t quantity)
 {
-    const std::string name = toLower(row.type->getName());
+    const std::string name = osgDB::convertToLowerCase(row.type->getName());
     const auto space = name.find(' ');
-    const std::string color = row.color.code == Part::NO_CODE ? row.color.name : toLower(nameColor(row.color));
+    const std::string color =
+        row.color.code == Part::NO_CODE ? row.color.name : osgDB::convertToLowerCase(nameColor(row.color));
     return formatNumber(quantity) + " " + color + " " + name.substr(0, space) + (quantity == 1 ? "" : "s") +
            name.substr(space);
 }

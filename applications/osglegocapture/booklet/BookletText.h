@@ -9,9 +9,6 @@
 namespace osgLego
 {
 
-/** A text for HTML, both between tags and in attributes in double quotes. */
-std::string escapedForHtml(std::string_view text);
-
 /** A number with its noun, such as "1 part" or "1,200 parts". @param noun that forms its plural with an s. */
 std::string countOf(std::size_t number, std::string_view noun);
 

@@ -135,6 +135,11 @@ TEST_F(BookletModelTest, CountsFallingStepsOfSubmodelsButNotThoseOfUnheldParts)
     const BookletModel model(*_bricks, *plan, Palette::getKnownColors());
     EXPECT_EQ(model.getNumFallingSteps(), 2u);
     EXPECT_EQ(model.getNumUnheld(), 1u);
+    const std::vector<BookletStep>& main = model.getMainChapter().steps;
+    EXPECT_TRUE(main[1].falls());
+    EXPECT_EQ(main[1].numUnheld, 0u);
+    EXPECT_FALSE(main[3].falls());
+    EXPECT_EQ(main[3].numUnheld, 1u);
     EXPECT_EQ(_model.getNumFallingSteps(), 0u);
 }
 

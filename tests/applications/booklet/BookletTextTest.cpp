@@ -30,11 +30,6 @@ TEST(Base64Test, EncodesTheExamplesOfTheStandard)
     EXPECT_EQ(toBase64("\xff\xfe\xfd"), "//79");
 }
 
-TEST(BookletTextTest, EscapesAllThatHtmlReads)
-{
-    EXPECT_EQ(escapedForHtml("<a href=\"x\">&</a>"), "&lt;a href=&quot;x&quot;&gt;&amp;&lt;/a&gt;");
-}
-
 TEST(BookletTextTest, GroupsDigitsAndFormsPlurals)
 {
     EXPECT_EQ(countOf(1, "part"), "1 part");

@@ -1,0 +1,30 @@
+#include <common/MarkupText.h>
+
+namespace osgLego
+{
+
+std::string escapedForMarkup(std::string_view text)
+{
+    std::string escaped;
+    for (const char letter : text)
+        switch (letter)
+        {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += letter;
+        }
+    return escaped;
+}
+
+} // namespace osgLego
