@@ -238,6 +238,19 @@ TEST(BuildingPlanner, PartsThatMirrorEachOtherAreInTheSameStep)
         }
 }
 
+TEST(BuildingPlanner, AWallIsBuiltFromBothEnds)
+{
+    const auto model = createWall(80, 6);
+    const auto plan = expectGoodPlan(*model);
+    for (const BuildingStep& step : plan->getSteps())
+        for (const std::uint32_t part : step.parts)
+        {
+            glm::ivec3 mirrored = model->getParts()[part].getCell();
+            mirrored.x = 76 - mirrored.x;
+            EXPECT_TRUE(std::count(step.parts.begin(), step.parts.end(), indexOf(*model, mirrored))) << part;
+        }
+}
+
 TEST(BuildingPlanner, LegsAreBuiltOneAfterTheOther)
 {
     std::vector<Part> parts;

@@ -200,6 +200,29 @@ TEST(Parts, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
     }
 }
 
+TEST(Parts, SupportAddsNoColumnWithoutWhichTheModelStands)
+{
+    osg::ref_ptr<osg::Node> car = createRacingCar();
+    const osg::ref_ptr<const BrickModel> bare = legolize(*car, "22,parts=bricks,effort=instant");
+    LegoStatistics statistics;
+    const osg::ref_ptr<const BrickModel> model =
+        legolize(*car, "22,parts=bricks,effort=instant,support=on", &statistics);
+    ASSERT_TRUE(statistics.layout->support->stands);
+    std::set<std::array<std::uint16_t, 2>> columns;
+    const auto isAdded = [&bare](const Part& part) { return !bare->find(part.getCell()); };
+    const auto placeOf = [](const Part& part) { return std::array{part.cell[0], part.cell[1]}; };
+    for (const Part& part : model->getParts())
+        if (isAdded(part)) columns.insert(placeOf(part));
+    ASSERT_EQ(columns.size(), statistics.layout->support->numColumns);
+    ASSERT_GT(columns.size(), 1u);
+    for (const auto& column : columns)
+    {
+        std::vector<Part> rest = model->getParts();
+        std::erase_if(rest, [&](const Part& part) { return isAdded(part) && placeOf(part) == column; });
+        EXPECT_FALSE(computeStability(*BrickModel::createOfParts(model->getGrid(), std::move(rest)))->stands);
+    }
+}
+
 TEST(Parts, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
 {
     osg::ref_ptr<osg::Node> triangle = createTriangle({0, 0, 0}, {3, 0, 0}, {0, 3, 3});
