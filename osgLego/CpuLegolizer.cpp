@@ -1,7 +1,7 @@
 #include <osgLego/CpuLegolizer.h>
 
-#include <osgLego/cpu/CpuBricks.h>
 #include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/model/CpuBricks.h>
 
 #include <atomic>
 #include <string>

@@ -3,10 +3,10 @@
 #include "Spread.h"
 
 #include <osgLego/CpuLegolizer.h>
-#include <osgLego/layout/Layout.h>
 #include <osgLego/layout/LayoutCheck.h>
 #include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/LayoutModel.h>
+#include <osgLego/search/Layout.h>
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <osgLego/building/CellKeys.h>
 #include <osgLego/building/Symmetry.h>
+#include <osgLego/data/CellKeys.h>
 #include <osgLego/data/UnionFind.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <osgLego/building/JointGraph.h>
 #include <osgLego/data/UnionFind.h>
+#include <osgLego/stability/JointGraph.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include <osgLego/building/PlanBuilder.h>
 
-#include <osgLego/building/PartialStability.h>
 #include <osgLego/building/StepBuilder.h>
 #include <osgLego/building/StepViews.h>
+#include <osgLego/stability/PartialStability.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/BuildingPlanner.h>
-#include <osgLego/building/JointGraph.h>
+#include <osgLego/stability/JointGraph.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include <osgLego/building/Symmetry.h>
 
-#include <osgLego/building/CellKeys.h>
+#include <osgLego/data/CellKeys.h>
 
 #include <glm/common.hpp>
 

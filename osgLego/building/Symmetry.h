@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/building/JointGraph.h>
+#include <osgLego/stability/JointGraph.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include <osgLego/producer/CpuProducer.h>
 
-#include <osgLego/cpu/CpuBricks.h>
+#include <osgLego/model/CpuBricks.h>
 #include <osgLego/producer/BackgroundTask.h>
 #include <osgLego/stability/LoadColors.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/building/ModelBuilder.h>
+#include <osgLego/model/ModelBuilder.h>
 #include <osgLego/producer/BrickProducer.h>
 #include <osgLego/store/BrickStore.h>
 

@@ -1,6 +1,6 @@
 #include <osgLego/producer/GpuProducer.h>
 
-#include <osgLego/cpu/CpuBricks.h>
+#include <osgLego/model/CpuBricks.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/LegoStatistics.h>
+#include <osgLego/flattening/LegoSource.h>
+#include <osgLego/model/ModelBuilder.h>
+
+#include <functional>
+#include <string>
+
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The way in which bricks are made on the CPU, and the result apart from the bricks. */
+struct CpuBricksWork
+{
+    std::function<bool()> isCancelled;    //!< called from any thread; may be empty
+    std::function<void(double)> progress; //!< called with the fraction of the layout that is done; may be empty
+    PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
+    LegoStatistics statistics;            //!< of the bricks, without those of parts
+    std::function<LayoutStatistics()> measureLayout; //!< computes the figures of parts; empty without parts
+    std::string error; //!< why there are no bricks, in one sentence; empty if it was cancelled
+};
+
+/** Make the bricks of a source: voxelize it, and do all else that its settings ask for. May be called from any thread;
+ * uses all threads that oneTBB gives the caller.
+ * @return null if it was cancelled, or with `work.error`. @throws std::bad_alloc if there is not enough memory. */
+osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work);
+
+} // namespace osgLego

@@ -1,0 +1,164 @@
+#include <osgLego/model/ModelBuilder.h>
+
+#include <osgLego/layout/CellFill.h>
+#include <osgLego/layout/LayoutFigures.h>
+#include <osgLego/layout/LayoutModel.h>
+#include <osgLego/model/SupportBuilder.h>
+#include <osgLego/palette/Oklab.h>
+#include <osgLego/search/Layout.h>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <osg/Notify>
+#include <osg/Timer>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The time since it was asked last, in milliseconds. */
+class Stopwatch
+{
+public:
+    double lap()
+    {
+        const osg::Timer_t now = osg::Timer::instance()->tick();
+        return osg::Timer::instance()->delta_m(std::exchange(_start, now), now);
+    }
+
+private:
+    osg::Timer_t _start = osg::Timer::instance()->tick();
+};
+
+/** Give the cells the colours of a palette, and measure how far they are from their own. */
+osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLookup& lookup,
+                                       LayoutStatistics& statistics)
+{
+    const std::span<const PaletteColor> colors = lookup.getPalette()->getColors();
+    std::vector<glm::dvec3> places;
+    for (const PaletteColor& color : colors)
+        places.push_back(toOklab(color.color));
+    std::vector<Brick> bricks = cells.getBricks();
+    std::size_t numVisible = 0;
+    double sum = 0.0;
+    for (Brick& brick : bricks)
+    {
+        const std::size_t index = lookup.find(brick.color, brick.cell);
+        if (brick.openSides != 0)
+        {
+            const double distance = glm::distance(places[index], toOklab(brick.color));
+            sum += distance;
+            statistics.maximumColorError = std::max(statistics.maximumColorError, distance);
+            ++numVisible;
+        }
+        brick.color = colors[index].color;
+    }
+    if (numVisible > 0) statistics.meanColorError = sum / static_cast<double>(numVisible);
+    return BrickModel::createComplete(cells.getGrid(), std::move(bricks));
+}
+
+void warnOfLeak(Fill fill)
+{
+    OSG_WARN << "osgLego: the model has no interior, so fill=" << (fill == Fill::SOLID ? "solid" : "shell")
+             << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
+}
+
+/** Parts, and what they cover. */
+struct Layout
+{
+    LayoutProblem problem;
+    LaidParts parts;
+};
+
+/** Make a layout stand. @return false if it was cancelled. */
+bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& statistics)
+{
+    SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
+    if (!SupportBuilder(options).build(supported)) return false;
+    layout.problem = std::move(supported.problem);
+    layout.parts = std::move(supported.parts);
+    statistics.support = {supported.stands, supported.isLaidAgain, supported.numColumns, supported.numColumnParts};
+    return true;
+}
+
+/** Add the figures of a layout to those that are known. */
+LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
+{
+    Stopwatch stopwatch;
+    const LayoutFigures figures = computeLayoutFigures(layout.problem, layout.parts);
+    statistics.numCells = figures.cells;
+    statistics.numParts = figures.parts;
+    statistics.numComponents = figures.components;
+    statistics.numComponentsPossible = figures.componentsPossible;
+    statistics.numArticulationParts = figures.articulationParts;
+    statistics.numFloating = figures.floating;
+    statistics.stackedSeams = figures.getStackedSeams();
+    statistics.stackedLength = figures.stackedLength;
+    statistics.numColors = figures.colors;
+    statistics.numUnavailable = figures.unavailable;
+    statistics.figures = stopwatch.lap();
+    return statistics;
+}
+
+} // namespace
+
+ModelBuilder::ModelBuilder(const LegoSettings& settings, const PaletteLookup& lookup) :
+    _settings(settings), _lookup(lookup)
+{
+}
+
+osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
+{
+    _error.clear();
+    _measureLayout = nullptr;
+    LayoutStatistics statistics;
+    Stopwatch stopwatch;
+    osg::ref_ptr<const BrickModel> colored = &cells;
+    if (_lookup.hasPalette()) colored = recolor(cells, _lookup, statistics);
+    statistics.palette = stopwatch.lap();
+    if (!_settings.needsCpu()) return colored;
+
+    FilledCells filled;
+    if (isCancelled() || !fillCells(*colored, _settings.fill, _settings.shell, filled, _error)) return nullptr;
+    if (_settings.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
+        warnOfLeak(_settings.fill);
+    statistics.fill = stopwatch.lap();
+    if (_settings.parts == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
+    return lay(filled, cells.getGrid(), statistics);
+}
+
+osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const BrickGrid& grid,
+                                                 LayoutStatistics& statistics)
+{
+    Stopwatch stopwatch;
+    std::vector<PaletteColor> colors = collectColors(cells);
+    if (const Palette* palette = _lookup.getPalette())
+        colors.assign(palette->getColors().begin(), palette->getColors().end());
+    const auto layout = std::make_shared<Layout>();
+    layout->problem = createProblem(cells, grid, colors);
+    const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
+    if (isCancelled()) return nullptr;
+    const LayoutOptions options{
+        .effort = _settings.effort, .seed = _settings.seed, .isCancelled = _isCancelled, .progress = _progress};
+    layout->parts = layOut(layout->problem, options, isAlike ? _previous->parts : LaidParts());
+    if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
+    statistics.layout = stopwatch.lap();
+    if (_settings.support)
+    {
+        if (!support(options, *layout, statistics)) return nullptr;
+        statistics.support->milliseconds = stopwatch.lap();
+    }
+    statistics.numInterior = cells.numInterior;
+    osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors);
+    _measureLayout = [layout, statistics] { return measure(*layout, statistics); };
+    if (_previous) *_previous = {_settings, layout->parts, std::move(colors)};
+    return model;
+}
+
+} // namespace osgLego

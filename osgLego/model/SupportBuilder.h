@@ -1,0 +1,37 @@
+#pragma once
+
+#include <osgLego/Stability.h>
+#include <osgLego/model/SupportedLayout.h>
+#include <osgLego/search/LayoutOptions.h>
+
+namespace osgLego
+{
+
+/** Makes a layout stand on a table that would fall, or parts of which float.
+ *
+ * First, parts near those that fall, and near the weakest joint, are laid again with greater costs of stacked seams, so
+ * that bricks cross the weak place. Only if the model still falls are columns added below it (ColumnSearch). A layout
+ * that stands is left unchanged.
+ *
+ * Usage:
+ *
+ *     SupportedLayout layout{problem, layOut(problem, options)};
+ *     if (!SupportBuilder(options).build(layout)) ... // cancelled
+ *
+ * The result is the same for any number of threads. */
+class SupportBuilder
+{
+public:
+    explicit SupportBuilder(const LayoutOptions& options) : _options(options) {}
+
+    /** @return false if it was cancelled. */
+    bool build(SupportedLayout& layout);
+
+private:
+    bool layAgain(SupportedLayout& layout);
+
+    LayoutOptions _options;
+    StabilityReport _report; //!< of the present layout
+};
+
+} // namespace osgLego

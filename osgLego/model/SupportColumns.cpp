@@ -1,0 +1,139 @@
+#include <osgLego/model/SupportColumns.h>
+
+#include <osgLego/data/CellKeys.h>
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int BRICK_PLATES = 3; // the height of a brick in plates
+
+/** Whether all columns of a size were made in a colour; bit 0 is the size 1x1, and bit 6 is 2x2. */
+bool exists(const LayoutColor& color, int width)
+{
+    const unsigned int bit = width == 1 ? 0 : 6;
+    return (color.bricks >> bit & 1u) != 0 && (color.plates >> bit & 1u) != 0;
+}
+
+} // namespace
+
+LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
+{
+    const auto width = static_cast<std::uint8_t>(column.width);
+    const int brickHeight = isOfPlates ? BRICK_PLATES : 1;
+    LaidParts parts;
+    for (int z = 0; z < column.height;)
+    {
+        const int height = column.height - z >= brickHeight ? brickHeight : 1;
+        parts.push_back({{static_cast<std::uint16_t>(column.place.x), static_cast<std::uint16_t>(column.place.y),
+                          static_cast<std::uint16_t>(column.place.z + z)},
+                         {width, width, static_cast<std::uint8_t>(height)},
+                         column.color});
+        z += height;
+    }
+    return parts;
+}
+
+SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& parts) :
+    _problem(problem), _parts(parts), _ground(problem.cells.empty() ? 0 : problem.cells.front().place[2])
+{
+    _covered.reserve(problem.cells.size());
+    for (const LayoutCell& cell : problem.cells)
+        _covered.insert(toCellKey({cell.place[0], cell.place[1], cell.place[2]}));
+}
+
+void SupportColumns::add(const SupportColumn& column)
+{
+    for (int z = 0; z < column.height; ++z)
+        for (int y = 0; y < column.width; ++y)
+            for (int x = 0; x < column.width; ++x)
+                _covered.insert(toCellKey(column.place + glm::ivec3(x, y, z)));
+}
+
+bool SupportColumns::isFree(const glm::ivec3& cell) const
+{
+    return !_covered.contains(toCellKey(cell));
+}
+
+/** The column whose highest cell is `top`. @return one without height if the place isn't free. */
+SupportColumn SupportColumns::makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const
+{
+    const auto isLayerFree = [&](int z)
+    {
+        for (int y = 0; y < width; ++y)
+            for (int x = 0; x < width; ++x)
+                if (!isFree({top.x + x, top.y + y, z})) return false;
+        return true;
+    };
+    const bool isInside =
+        top.x >= 0 && top.y >= 0 && top.x + width <= _problem.size.x && top.y + width <= _problem.size.y;
+    SupportColumn column{{top.x, top.y, top.z + 1}, width, 0, color};
+    while (isInside && column.place.z > _ground && isLayerFree(column.place.z - 1))
+    {
+        --column.place.z;
+        ++column.height;
+    }
+    return column;
+}
+
+/** A column of 2x2 cells that contains a column of one cell, if there is a place for one that is as high. */
+SupportColumn SupportColumns::widen(const SupportColumn& column) const
+{
+    if (!exists(_problem.colors[column.color], 2)) return column;
+    const int top = column.place.z + column.height - 1;
+    for (const glm::ivec2& corner : std::array{glm::ivec2(0, 0), glm::ivec2(-1, 0), glm::ivec2(0, -1), glm::ivec2(-1)})
+    {
+        const SupportColumn wide =
+            makeColumn({column.place.x + corner.x, column.place.y + corner.y, top}, 2, column.color);
+        if (wide.height == column.height) return wide;
+    }
+    return column;
+}
+
+std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>& below) const
+{
+    std::vector<SupportColumn> places;
+    glm::dvec2 middle(0.0);
+    for (const std::uint32_t index : below)
+    {
+        const LaidPart& part = _parts[index];
+        for (int y = 0; y < part.size[1]; ++y)
+            for (int x = 0; x < part.size[0]; ++x)
+            {
+                const SupportColumn column =
+                    makeColumn({part.place[0] + x, part.place[1] + y, part.place[2] - 1}, 1, part.color);
+                if (column.height == 0) continue;
+                places.push_back(column);
+                middle += glm::dvec2(column.place.x, column.place.y);
+            }
+    }
+    if (places.empty()) return {};
+    middle /= static_cast<double>(places.size());
+    const auto offsetOf = [&middle](const SupportColumn& column)
+    { return glm::dvec2(column.place.x, column.place.y) - middle; };
+    std::vector<SupportColumn> chosen;
+    const auto choose = [&](const auto& isBefore)
+    {
+        const SupportColumn column = widen(*std::min_element(places.begin(), places.end(), isBefore));
+        const bool isKnown = std::any_of(chosen.begin(), chosen.end(),
+                                         [&column](const SupportColumn& other)
+                                         { return other.place == column.place && other.width == column.width; });
+        if (!isKnown) chosen.push_back(column);
+    };
+    choose([&](const SupportColumn& column, const SupportColumn& other)
+           { return glm::length(offsetOf(column)) < glm::length(offsetOf(other)); });
+    for (const glm::dvec2& direction : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1),
+                                        glm::dvec2(1, 1), glm::dvec2(-1, 1), glm::dvec2(1, -1), glm::dvec2(-1, -1)})
+        choose([&](const SupportColumn& column, const SupportColumn& other)
+               { return glm::dot(offsetOf(column), direction) > glm::dot(offsetOf(other), direction); });
+    return chosen;
+}
+
+} // namespace osgLego

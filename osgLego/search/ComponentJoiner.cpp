@@ -1,0 +1,100 @@
+#include <osgLego/search/ComponentJoiner.h>
+
+#include <osgLego/search/LayoutCosts.h>
+
+#include <array>
+
+namespace osgLego
+{
+
+ComponentJoiner::ComponentJoiner(PartMap& map, const PartSizes& sizes) : _map(map), _window(map, sizes) {}
+
+void ComponentJoiner::findComponents()
+{
+    const CellLattice& lattice = _map.getLattice();
+    _components.reset(static_cast<std::size_t>(lattice.getNumCells()));
+    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        _components.join(cell, _map.getAnchor(cell));
+        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
+        if (above != CellLattice::NONE) _components.join(cell, above);
+    }
+}
+
+/** The neighbouring cells that are in different components and may be in one part. */
+ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isActive)
+{
+    const CellLattice& lattice = _map.getLattice();
+    Pairs pairs;
+    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        if (!isActive.empty() && !isActive[static_cast<std::size_t>(cell)]) continue;
+        for (const auto side : {CellLattice::EAST, CellLattice::NORTH})
+        {
+            const Index other = lattice.getNeighbor(cell, side);
+            if (other == CellLattice::NONE || _components.find(cell) == _components.find(other)) continue;
+            if (PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) pairs.emplace_back(cell, other);
+        }
+    }
+    return pairs;
+}
+
+/** Whether nothing is above or below a part. */
+bool ComponentJoiner::isAlone(Index anchor) const
+{
+    const CellLattice& lattice = _map.getLattice();
+    bool isAlone = true;
+    _map.visitPart(anchor,
+                   [&](Index cell)
+                   {
+                       for (const auto side : {CellLattice::ABOVE, CellLattice::BELOW})
+                       {
+                           const Index other = lattice.getNeighbor(cell, side);
+                           isAlone &= other == CellLattice::NONE || _map.getAnchor(other) == anchor;
+                       }
+                   });
+    return isAlone;
+}
+
+bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, LayoutRandom& random)
+{
+    constexpr int FEWEST_PARTS = 2;
+    constexpr int MOST_PARTS = 12;
+    const CellLattice& lattice = _map.getLattice();
+    const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
+    for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt)
+    {
+        ++_numAttempts;
+        const int numParts = FEWEST_PARTS + static_cast<int>(random.below(MOST_PARTS - FEWEST_PARTS + 1));
+        if (_window.join(cell, other, numParts, everything, LayoutCosts::COMPONENT, random)) return true;
+    }
+    return false;
+}
+
+bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
+                              const std::function<bool()>& isCancelled)
+{
+    _numAttempts = 0;
+    for (int numAttempts = -1; numAttempts < _numAttempts;)
+    {
+        numAttempts = _numAttempts;
+        findComponents();
+        Pairs pairs = findPairs(isActive);
+        for (std::size_t i = pairs.size(); i > 1; --i)
+            std::swap(pairs[i - 1], pairs[random.below(i)]);
+        for (const auto& [cell, other] : pairs)
+        {
+            if (isCancelled && isCancelled()) return false;
+            // Parts that joined others since may have joined these too.
+            if (_components.find(cell) == _components.find(other)) continue;
+            const Index anchor = _map.getAnchor(cell);
+            const Index otherAnchor = _map.getAnchor(other);
+            // The cost of windows already unites parts that can't be connected to anything else.
+            if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
+            if (join(cell, other, limits, random)) _components.join(cell, other);
+        }
+    }
+    return true;
+}
+
+} // namespace osgLego

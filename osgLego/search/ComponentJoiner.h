@@ -1,0 +1,52 @@
+#pragma once
+
+#include <osgLego/data/UnionFind.h>
+#include <osgLego/layout/PartMap.h>
+#include <osgLego/search/LayoutRandom.h>
+#include <osgLego/search/LayoutWindow.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Joins components of a layout by parts that cover cells of both.
+ *
+ * One thread at a time. */
+class ComponentJoiner
+{
+public:
+    using Index = CellLattice::Index;
+
+    ComponentJoiner(PartMap& map, const PartSizes& sizes);
+
+    /** The most attempts. */
+    struct Limits
+    {
+        int perPair = 0; //!< of neighbouring cells
+        int total = 0;
+    };
+
+    /** Join as many components as possible.
+     * @param isActive whether a cell may be one of a pair; empty: all cells.
+     * @return false if it was cancelled. */
+    bool joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
+                 const std::function<bool()>& isCancelled);
+
+private:
+    using Pairs = std::vector<std::pair<Index, Index>>;
+
+    void findComponents();
+    Pairs findPairs(const std::vector<bool>& isActive);
+    bool isAlone(Index anchor) const;
+    bool join(Index cell, Index other, const Limits& limits, LayoutRandom& random);
+
+    PartMap& _map;
+    LayoutWindow _window;
+    UnionFind _components; //!< of cells
+    int _numAttempts = 0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,146 @@
+#include <osgLego/search/ExactCover.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr std::size_t NUM_KNOWN = 4096; // a power of two
+
+} // namespace
+
+/** Raise the price of each cell as far as the parts that contain it allow, cells with the fewest such parts first.
+ * @return the sum of the prices. */
+int ExactCover::computePrices()
+{
+    const std::vector<WindowPart>& parts = _window->parts;
+    const auto numCells = static_cast<std::size_t>(_window->getNumCells());
+    _userStarts.assign(numCells + 1, 0);
+    _reducedCosts.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+        _reducedCosts[i] = parts[i].cost;
+        parts[i].cells.visit([&](int cell) { ++_userStarts[static_cast<std::size_t>(cell)]; });
+    }
+    _cells.resize(numCells);
+    for (std::size_t cell = 0; cell < numCells; ++cell)
+        _cells[cell] = static_cast<int>(cell);
+    std::sort(_cells.begin(), _cells.end(),
+              [&](int a, int b)
+              {
+                  const int usersOfA = _userStarts[static_cast<std::size_t>(a)];
+                  const int usersOfB = _userStarts[static_cast<std::size_t>(b)];
+                  return usersOfA != usersOfB ? usersOfA < usersOfB : a < b;
+              });
+    for (std::size_t cell = 0; cell < numCells; ++cell)
+        _userStarts[cell + 1] += _userStarts[cell];
+    _users.resize(static_cast<std::size_t>(_userStarts[numCells]));
+    for (std::size_t i = parts.size(); i-- > 0;)
+        parts[i].cells.visit(
+            [&](int cell)
+            { _users[static_cast<std::size_t>(--_userStarts[static_cast<std::size_t>(cell)])] = static_cast<int>(i); });
+
+    int sum = 0;
+    for (const int cell : _cells)
+    {
+        const auto begin = _users.begin() + _userStarts[static_cast<std::size_t>(cell)];
+        const auto end = _users.begin() + _userStarts[static_cast<std::size_t>(cell) + 1];
+        if (begin == end) return std::numeric_limits<int>::max(); // there is no cover
+        int price = std::numeric_limits<int>::max();
+        for (auto user = begin; user != end; ++user)
+            price = std::min(price, _reducedCosts[static_cast<std::size_t>(*user)]);
+        for (auto user = begin; user != end && price > 0; ++user)
+            _reducedCosts[static_cast<std::size_t>(*user)] -= price;
+        sum += price;
+    }
+    return sum;
+}
+
+void ExactCover::sortParts()
+{
+    _order.resize(_window->parts.size());
+    for (std::size_t i = 0; i < _order.size(); ++i)
+        _order[i] = static_cast<int>(i);
+    for (std::size_t cell = 0; cell + 1 < _window->starts.size(); ++cell)
+        std::sort(_order.begin() + _window->starts[cell], _order.begin() + _window->starts[cell + 1],
+                  [&](int a, int b)
+                  {
+                      const int costOfA = _reducedCosts[static_cast<std::size_t>(a)];
+                      const int costOfB = _reducedCosts[static_cast<std::size_t>(b)];
+                      return costOfA != costOfB ? costOfA < costOfB : a > b;
+                  });
+}
+
+/** Whether these cells were left uncovered at this cost or less before; if not, remember them. */
+bool ExactCover::isKnown(const WindowCells& uncovered, int cost)
+{
+    constexpr std::size_t PROBES = 4;
+    const std::size_t hash = uncovered.getHash();
+    for (std::size_t probe = 0; probe < PROBES; ++probe)
+    {
+        Known& known = _known[(hash + probe) % NUM_KNOWN];
+        if (known.search == _numSearches && known.uncovered == uncovered)
+        {
+            if (known.cost <= cost) return true;
+            known.cost = cost;
+            return false;
+        }
+        if (known.search != _numSearches)
+        {
+            known = {uncovered, cost, _numSearches};
+            return false;
+        }
+    }
+    return false;
+}
+
+void ExactCover::search(const WindowCells& uncovered, int cost)
+{
+    if (uncovered.isEmpty())
+    {
+        _limit = cost;
+        _best = _path;
+        return;
+    }
+    if (++_numNodes > _maximumNodes || isKnown(uncovered, cost)) return;
+    const auto first = static_cast<std::size_t>(uncovered.getFirst());
+    for (int i = _window->starts[first]; i < _window->starts[first + 1]; ++i)
+    {
+        const int part = _order[static_cast<std::size_t>(i)];
+        const int sum = cost + _reducedCosts[static_cast<std::size_t>(part)];
+        if (sum >= _limit || _numNodes > _maximumNodes) return;
+        const WindowCells& cells = _window->parts[static_cast<std::size_t>(part)].cells;
+        if (!uncovered.includes(cells)) continue;
+        _path.push_back(part);
+        search(uncovered.without(cells), sum);
+        _path.pop_back();
+    }
+}
+
+bool ExactCover::findCheaper(const WindowParts& window, int limit, int maximumNodes, std::vector<int>& chosen)
+{
+    _window = &window;
+    _numNodes = 0;
+    const int prices = computePrices();
+    if (prices >= limit) return false;
+    _limit = limit - prices;
+    sortParts();
+    if (_known.empty()) _known.resize(NUM_KNOWN);
+    ++_numSearches;
+    _maximumNodes = maximumNodes;
+    _best.clear();
+    WindowCells all;
+    for (int cell = 0; cell < window.getNumCells(); ++cell)
+        all.add(cell);
+    search(all, 0);
+    if (_best.empty()) return false;
+    chosen = _best;
+    return true;
+}
+
+} // namespace osgLego

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <osgLego/search/WindowParts.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Finds the cheapest cover of a window: a set of parts that contains each cell once.
+ *
+ * Depth-first branch and bound: the first uncovered cell is covered by each part that begins there. A feasible solution
+ * of the dual of the linear program, prices of cells whose sum over a part is at most the part's cost, gives both a
+ * bound and an order: a cover costs the sum of all prices plus the reduced costs of its parts, which are not negative.
+ * A table of sets of uncovered cells prunes those that were reached at a lower cost before.
+ *
+ * Keeps its memory from one call to the next. One thread at a time. */
+class ExactCover
+{
+public:
+    /** Find the cheapest cover that costs less than `limit`, and give up after `maximumNodes` steps.
+     * @param chosen the indices of its parts; unchanged if the function returns false. */
+    bool findCheaper(const WindowParts& window, int limit, int maximumNodes, std::vector<int>& chosen);
+
+    /** The steps of the last search. */
+    int getNumNodes() const { return _numNodes; }
+
+private:
+    struct Known
+    {
+        WindowCells uncovered;
+        int cost = 0;
+        std::uint32_t search = 0;
+    };
+
+    int computePrices();
+    void sortParts();
+    bool isKnown(const WindowCells& uncovered, int cost);
+    void search(const WindowCells& uncovered, int cost);
+
+    const WindowParts* _window = nullptr;
+    std::vector<int> _reducedCosts;
+    std::vector<int> _order; //!< indices of parts, sorted by reduced cost for each first cell
+    std::vector<int> _users; //!< the parts that contain a cell, cell by cell
+    std::vector<int> _userStarts;
+    std::vector<int> _cells; //!< in the order of pricing
+    std::vector<Known> _known;
+    std::uint32_t _numSearches = 0;
+    std::vector<int> _path;
+    std::vector<int> _best;
+    int _limit = 0; //!< of the sum of reduced costs
+    int _numNodes = 0;
+    int _maximumNodes = 0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,145 @@
+#include <osgLego/search/Layout.h>
+
+#include <osgLego/layout/GreedyLayout.h>
+#include <osgLego/layout/KeptParts.h>
+#include <osgLego/layout/LayoutFigures.h>
+#include <osgLego/layout/PartColors.h>
+#include <osgLego/search/ComponentJoiner.h>
+#include <osgLego/search/LayoutCosts.h>
+#include <osgLego/search/WindowSearch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The work for an effort. Only counts bound it, not time, so that the same parts are laid on any machine. */
+struct Work
+{
+    int numWindows = 0; //!< altogether, for models of which each part gets between the fewest and the most
+    int fewest = 0;
+    int most = 0;
+    WindowSearch::Limits windows;
+    ComponentJoiner::Limits joins;
+};
+
+constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
+                                    {100000, 2, 40, {1, 300}, {4, 1000}},
+                                    {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
+constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
+constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
+constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
+
+LaidParts getParts(const PartMap& map, const PartSizes& sizes)
+{
+    const CellLattice& lattice = map.getLattice();
+    const std::vector<std::uint16_t> colors = choosePartColors(map, sizes);
+    LaidParts parts;
+    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        if (!map.isAnchor(cell)) continue;
+        const auto index = static_cast<std::size_t>(cell);
+        const PartShape& shape = map.getShape(cell);
+        parts.push_back(
+            {lattice.getProblem().cells[index].place, {shape.width, shape.depth, shape.height}, colors[index]});
+    }
+    return parts;
+}
+
+int getSeamCost(const LayoutProblem& problem)
+{
+    constexpr std::size_t SMALL = 1000;
+    const bool isSolid = problem.countInterior() > problem.cells.size() / 5;
+    return isSolid && problem.cells.size() < SMALL ? LayoutCosts::HALF_SEAM_OF_SMALL_SOLID : LayoutCosts::HALF_SEAM;
+}
+
+/** The best of several layouts of the same cells. */
+class BestLayout
+{
+public:
+    BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
+
+    /** Keep a copy of a layout if it is the best so far. */
+    void add(const PartMap& map)
+    {
+        const std::int64_t cost = costOf(map);
+        if (_map && cost >= _cost) return;
+        _map.emplace(map);
+        _cost = cost;
+    }
+
+    /** Exchange a layout for the best one, if that is better. */
+    void restore(PartMap& map)
+    {
+        if (_map && _cost < costOf(map)) map.swap(*_map);
+    }
+
+private:
+    std::int64_t costOf(const PartMap& map) const
+    {
+        const LayoutFigures figures = computeLayoutFigures(map.getLattice().getProblem(), getParts(map, _sizes));
+        const auto times = [](std::size_t count, std::int64_t cost) { return static_cast<std::int64_t>(count) * cost; };
+        return times(figures.parts, LayoutCosts::PART) + times(figures.stackedLength, 2 * _seamCost) +
+               times(figures.components, LayoutCosts::COMPONENT) + times(figures.unavailable, LayoutCosts::UNMADE);
+    }
+
+    const PartSizes& _sizes;
+    int _seamCost;
+    std::optional<PartMap> _map;
+    std::int64_t _cost = 0;
+};
+
+/** Improve a layout of all cells.
+ * @return false if it was cancelled. */
+bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+{
+    const Work& work = WORK[static_cast<std::size_t>(options.effort)];
+    LayoutRandom random(options.seed);
+    ComponentJoiner joiner(map, sizes);
+    const auto join = [&] { return joiner.joinAll(work.joins, isActive, random, options.isCancelled); };
+    if (!join()) return false;
+    WindowSearch search(map, sizes, options, isActive);
+    const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
+    const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
+    const int seamCost = options.bond * getSeamCost(map.getLattice().getProblem());
+    BestLayout best(sizes, seamCost);
+    for (int round = 0; round < numRounds; ++round)
+    {
+        // Rounds that ignore seams, between others, lead out of layouts that single windows can't improve.
+        const int roundsLeft = numRounds - 1 - round;
+        const bool hasSeams = roundsLeft / phase % 2 == 0;
+        if (!search.runRound(hasSeams ? seamCost : 0, work.windows)) return false;
+        if (hasSeams && roundsLeft > 0 && roundsLeft % phase == 0) best.add(map);
+        if (options.progress) options.progress(static_cast<double>(round + 1) / (numRounds + 1));
+    }
+    if (!join()) return false;
+    best.restore(map);
+    return true;
+}
+
+} // namespace
+
+LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts& previous)
+{
+    const auto isCancelled = [&] { return options.isCancelled && options.isCancelled(); };
+    if (isCancelled()) return {};
+    const CellLattice lattice(problem);
+    const PartSizes sizes(problem);
+    PartMap map(lattice);
+    keepParts(map, sizes, previous);
+    std::vector<bool> isActive;
+    if (!previous.empty()) isActive = findChangedCells(map, NEIGHBORHOOD);
+    layGreedily(map, sizes);
+    if (!improve(map, sizes, options, isActive) || isCancelled()) return {};
+    if (options.progress) options.progress(1.0);
+    return getParts(map, sizes);
+}
+
+} // namespace osgLego

@@ -1,0 +1,139 @@
+#include <osgLego/search/WindowSearch.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int SMALLEST_WINDOW = 4;
+constexpr int LARGEST_WINDOW = 14;
+/** Rows of a region in a large layer: more than parts near a window reach, so that rows between regions separate them.
+ */
+constexpr int NUM_ROWS = 48;
+constexpr std::size_t WINDOWS_PER_CHECK = 16;
+constexpr int LARGE_LAYER = 2500; // cells
+
+} // namespace
+
+WindowSearch::WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
+                           const std::vector<bool>& isActive) :
+    _map(map),
+    _options(options), _thickness(sizes.getHeights().size() > 1 ? 6 : 4), _isActive(isActive),
+    _windows([&map, &sizes] { return LayoutWindow(map, sizes); })
+{
+}
+
+std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase) const
+{
+    const CellLattice& lattice = _map.getLattice();
+    const int numLayers = lattice.getNumLayers();
+    const int numRows = lattice.getProblem().size.y;
+    std::vector<LayoutRegion> regions;
+    const auto offset = static_cast<int>(_round * 5 % static_cast<std::uint32_t>(2 * _thickness));
+    for (int z = layerPhase * _thickness - offset; z < numLayers; z += 2 * _thickness)
+    {
+        LayoutRegion region{std::max(z, 0),   std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS,
+                            &_fixedComponents};
+        if (region.zEnd <= region.zBegin) continue;
+        const Index numCells = lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin);
+        if (numCells == 0) continue;
+        if (numCells < LARGE_LAYER * _thickness)
+        {
+            if (rowPhase == 0) regions.push_back(region);
+            continue;
+        }
+        const auto rowOffset = static_cast<int>(_round * 37 % (2 * NUM_ROWS));
+        for (int y = rowPhase * NUM_ROWS - rowOffset; y < numRows; y += 2 * NUM_ROWS)
+        {
+            region.yBegin = std::max(y, 0);
+            region.yEnd = std::min(y + NUM_ROWS, numRows);
+            if (region.yEnd > region.yBegin) regions.push_back(region);
+        }
+    }
+    return regions;
+}
+
+/** Find the components of the parts that no region contains. */
+void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
+{
+    const CellLattice& lattice = _map.getLattice();
+    const Index numCells = lattice.getNumCells();
+    _fixedComponents.resize(static_cast<std::size_t>(numCells));
+    for (Index cell = 0; cell < numCells; ++cell)
+        _fixedComponents[static_cast<std::size_t>(cell)] = _map.isAnchor(cell) ? cell : CellLattice::NONE;
+    for (const LayoutRegion& region : regions)
+        for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
+            if (_map.isAnchor(cell) && region.contains(_map, cell))
+                _fixedComponents[static_cast<std::size_t>(cell)] = CellLattice::NONE;
+    const auto isFixed = [&](Index anchor)
+    { return _fixedComponents[static_cast<std::size_t>(anchor)] != CellLattice::NONE; };
+    _components.reset(static_cast<std::size_t>(numCells));
+    for (Index cell = 0; cell < numCells; ++cell)
+    {
+        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
+        if (above == CellLattice::NONE) continue;
+        if (isFixed(_map.getAnchor(cell)) && isFixed(_map.getAnchor(above)))
+            _components.join(_map.getAnchor(cell), _map.getAnchor(above));
+    }
+    for (Index cell = 0; cell < numCells; ++cell)
+        if (isFixed(cell)) _fixedComponents[static_cast<std::size_t>(cell)] = _components.find(cell);
+}
+
+bool WindowSearch::runRound(int seamCost, const Limits& limits)
+{
+    for (int phase = 0; phase < 4; ++phase)
+    {
+        const std::vector<LayoutRegion> regions = makeRegions(phase % 2, phase / 2);
+        if (regions.empty()) continue;
+        findFixedComponents(regions);
+        std::atomic<bool> isStopped = false;
+        oneapi::tbb::parallel_for(std::size_t(0), regions.size(),
+                                  [&](std::size_t i)
+                                  {
+                                      if (isStopped || isCancelled())
+                                      {
+                                          isStopped = true;
+                                          return;
+                                      }
+                                      const std::uint64_t position =
+                                          static_cast<std::uint64_t>(regions[i].zBegin) << 32 |
+                                          static_cast<std::uint64_t>(regions[i].yBegin) << 16;
+                                      LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
+                                      LayoutRandom random(seeds.next() ^ _options.seed);
+                                      improve(regions[i], seamCost, limits, random);
+                                  });
+        if (isStopped) return false;
+    }
+    ++_round;
+    return true;
+}
+
+void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random)
+{
+    const CellLattice& lattice = _map.getLattice();
+    std::vector<Index> seeds;
+    for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
+        if (_map.isAnchor(cell) && (_isActive.empty() || _isActive[static_cast<std::size_t>(cell)]) &&
+            region.contains(_map, cell))
+            seeds.push_back(cell);
+    LayoutWindow& window = _windows.local();
+    for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
+    {
+        if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
+        // The part that began here may have changed since.
+        const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
+        const int numParts =
+            SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));
+        if (region.contains(_map, anchor))
+            window.improve(anchor, numParts, seamCost, region, limits.maximumNodes, random);
+    }
+}
+
+} // namespace osgLego

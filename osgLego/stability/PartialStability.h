@@ -1,0 +1,70 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/stability/SpringBalance.h>
+#include <osgLego/stability/WeightFlow.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace osgLego
+{
+
+class StabilityAnalysis;
+
+/** Finds the parts that fall if only some of the parts of a model or submodel are in place.
+ *
+ * Most partial models are found to stand by simpler means than the linear program, which is solved for the others only:
+ * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. Since forces
+ * in equilibrium can be added, this also works on top of the solution of a linear program, of which only the margin is
+ * known.
+ *
+ * One thread. */
+class PartialStability
+{
+public:
+    /** The most parts, over all linear programs, which bounds the time. */
+    static constexpr std::size_t MOST_SOLVED = 15'000;
+
+    /** How the parts are built. */
+    struct Setting
+    {
+        bool isUpsideDown = false;
+        BuildingBase base = BuildingBase::TABLE;
+        std::function<bool()> isCancelled;
+        std::size_t mostSolved = MOST_SOLVED;
+    };
+
+    /** @param model and graph must outlive this object.
+     * @param parts those of the graph, in its order, as indices into BrickModel::getParts(). */
+    PartialStability(const BrickModel& model, const std::vector<std::uint32_t>& parts, const JointGraph& graph,
+                     Setting setting);
+    ~PartialStability();
+
+    /** @param isPlaced for each part of the graph.
+     * @return the parts that fall, as indices into the graph; nothing if that is not known: simpler means do not show
+     * that the parts stand, and linear programs have had `mostSolved` parts or more, or it was cancelled. */
+    std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
+
+private:
+    bool isBalanced(const std::vector<bool>& isPlaced);
+    BearingForces createNoForces() const;
+    void createAnalysis();
+
+    const BrickModel& _model;
+    std::vector<std::uint32_t> _parts;
+    Setting _setting;
+    std::size_t _numSolved = 0; // parts, over all linear programs
+    BearingJoints _joints;
+    WeightFlow _flow;
+    SpringBalance _springs;
+    BearingForces _forces;                        // those that were found last
+    BearingForces _proven;                        // bounds of those that the linear program found last
+    std::unique_ptr<StabilityAnalysis> _analysis; // null until it is needed
+    std::vector<std::uint32_t> _toAnalysis;       // from indices into the graph to those of the analysis
+    std::vector<std::uint32_t> _fromAnalysis;
+};
+
+} // namespace osgLego

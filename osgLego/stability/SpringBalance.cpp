@@ -1,0 +1,144 @@
+#include <osgLego/stability/SpringBalance.h>
+
+#include <algorithm>
+
+#include <Eigen/SparseCholesky>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double TOLERANCE = 1e-9; // newtons
+
+} // namespace
+
+std::optional<BearingForces> SpringBalance::add(const BearingForces& start, const std::vector<bool>& isPlaced)
+{
+    constexpr int MOST_ROUNDS = 20;
+    _isPlaced = isPlaced;
+    findFloorPoints();
+    for (int round = 0; round < MOST_ROUNDS; ++round)
+    {
+        if (!solveSprings(start.isPlaced)) return std::nullopt;
+        if (_joints.getBase() == BuildingBase::PLATE || !releaseFloor()) return createForces(start);
+    }
+    return std::nullopt;
+}
+
+void SpringBalance::findFloorPoints()
+{
+    _floor.clear();
+    for (std::uint32_t part = 0; part < _isPlaced.size(); ++part)
+        if (_isPlaced[part] && _joints.getGraph().isOnBase(part))
+            for (const Eigen::Vector2d& place : _joints.findFloorPoints(part))
+                _floor.push_back({part, place});
+}
+
+/** The factors of a part's unknowns, its depth at the centre and its slopes, in its depth at a place. */
+Eigen::Vector3d SpringBalance::toRow(std::uint32_t part, const Eigen::Vector2d& place) const
+{
+    const Eigen::Vector2d way = place - _joints.getCenter(part);
+    return {1.0, way.x(), way.y()};
+}
+
+double SpringBalance::getDepth(std::uint32_t part, const Eigen::Vector2d& place) const
+{
+    return _depths.segment<3>(_rows[part]).dot(toRow(part, place));
+}
+
+/** Find the depths at which the springs bear the weights of parts that are not known. @return false if parts are
+ * loose. */
+bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
+{
+    _rows.assign(_isPlaced.size(), -1);
+    Eigen::Index numRows = 0;
+    for (std::size_t part = 0; part < _isPlaced.size(); ++part)
+        if (_isPlaced[part]) _rows[part] = 3 * numRows++;
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](std::uint32_t part, std::uint32_t other, const Eigen::Matrix3d& block)
+    {
+        if (_rows[part] < _rows[other]) return; // only the lower triangle is used
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column)
+                entries.emplace_back(_rows[part] + row, _rows[other] + column, block(row, column));
+    };
+    for (const BearingJoints::Joint& joint : _joints.getJoints())
+    {
+        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        Eigen::Matrix3d lower = Eigen::Matrix3d::Zero();
+        Eigen::Matrix3d upper = Eigen::Matrix3d::Zero();
+        Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero(); // rows of the upper part
+        for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
+        {
+            const Eigen::Vector3d lowerRow = toRow(joint.lower, _joints.getPoints()[point]);
+            const Eigen::Vector3d upperRow = toRow(joint.upper, _joints.getPoints()[point]);
+            lower += lowerRow * lowerRow.transpose();
+            upper += upperRow * upperRow.transpose();
+            mixed -= upperRow * lowerRow.transpose();
+        }
+        add(joint.lower, joint.lower, lower);
+        add(joint.upper, joint.upper, upper);
+        add(joint.upper, joint.lower, mixed);
+        add(joint.lower, joint.upper, mixed.transpose());
+    }
+    for (const FloorPoint& point : _floor)
+        if (!point.isReleased)
+            add(point.part, point.part, toRow(point.part, point.place) * toRow(point.part, point.place).transpose());
+    _weights.setZero(3 * numRows);
+    for (std::uint32_t part = 0; part < _isPlaced.size(); ++part)
+        if (_isPlaced[part] && !isKnown[part]) _weights[_rows[part]] = _joints.getWeight(part)[0];
+    _stiffness.resize(3 * numRows, 3 * numRows);
+    _stiffness.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(_stiffness);
+    if (factors.info() != Eigen::Success) return false;
+    _depths = factors.solve(_weights);
+    return isBalanced();
+}
+
+/** Whether the springs bear the weights; they do not if some part is loose. */
+bool SpringBalance::isBalanced() const
+{
+    const Eigen::VectorXd rest = _stiffness.selfadjointView<Eigen::Lower>() * _depths - _weights;
+    return _depths.allFinite() && rest.cwiseAbs().maxCoeff() <= TOLERANCE;
+}
+
+/** Release points that pull at the table. @return whether there were any. */
+bool SpringBalance::releaseFloor()
+{
+    bool hasChanged = false;
+    for (FloorPoint& point : _floor)
+    {
+        if (point.isReleased || getDepth(point.part, point.place) >= -TOLERANCE) continue;
+        point.isReleased = true;
+        hasChanged = true;
+    }
+    return hasChanged;
+}
+
+std::optional<BearingForces> SpringBalance::createForces(const BearingForces& start) const
+{
+    BearingForces forces = start;
+    forces.isPlaced = _isPlaced;
+    for (const BearingJoints::Joint& joint : _joints.getJoints())
+    {
+        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
+        {
+            const Eigen::Vector2d& place = _joints.getPoints()[point];
+            forces.pressures[point] += getDepth(joint.upper, place) - getDepth(joint.lower, place);
+            if (forces.pressures[point] < -BearingForces::CAPACITY) return std::nullopt;
+        }
+    }
+    for (const FloorPoint& point : _floor)
+    {
+        if (point.isReleased) continue;
+        const double force = getDepth(point.part, point.place);
+        if (force - start.floorPull < -BearingForces::CAPACITY) return std::nullopt;
+        forces.floorLoads[point.part] += force * VerticalLoad(1.0, point.place.x(), point.place.y());
+    }
+    return forces;
+}
+
+} // namespace osgLego

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <osgLego/stability/BearingJoints.h>
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+namespace osgLego
+{
+
+/** Finds forces between parts as if all contact points were equal springs, which spreads loads evenly.
+ *
+ * If the forces are within the capacity of the joints, the parts stand, as with WeightFlow. Corners of parts that would
+ * pull at a table are released, one group after the other.
+ *
+ * One thread. */
+class SpringBalance
+{
+public:
+    /** @param joints must outlive this object. */
+    explicit SpringBalance(const BearingJoints& joints) : _joints(joints) {}
+
+    /** Add parts to those that are in place.
+     * @param start forces that are kept, to which those due to the new parts are added.
+     * @param isPlaced those that are to be in place, which include all that are.
+     * @return nothing if no forces within the capacity were found. */
+    std::optional<BearingForces> add(const BearingForces& start, const std::vector<bool>& isPlaced);
+
+private:
+    /** A point at which the base bears a part. */
+    struct FloorPoint
+    {
+        std::uint32_t part = 0;
+        Eigen::Vector2d place;
+        bool isReleased = false;
+    };
+
+    void findFloorPoints();
+    bool solveSprings(const std::vector<bool>& isKnown);
+    Eigen::Vector3d toRow(std::uint32_t part, const Eigen::Vector2d& place) const;
+    double getDepth(std::uint32_t part, const Eigen::Vector2d& place) const;
+    bool releaseFloor();
+    bool isBalanced() const;
+    std::optional<BearingForces> createForces(const BearingForces& start) const;
+
+    const BearingJoints& _joints;
+    std::vector<bool> _isPlaced;
+    std::vector<Eigen::Index> _rows; // for each part, the first of its rows
+    std::vector<FloorPoint> _floor;
+    Eigen::SparseMatrix<double> _stiffness;
+    Eigen::VectorXd _weights;
+    Eigen::VectorXd _depths; // how far parts sink, and how they incline
+};
+
+} // namespace osgLego

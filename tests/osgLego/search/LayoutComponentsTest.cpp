@@ -1,0 +1,95 @@
+#include "../layout/LaidModel.h"
+
+#include <osgLego/PartType.h>
+#include <osgLego/search/Layout.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Lists all layouts of a few cells, and finds the least number of components. */
+class AllLayouts
+{
+public:
+    explicit AllLayouts(const LayoutProblem& problem) : _problem(problem), _isCovered(problem.cells.size()) {}
+
+    int findFewestComponents()
+    {
+        search(0);
+        return _fewest;
+    }
+
+private:
+    void search(std::size_t first)
+    {
+        while (first < _isCovered.size() && _isCovered[first])
+            ++first;
+        if (first == _isCovered.size())
+        {
+            _fewest = std::min(_fewest, LaidModel(_problem, _parts).countComponents());
+            return;
+        }
+        for (const auto& [shorter, longer] : PART_SIZES)
+        {
+            lay(first, shorter, longer);
+            if (shorter != longer) lay(first, longer, shorter);
+        }
+    }
+
+    void lay(std::size_t first, int width, int depth)
+    {
+        const LayoutCell& corner = _problem.cells[first];
+        std::vector<std::size_t> covered;
+        for (std::size_t i = first; i < _problem.cells.size(); ++i)
+        {
+            const LayoutCell& cell = _problem.cells[i];
+            const bool isInside = cell.place[2] == corner.place[2] && cell.place[0] >= corner.place[0] &&
+                                  cell.place[0] < corner.place[0] + width && cell.place[1] >= corner.place[1] &&
+                                  cell.place[1] < corner.place[1] + depth;
+            if (isInside && !_isCovered[i] && cell.color == corner.color) covered.push_back(i);
+        }
+        if (covered.size() != static_cast<std::size_t>(width * depth)) return;
+        for (const std::size_t cell : covered)
+            _isCovered[cell] = true;
+        _parts.push_back(
+            {corner.place, {static_cast<std::uint8_t>(width), static_cast<std::uint8_t>(depth), 1}, corner.color});
+        search(first + 1);
+        _parts.pop_back();
+        for (const std::size_t cell : covered)
+            _isCovered[cell] = false;
+    }
+
+    const LayoutProblem& _problem;
+    std::vector<bool> _isCovered;
+    LaidParts _parts;
+    int _fewest = 1000000;
+};
+
+} // namespace
+
+TEST(LayoutComponents, AreAsFewAsInTheBestOfAllLayouts)
+{
+    std::mt19937 random(1);
+    for (int i = 0; i < 60; ++i)
+    {
+        const int numColors = 1 + i % 3;
+        const LayoutProblem problem = makeCells(
+            {3, 2, 2},
+            [&](int, int, int)
+            { return random() % 5 == 0 ? -1 : static_cast<int>(random() % static_cast<unsigned int>(numColors)); },
+            std::vector<LayoutColor>(3));
+        const int fewest = AllLayouts(problem).findFewestComponents();
+        EXPECT_EQ(LaidModel(problem, layOut(problem, {})).countComponents(), fewest) << "model " << i;
+    }
+}
+
+} // namespace osgLego

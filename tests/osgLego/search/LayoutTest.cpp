@@ -1,0 +1,329 @@
+#include "../layout/LaidModel.h"
+
+#include <osgLego/layout/PossibleComponents.h>
+#include <osgLego/search/Layout.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <iterator>
+#include <random>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int NO_CELL = -1;
+
+LayoutOptions makeOptions(Effort effort, std::uint32_t seed = 0)
+{
+    LayoutOptions options;
+    options.effort = effort;
+    options.seed = seed;
+    return options;
+}
+
+/** Random cells, in blots of random colours, one of which is any colour. */
+LayoutProblem makeRandomCells(const glm::ivec3& size, int percent, std::uint32_t seed,
+                              std::vector<LayoutColor> colors = std::vector<LayoutColor>(3))
+{
+    std::mt19937 random(seed);
+    std::vector<int> blots(1000);
+    for (int& color : blots)
+    {
+        const auto choice = random() % (colors.size() + 1);
+        color = choice == colors.size() ? LayoutCell::ANY_COLOR : static_cast<int>(choice);
+    }
+    return makeCells(
+        size,
+        [&](int x, int y, int z)
+        {
+            const auto blot = static_cast<std::size_t>((x / 4 + 7 * (y / 3) + 49 * (z / 2)) % 1000);
+            return static_cast<int>(random() % 100) < percent ? blots[blot] : NO_CELL;
+        },
+        colors);
+}
+
+/** A dome, one or more cells thick. */
+LayoutProblem makeDome(int radius, int thickness)
+{
+    const auto isInside = [](int x, int y, int z, int limit) { return x * x + y * y + z * z < limit * limit; };
+    return makeCells({2 * radius, 2 * radius, radius},
+                     [&](int x, int y, int z)
+                     {
+                         const bool isCell = isInside(x - radius, y - radius, z, radius) &&
+                                             !isInside(x - radius, y - radius, z, radius - thickness);
+                         return isCell ? 0 : NO_CELL;
+                     });
+}
+
+void expectValid(const LayoutProblem& problem, const LaidParts& parts)
+{
+    EXPECT_EQ(LaidModel(problem, parts).findMistake(), "");
+}
+
+} // namespace
+
+TEST(Layout, OfNoCellsHasNoParts)
+{
+    EXPECT_TRUE(layOut(makeCells({4, 4, 4}, [](int, int, int) { return -1; }), {}).empty());
+}
+
+TEST(Layout, OfOneCellIsOnePart)
+{
+    const LaidParts parts =
+        layOut(makeCells({9, 9, 9}, [](int x, int y, int z) { return x == 3 && y == 4 && z == 5 ? 0 : NO_CELL; }), {});
+    EXPECT_EQ(parts, (LaidParts{{{3, 4, 5}, {1, 1, 1}, 0}}));
+}
+
+TEST(Layout, CoversEveryCellOnceByPartsThatWereMadeInItsColor)
+{
+    const LayoutColor onlyLong{0b00000100100, 0b00000001000};
+    for (const bool isOfPlates : {false, true})
+        for (const Effort effort : {Effort::INSTANT, Effort::NORMAL, Effort::BEST})
+            for (std::uint32_t seed = 0; seed < 4; ++seed)
+            {
+                LayoutProblem problem =
+                    makeRandomCells({9, 7, 6}, 85, seed, {LayoutColor{}, onlyLong, LayoutColor{0x7fe, 0x3f}});
+                problem.isOfPlates = isOfPlates;
+                expectValid(problem, layOut(problem, makeOptions(effort, seed)));
+            }
+}
+
+TEST(Layout, IsSortedByZThenYThenX)
+{
+    const LaidParts parts = layOut(makeRandomCells({13, 11, 9}, 80, 1), {});
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end(),
+                               [](const LaidPart& a, const LaidPart& b) {
+                                   return std::tuple(a.place[2], a.place[1], a.place[0]) <
+                                          std::tuple(b.place[2], b.place[1], b.place[0]);
+                               }));
+}
+
+TEST(Layout, HasTheFewestComponentsThatDenseCellsAllow)
+{
+    for (std::uint32_t seed = 0; seed < 12; ++seed)
+    {
+        const LayoutProblem problem = makeRandomCells({12, 12, 8}, 96, seed);
+        const LaidParts parts = layOut(problem, makeOptions(Effort::NORMAL, seed));
+        EXPECT_EQ(LaidModel(problem, parts).countComponents(), static_cast<int>(countPossibleComponents(problem)))
+            << "seed " << seed;
+    }
+}
+
+TEST(Layout, ConnectsColumnsOfTwoColorsWhereOneLayerAllowsIt)
+{
+    // Two towers touch, and only the cells in layer 5 may share a part.
+    const LayoutProblem problem = makeCells(
+        {2, 1, 9}, [](int x, int, int z) { return z == 5 ? 2 : x; }, std::vector<LayoutColor>(3));
+    const LaidParts parts = layOut(problem, makeOptions(Effort::INSTANT));
+    EXPECT_EQ(LaidModel(problem, parts).countComponents(), 1);
+    EXPECT_EQ(parts.size(), 17u);
+}
+
+TEST(Layout, LeavesCellsApartThatNoPartCanCover)
+{
+    const auto ownColor = [](int x, int y, int) { return 3 * y + x; };
+    const LayoutProblem plate = makeCells({3, 3, 1}, ownColor, std::vector<LayoutColor>(9));
+    EXPECT_EQ(layOut(plate, {}).size(), 9u);
+    const LayoutProblem board = makeCells(
+        {8, 8, 1}, [](int x, int y, int) { return (x + y) % 2; }, std::vector<LayoutColor>(2));
+    EXPECT_EQ(layOut(board, {}).size(), 64u);
+    expectValid(board, layOut(board, {}));
+}
+
+TEST(Layout, OfABoxHasAsFewPartsAsItsVolumeAllows)
+{
+    const LayoutProblem problem = makeCells({16, 16, 1}, [](int, int, int) { return 0; });
+    EXPECT_EQ(layOut(problem, {}).size(), 16u);
+}
+
+TEST(Layout, OfADomeHasFewStackedSeams)
+{
+    for (const int thickness : {2, 3, 12})
+    {
+        const LayoutProblem problem = makeDome(12, thickness);
+        const LaidParts parts = layOut(problem, {});
+        const LaidModel model(problem, parts);
+        EXPECT_EQ(model.findMistake(), "");
+        EXPECT_EQ(model.countComponents(), 1);
+        EXPECT_LT(model.countStackedSeams(), static_cast<int>(parts.size()) / 2) << "thickness " << thickness;
+    }
+}
+
+TEST(Layout, DoesNotDependOnTheNumberOfThreads)
+{
+    for (const bool isOfPlates : {false, true})
+    {
+        LayoutProblem problem = makeRandomCells({90, 80, 24}, 97, 5);
+        problem.isOfPlates = isOfPlates;
+        std::vector<LaidParts> layouts;
+        for (const std::size_t numThreads : {1, 2, 4})
+        {
+            const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism, numThreads);
+            layouts.push_back(layOut(problem, makeOptions(Effort::INSTANT, 7)));
+        }
+        EXPECT_EQ(layouts[0], layouts[1]);
+        EXPECT_EQ(layouts[0], layouts[2]);
+    }
+}
+
+TEST(Layout, DependsOnTheSeed)
+{
+    const LayoutProblem problem = makeDome(10, 1);
+    EXPECT_EQ(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 3)));
+    EXPECT_NE(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 4)));
+}
+
+TEST(Layout, HasFewerPartsAndSeamsWithMoreEffort)
+{
+    const LayoutProblem problem = makeDome(14, 14);
+    const LaidParts quick = layOut(problem, makeOptions(Effort::INSTANT));
+    const LaidParts good = layOut(problem, makeOptions(Effort::NORMAL));
+    EXPECT_LT(good.size(), quick.size());
+    EXPECT_LT(LaidModel(problem, good).countStackedSeams(), LaidModel(problem, quick).countStackedSeams());
+}
+
+TEST(Layout, OfAShellHangsFewPartsOnASingleOne)
+{
+    // The same cells, with and without an interior colour: leaves cost more in shells.
+    LayoutProblem surface = makeDome(14, 2);
+    LayoutProblem shell = surface;
+    for (std::size_t cell = 0; cell < shell.cells.size(); cell += 3)
+        shell.cells[cell].color = LayoutCell::ANY_COLOR;
+    const LaidParts hanging = layOut(surface, {});
+    const LaidParts held = layOut(shell, {});
+    EXPECT_LT(LaidModel(shell, held).countLeaves(), LaidModel(surface, hanging).countLeaves());
+}
+
+TEST(Layout, KeepsAllPartsOfThePreviousLayoutOfTheSameCells)
+{
+    const LayoutProblem problem = makeRandomCells({20, 20, 6}, 90, 2);
+    const LaidParts previous = layOut(problem, makeOptions(Effort::INSTANT, 1));
+    EXPECT_EQ(layOut(problem, makeOptions(Effort::NORMAL, 2), previous), previous);
+}
+
+TEST(Layout, ChangesOnlyPartsNearChangedCells)
+{
+    constexpr int REACH = 60; // cells: the neighbourhood, and windows that begin in it
+    const LayoutProblem before = makeCells({200, 12, 4}, [](int, int, int) { return 0; });
+    const LayoutProblem after = makeCells({200, 12, 4}, [](int x, int y, int) { return x < 3 && y < 3 ? NO_CELL : 0; });
+    const LaidParts previous = layOut(before, {});
+    const LaidParts parts = layOut(after, makeOptions(Effort::NORMAL, 9), previous);
+    expectValid(after, parts);
+    const auto getFar = [](const LaidParts& all)
+    {
+        LaidParts far;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(far),
+                     [](const LaidPart& part) { return part.place[0] > REACH; });
+        return far;
+    };
+    EXPECT_EQ(getFar(parts), getFar(previous));
+    EXPECT_NE(parts, previous);
+}
+
+TEST(Layout, IgnoresPreviousPartsThatDoNotFit)
+{
+    const LayoutProblem problem = makeCells({6, 1, 1}, [](int, int, int) { return 0; }, {LayoutColor{0x0f, 0x0f}});
+    const LaidParts previous{{{0, 0, 0}, {6, 1, 1}, 0}, {{0, 0, 0}, {4, 1, 1}, 7}, {{4, 0, 0}, {4, 1, 1}, 0},
+                             {{0, 0, 0}, {3, 1, 1}, 0}, {{2, 0, 0}, {3, 1, 1}, 0}, {{0, 0, 0}, {0, 200, 3}, 0},
+                             {{9, 9, 9}, {1, 1, 1}, 0}, {{0, 0, 0}, {1, 1, 3}, 0}};
+    expectValid(problem, layOut(problem, {}, previous));
+}
+
+TEST(Layout, PrefersSizesThatExistInAColor)
+{
+    // Five cells in a row: without parts of one cell, 2 + 3 is possible and 4 + 1 is not.
+    const LayoutProblem problem = makeCells({5, 1, 1}, [](int, int, int) { return 0; }, {LayoutColor{0x0e, 0x0e}});
+    const LaidParts parts = layOut(problem, {});
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_GE(parts[0].size[0], 2);
+    EXPECT_GE(parts[1].size[0], 2);
+}
+
+TEST(Layout, GivesInteriorPartsTheCommonestColorAroundInWhichTheyExist)
+{
+    constexpr std::uint16_t ONLY_SINGLE = 1;
+    // A cube of any colour in a shell: three sides have colour 1, the others colour 2, which has no part of this size.
+    const LayoutProblem problem =
+        makeCells({4, 4, 3},
+                  [](int x, int y, int z)
+                  {
+                      if (z == 1 && x >= 1 && x <= 2 && y >= 1 && y <= 2)
+                          return static_cast<int>(LayoutCell::ANY_COLOR);
+                      return z == 1 && x == 0 ? 1 : 2;
+                  },
+                  {LayoutColor{ONLY_SINGLE, ONLY_SINGLE}, LayoutColor{}, LayoutColor{ONLY_SINGLE, ONLY_SINGLE}});
+    const LaidParts parts = layOut(problem, {});
+    expectValid(problem, parts);
+    for (const LaidPart& part : parts)
+        EXPECT_TRUE(part.color == 1 || part.size == (std::array<std::uint8_t, 3>{1, 1, 1}));
+    EXPECT_LT(parts.size(), problem.cells.size());
+}
+
+TEST(Layout, MakesABrickOfThreePlates)
+{
+    LayoutProblem problem = makeCells({4, 2, 3}, [](int, int, int) { return 0; });
+    problem.isOfPlates = true;
+    EXPECT_EQ(layOut(problem, {}), (LaidParts{{{0, 0, 0}, {4, 2, 3}, 0}}));
+    problem.colors[0].bricks = 0;
+    EXPECT_EQ(layOut(problem, {}).size(), 3u);
+}
+
+TEST(Layout, MixesPlatesAndBricks)
+{
+    LayoutProblem problem = makeCells({16, 16, 16}, [](int, int, int) { return 0; });
+    problem.isOfPlates = true;
+    const std::size_t mixed = layOut(problem, {}).size();
+    problem.colors[0].bricks = 0;
+    EXPECT_LT(mixed, layOut(problem, {}).size() * 6 / 10);
+}
+
+TEST(Layout, CoversALargePlate)
+{
+    const LayoutProblem problem = makeCells({1024, 1024, 1}, [](int, int, int) { return 0; });
+    const LaidParts parts = layOut(problem, makeOptions(Effort::INSTANT));
+    EXPECT_EQ(parts.size(), 1024u * 1024u / 16u);
+}
+
+TEST(Layout, CoversAHighColumn)
+{
+    const LayoutProblem problem = makeCells({2, 2, 2560}, [](int, int, int) { return 0; });
+    const LaidParts parts = layOut(problem, {});
+    EXPECT_EQ(parts.size(), 2560u);
+    EXPECT_EQ(LaidModel(problem, parts).countComponents(), 1);
+}
+
+TEST(Layout, IsEmptyIfItIsCancelled)
+{
+    const LayoutProblem problem = makeDome(12, 2);
+    for (const int numCalls : {0, 1, 5, 50, 500})
+    {
+        std::atomic<int> calls = 0;
+        LayoutOptions options;
+        options.isCancelled = [&] { return calls++ >= numCalls; };
+        EXPECT_TRUE(layOut(problem, options).empty()) << numCalls << " calls";
+        EXPECT_LT(calls, numCalls + 100) << "the layout continued";
+    }
+}
+
+TEST(Layout, ReportsProgressUpToOne)
+{
+    std::vector<double> fractions;
+    LayoutOptions options;
+    options.progress = [&](double fraction) { fractions.push_back(fraction); };
+    layOut(makeDome(8, 1), options);
+    ASSERT_GT(fractions.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_GT(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
+} // namespace osgLego
