@@ -101,6 +101,48 @@ TEST(BuildingPlanner, AHangingBrickIsASubmodelWithTheBrickAboveIt)
     EXPECT_TRUE(plan->getSubmodels()[0].steps[0].isFromBelow);
 }
 
+/** A brick of 2x4 on a high column on a base, and below the free half of it an arm of 2x8 with a foot of 2x2 at its
+ * end. The brick, the arm and the foot are a submodel.
+ * @param place of the column in x. The arm and the foot begin at 2. */
+osg::ref_ptr<const BrickModel> createArm(int place)
+{
+    std::vector<Part> parts{makePart({place, 0, 0}, {2, 8, 1})};
+    for (int z = 1; z < 5; ++z)
+        parts.push_back(makePart({place, 2, z}, {2, 2, 1}));
+    parts.push_back(makePart({2, 0, 3}, {2, 2, 1}));
+    parts.push_back(makePart({2, 0, 4}, {8, 2, 1}));
+    parts.push_back(makePart({place, 0, 5}, {2, 4, 1}));
+    return createModel(std::move(parts));
+}
+
+TEST(BuildingPlanner, ASubmodelThatFallsUprightIsBuiltUpsideDownInASecondAttempt)
+{
+    // The foot stands below one end of the arm, which topples over; the brick lies above the middle of the arm.
+    const auto plan = planBuilding(*createArm(5));
+    ASSERT_EQ(plan->getSubmodels().size(), 1u);
+    ASSERT_EQ(plan->getSubmodels()[0].steps.size(), 1u);
+    const BuildingStep& step = plan->getSubmodels()[0].steps[0];
+    EXPECT_EQ(step.parts.size(), 3u);
+    EXPECT_TRUE(step.isFromBelow);
+    EXPECT_TRUE(step.stands);
+    EXPECT_TRUE(step.isChecked);
+    const auto fast = planFast(*createArm(5));
+    EXPECT_FALSE(fast->getSubmodels()[0].steps[0].isFromBelow)
+        << "upright comes first if nobody computes that it falls";
+}
+
+TEST(BuildingPlanner, ASubmodelThatFallsBothWaysStaysUpright)
+{
+    // Both the foot and the brick are at the same end of the arm. To make it stand, the arm hangs from the brick in a
+    // submodel of its own, in vain.
+    const auto plan = planBuilding(*createArm(2));
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->getSubmodels().size(), 2u);
+    for (const BuildingStep& step : plan->getSubmodels().back().steps)
+        EXPECT_FALSE(step.isFromBelow);
+    EXPECT_FALSE(plan->getSubmodels().back().steps.back().stands);
+}
+
 TEST(BuildingPlanner, BricksThatHangInAHookBecomeSubmodelsWithinEachOther)
 {
     // From a beam on a column hang a brick, on which nothing can stand, and a hook: posts, an arm, and a brick on the
@@ -151,7 +193,7 @@ TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
             EXPECT_TRUE(check.getUnheld().empty()) << check.toString();
             EXPECT_TRUE(check.getDisconnected().empty()) << check.toString();
             EXPECT_TRUE(check.getLong().empty()) << check.toString();
-            EXPECT_LE(check.getUnreachable().size(), 4u) << "hooks within each other";
+            EXPECT_LE(check.getUnreachable().size(), 1u) << "hooks within each other";
         }
 }
 
@@ -219,36 +261,58 @@ TEST(BuildingPlanner, PartsInPlaceStandAfterEveryStep)
     expectStandingSteps(*createBricks(*createRacingCar(), "24,proportions=brick,parts=bricks"));
 }
 
-TEST(BuildingPlanner, PartsThatMirrorEachOtherAreInTheSameStep)
+/** The model turned by a quarter about the up axis: its front becomes its right side. */
+osg::ref_ptr<const BrickModel> turn(const BrickModel& model)
 {
-    // Four legs in two halves, and a top.
+    const glm::ivec3 size = model.getGrid().dimensions;
     std::vector<Part> parts;
-    for (int z = 0; z < 7; ++z)
-        for (const int x : {0, 14})
-            for (const int y : {0, 6})
-                parts.push_back(makePart({x, y, z}, {2, 2, 1}));
-    const auto model = createModel(std::move(parts), {16, 8, 7});
-    const auto plan = expectGoodPlan(*model);
+    for (const Part& part : model.getParts())
+    {
+        const glm::ivec3 cell = part.getCell();
+        const glm::ivec3 extent = part.getSize();
+        parts.push_back(makePart({size.y - cell.y - extent.y, cell.x, cell.z}, {extent.y, extent.x, extent.z}));
+    }
+    return createModel(std::move(parts), {size.y, size.x, size.z});
+}
+
+/** Expect that each part of a step has its mirror image, in the plane across the x or y axis, in the same step. */
+void expectMirroredSteps(const BrickModel& model, int axis)
+{
+    const auto plan = expectGoodPlan(model);
     for (const BuildingStep& step : plan->getSteps())
         for (const std::uint32_t part : step.parts)
         {
-            glm::ivec3 mirrored = model->getParts()[part].getCell();
-            mirrored.x = 14 - mirrored.x;
-            EXPECT_TRUE(std::count(step.parts.begin(), step.parts.end(), indexOf(*model, mirrored))) << part;
+            glm::ivec3 mirrored = model.getParts()[part].getCell();
+            mirrored[axis] = model.getGrid().dimensions[axis] - mirrored[axis] - model.getParts()[part].getSize()[axis];
+            EXPECT_TRUE(std::count(step.parts.begin(), step.parts.end(), indexOf(model, mirrored))) << part;
         }
+}
+
+TEST(BuildingPlanner, PartsThatMirrorEachOtherAreInTheSameStep)
+{
+    // Six legs in two halves, three in a row, at different distances so that the rows have no other symmetry.
+    std::vector<Part> parts;
+    for (int z = 0; z < 7; ++z)
+        for (const int x : {0, 14})
+            for (const int y : {0, 4, 12})
+                parts.push_back(makePart({x, y, z}, {2, 2, 1}));
+    const auto model = createModel(std::move(parts), {16, 14, 7});
+    expectMirroredSteps(*model, 0);
+    expectMirroredSteps(*turn(*model), 1);
 }
 
 TEST(BuildingPlanner, AWallIsBuiltFromBothEnds)
 {
-    const auto model = createWall(80, 6);
-    const auto plan = expectGoodPlan(*model);
-    for (const BuildingStep& step : plan->getSteps())
-        for (const std::uint32_t part : step.parts)
-        {
-            glm::ivec3 mirrored = model->getParts()[part].getCell();
-            mirrored.x = 76 - mirrored.x;
-            EXPECT_TRUE(std::count(step.parts.begin(), step.parts.end(), indexOf(*model, mirrored))) << part;
-        }
+    // A wall with a step in front, so that it has no symmetry but that of its ends.
+    std::vector<Part> parts;
+    for (int z = 0; z < 6; ++z)
+        for (int x = z % 2 == 0 ? 0 : 2; x + 4 <= 80; x += 4)
+            parts.push_back(makePart({x, 2, z}, {4, 2, 1}));
+    for (int x = 0; x < 80; x += 4)
+        parts.push_back(makePart({x, 0, 0}, {4, 2, 1}));
+    const auto model = createModel(std::move(parts), {80, 4, 6});
+    expectMirroredSteps(*model, 0);
+    expectMirroredSteps(*turn(*model), 1);
 }
 
 TEST(BuildingPlanner, LegsAreBuiltOneAfterTheOther)

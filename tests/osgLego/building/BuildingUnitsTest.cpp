@@ -1,5 +1,7 @@
 #include <osgLego/building/BuildingUnits.h>
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace osgLego::test
@@ -32,6 +34,27 @@ TEST(BuildingUnits, PartsThatHangFromSeveralPartsHangFromOneThatIsNotInPlace)
     units.group({true, true, false, false, false}, std::vector<bool>(5, false));
     ASSERT_EQ(units.getUnits().size(), 2u);
     EXPECT_EQ(units.getUnits()[units.getUnitOf(2)].parts, (std::vector<std::uint32_t>{2, 3}));
+}
+
+TEST(BuildingUnits, PartsHangFromTheNearestOfPartsWithEquallyManyStuds)
+{
+    // A brick below two beams on columns. The middle of one beam is nearer along one axis, and farther away altogether.
+    for (const bool hasAxesExchanged : {false, true})
+    {
+        std::vector<BuildingBox> boxes{{{0, 0, 1}, {4, 2, 2}},
+                                       {{0, 0, 2}, {2, 8, 3}},
+                                       {{2, 0, 2}, {6, 2, 3}},
+                                       {{0, 6, 0}, {2, 8, 2}},
+                                       {{4, 0, 0}, {6, 2, 2}}};
+        if (hasAxesExchanged)
+            for (BuildingBox& box : boxes)
+                for (glm::ivec3* corner : {&box.lower, &box.upper})
+                    std::swap(corner->x, corner->y);
+        const JointGraph graph(boxes);
+        BuildingUnits units(graph);
+        units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
+        EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 2}));
+    }
 }
 
 } // namespace

@@ -57,6 +57,22 @@ TEST(SupportColumns, HaveFourStudsWhereThereIsRoom)
         EXPECT_EQ(column.width, 2);
 }
 
+TEST(SupportColumns, HaveOneStudInColoursInWhichABrickOrAPlateOfFourStudsWasNeverMade)
+{
+    constexpr unsigned int FOUR_STUDS = 1u << 6; // 2x2 is the seventh size
+    for (const bool isOfPlates : {false, true})
+    {
+        LayoutProblem problem = drawProblem({{"a...", "a..."}, {"a...", "a..."}, {"aaaa", "aaaa"}});
+        LayoutColor& color = problem.colors[0];
+        (isOfPlates ? color.plates : color.bricks) &= static_cast<std::uint16_t>(~FOUR_STUDS);
+        const LaidParts parts{{{0, 0, 0}, {1, 2, 1}}, {{0, 0, 1}, {1, 2, 1}}, {{0, 0, 2}, {4, 2, 1}}};
+        const std::vector<SupportColumn> columns = SupportColumns(problem, parts).find({2});
+        ASSERT_FALSE(columns.empty());
+        for (const SupportColumn& column : columns)
+            EXPECT_EQ(column.width, 1) << (isOfPlates ? "plates" : "bricks");
+    }
+}
+
 TEST(SupportColumns, AreNowhereBelowPartsThatRestOnOthers)
 {
     const LayoutProblem problem = drawProblem({{"aaa"}, {"aaa"}});
