@@ -81,6 +81,30 @@ TEST(PartsList, NamesPartsThatWereNeverMadeOrHaveNoNumber)
               "in a colour without a number of BrickLink: 1 part (Brick 1 x 1 in #010203)");
 }
 
+TEST(PartsList, NamesTheMostFrequentKindOfThoseThatWereNeverMade)
+{
+    // No brick of 2x3 or 2x8 was made in dark turquoise, and many of 2x4, which are not meant.
+    const auto describe = [](std::size_t numSmall, std::size_t numLarge)
+    {
+        PartsList list;
+        const auto add = [&list](std::size_t number, std::uint8_t length)
+        {
+            for (std::size_t part = 0; part < number; ++part)
+                list.add(*BrickModel::createOfParts(createPartGrid({8, 2, 1}, 1.2),
+                                                    {{{0, 0, 0}, {length, 2, 1}, {0, 0, 0}, 3}}),
+                         {});
+        };
+        add(numSmall, 3);
+        add(numLarge, 8);
+        add(9, 4);
+        return list.describeNeverMade();
+    };
+    EXPECT_EQ(describe(5, 2), "never made in this size and colour: 7 parts of 2 kinds (most of them Brick 2 x 3 in "
+                              "Dark_Turquoise)");
+    EXPECT_EQ(describe(2, 5), "never made in this size and colour: 7 parts of 2 kinds (most of them Brick 2 x 8 in "
+                              "Dark_Turquoise)");
+}
+
 TEST(PartsList, PlatesAreCheckedForTheSizesOfPlates)
 {
     const auto neverMade = [](double height)
