@@ -20,5 +20,7 @@ void addOcclusionCommand(CLI::App& app);
 void addLayoutCommand(CLI::App& app);
 /** Times of computing stability, beside CLP. Prints a table unless JSON goes to a file. */
 void addStabilityCommand(CLI::App& app);
+/** Building orders beside the order layer by layer. Prints a table unless JSON goes to a file. */
+void addBuildingCommand(CLI::App& app);
 
 } // namespace osgLego

@@ -22,6 +22,7 @@ int run(int argc, char** argv)
     addOcclusionCommand(app);
     addLayoutCommand(app);
     addStabilityCommand(app);
+    addBuildingCommand(app);
     CLI11_PARSE(app, argc, argv);
     return 0;
 }
