@@ -1,8 +1,10 @@
 #include <osgLego/node/BuildingProducer.h>
 
 #include <osgLego/BuildingPlanner.h>
-#include <osgLego/producer/BackgroundTask.h>
 
+#include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -16,79 +18,49 @@ namespace
 
 constexpr const char* OUT_OF_MEMORY = "there is not enough memory for it; expected a lower resolution";
 
+/** The plan, if it is for the parts of the model, or else that of planBuilding(); null if it was cancelled. */
+osg::ref_ptr<const BuildingPlan> findPlan(const BrickModel& model, const BuildingPlan* plan,
+                                          const std::function<bool()>& isCancelled)
+{
+    if (plan && plan->getOrder().size() == model.getParts().size()) return plan;
+    PlanningOptions options;
+    options.checksStability = false; // takes longer than a viewer should wait
+    options.isCancelled = isCancelled;
+    return planBuilding(model, options);
+}
+
+/** @return null if it was cancelled. */
+osg::ref_ptr<const BuildingSet> createSet(const BrickSet& bricks, const BuildingPlan* given,
+                                          const std::function<bool()>& isCancelled)
+{
+    const osg::ref_ptr<const BrickModel> model = bricks.getModel();
+    if (!model) throw std::runtime_error("the bricks can't be made on the CPU");
+    osg::ref_ptr<const BuildingPlan> plan;
+    if (!model->getParts().empty())
+    {
+        plan = findPlan(*model, given, isCancelled);
+        if (!plan) return nullptr;
+    }
+    return new BuildingSet(bricks.getRevision(), *model, plan);
+}
+
 } // namespace
 
-/** A background task that makes one set. */
-class BuildingProducer::Job
-{
-public:
-    /** @param plan null: made by the task. */
-    Job(const BrickSet& bricks, const BuildingPlan* plan, const std::function<void()>& announce) :
-        _bricks(&bricks), _plan(plan), _announce(announce), _task([this] { run(); })
-    {
-    }
-
-    bool isOf(const BrickSet& bricks, const BuildingPlan* plan) const
-    {
-        return _bricks->getRevision() == bricks.getRevision() && _plan == plan;
-    }
-    bool hasEnded() const { return _task.hasEnded(); }
-    /** The set; null until the task has ended, and also if it was cancelled or has failed. */
-    osg::ref_ptr<const BuildingSet> getBuilding() const { return hasEnded() ? _building : nullptr; }
-    void wait() { _task.wait(); }
-
-private:
-    void run()
-    {
-        const std::string failure = catchFailure([this] { makeBuilding(); }, OUT_OF_MEMORY);
-        if (!failure.empty())
-            OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << failure
-                     << std::endl;
-        const bool isMade = _building.valid();
-        _task.end();
-        if (isMade && _announce) _announce();
-    }
-
-    void makeBuilding()
-    {
-        const osg::ref_ptr<const BrickModel> model = _bricks->getModel();
-        if (!model) return;
-        osg::ref_ptr<const BuildingPlan> plan;
-        if (!model->getParts().empty())
-        {
-            const bool fits = _plan && _plan->getOrder().size() == model->getParts().size();
-            plan = fits ? _plan : makePlan(*model);
-            if (!plan) return;
-        }
-        _building = new BuildingSet(_bricks->getRevision(), *model, plan);
-    }
-
-    osg::ref_ptr<const BuildingPlan> makePlan(const BrickModel& model) const
-    {
-        PlanningOptions options;
-        options.checksStability = false; // takes longer than a viewer should wait
-        options.isCancelled = [this] { return _task.isCancelled(); };
-        return planBuilding(model, options);
-    }
-
-    osg::ref_ptr<const BrickSet> _bricks;
-    osg::ref_ptr<const BuildingPlan> _plan;
-    std::function<void()> _announce;
-    osg::ref_ptr<const BuildingSet> _building;
-    BackgroundTask _task; // last, so that it has ended before the other members are destroyed
-};
-
 BuildingProducer::BuildingProducer(BrickStore& store, std::function<void()> announce) :
-    _store(&store), _announce(std::move(announce))
+    _store(&store), _job({.outOfMemory = OUT_OF_MEMORY,
+                          .deliver = [this](const Job::Run& run) { deliver(run); },
+                          .announce = std::move(announce)})
 {
 }
 
-BuildingProducer::~BuildingProducer() = default;
-
 void BuildingProducer::setPlan(const BuildingPlan* plan)
 {
-    const std::lock_guard lock(_mutex);
-    _plan = plan;
+    {
+        const std::lock_guard lock(_mutex);
+        if (plan == _plan) return;
+        _plan = plan;
+    }
+    _job.cancel();
 }
 
 osg::ref_ptr<const BuildingPlan> BuildingProducer::getPlan() const
@@ -99,21 +71,27 @@ osg::ref_ptr<const BuildingPlan> BuildingProducer::getPlan() const
 
 void BuildingProducer::produce(const BrickSet& bricks, bool waits)
 {
-    const std::shared_ptr<Job> job = start(bricks, waits);
-    if (waits) job->wait();
-    if (const osg::ref_ptr<const BuildingSet> building = job->getBuilding()) _store->deliver(*building);
+    const auto createWork = [&]
+    {
+        return [bricks = osg::ref_ptr<const BrickSet>(&bricks), plan = getPlan()](
+                   const Job::IsCancelled& isCancelled, std::string&) -> std::optional<osg::ref_ptr<const BuildingSet>>
+        {
+            const osg::ref_ptr<const BuildingSet> building = createSet(*bricks, plan, isCancelled);
+            return building ? std::optional(building) : std::nullopt;
+        };
+    };
+    const std::shared_ptr<Job::Run> run = _job.request(bricks.getRevision(), waits, createWork).run;
+    if (waits) run->wait();
+    _job.deliver();
 }
 
-/** The job of a brick set: the one there is, or a new one, or that of an older set if it is to be finished first. */
-std::shared_ptr<BuildingProducer::Job> BuildingProducer::start(const BrickSet& bricks, bool waits)
+void BuildingProducer::deliver(const Job::Run& run)
 {
-    std::shared_ptr<Job> old; // ends after the lock
-    const std::lock_guard lock(_mutex);
-    if (_job && (_job->isOf(bricks, _plan) || !(_job->hasEnded() || waits))) return _job;
-    if (_job)
-        if (const osg::ref_ptr<const BuildingSet> building = _job->getBuilding()) _store->deliver(*building);
-    old = std::exchange(_job, std::make_shared<Job>(bricks, _plan, _announce));
-    return _job;
+    if (run.getResult())
+        _store->deliver(**run.getResult());
+    else
+        OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << run.getFailure()
+                 << std::endl;
 }
 
 } // namespace osgLego

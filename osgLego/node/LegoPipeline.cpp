@@ -14,8 +14,7 @@ LegoPipeline::LegoPipeline(const LegoSettings& settings) :
     _store(new BrickStore), _display(*_store),
     _cpuProducer(new CpuProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
     _gpuProducer(new GpuProducer(*_store)),
-    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
-    _loads(new LoadProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
+    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
 {
     setSettings(settings);
 }
@@ -112,7 +111,7 @@ void LegoPipeline::setStoredBricks(const BrickModel* bricks)
     if (bricks)
         showStored(*bricks);
     else
-        _loads->cancel();
+        _cpuProducer->cancel();
 }
 
 void LegoPipeline::showStored(const BrickModel& bricks)
@@ -125,7 +124,6 @@ void LegoPipeline::showStored(const BrickModel& bricks)
         // The parts have their own colours until those for their load have been computed.
         if (_request.settings.show == Show::LOAD && !bricks.getParts().empty()) revisionByLoad = _watch.drop();
     }
-    _loads->cancel();
     _cpuProducer->cancel();
     _gpuProducer->cancel();
     _store->clear(revision);
@@ -133,7 +131,7 @@ void LegoPipeline::showStored(const BrickModel& bricks)
     statistics.isStored = true;
     const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, bricks, statistics);
     _store->deliver(*set);
-    if (revisionByLoad != 0) _loads->produce(bricks, revisionByLoad);
+    if (revisionByLoad != 0) _cpuProducer->produceByLoad(bricks, revisionByLoad);
     _display.dirtyBound();
 }
 
@@ -168,7 +166,6 @@ bool LegoPipeline::update(unsigned int frame)
 {
     _cpuProducer->update(frame);
     _gpuProducer->update(frame);
-    _loads->update(false);
     const osg::BoundingBoxd bounds = getBounds();
     const std::lock_guard lock(_mutex);
     if (bounds == _lastBounds) return false;
@@ -194,7 +191,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
         chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
         if (mustDrawSource(state, *bricks, revision)) return false;
     }
-    if (_waiting) _loads->update(true);
+    if (_waiting && !source) _cpuProducer->finish();
     prepareBuilding(source);
     _display.cull(visitor);
     return true;

@@ -3,7 +3,6 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/node/BrickDisplay.h>
 #include <osgLego/node/BuildingProducer.h>
-#include <osgLego/node/LoadProducer.h>
 #include <osgLego/node/SourceWatch.h>
 #include <osgLego/producer/CpuProducer.h>
 #include <osgLego/producer/GpuProducer.h>
@@ -147,7 +146,6 @@ private:
     osg::ref_ptr<CpuProducer> _cpuProducer;
     osg::ref_ptr<GpuProducer> _gpuProducer;
     std::unique_ptr<BuildingProducer> _building;
-    std::unique_ptr<LoadProducer> _loads; // of stored bricks
 };
 
 } // namespace osgLego

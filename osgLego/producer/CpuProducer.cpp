@@ -1,11 +1,12 @@
 #include <osgLego/producer/CpuProducer.h>
 
 #include <osgLego/model/CpuBricks.h>
-#include <osgLego/producer/BackgroundTask.h>
 #include <osgLego/stability/LoadColors.h>
 
-#include <string>
+#include <optional>
 #include <utility>
+
+#include <osg/Notify>
 
 namespace osgLego
 {
@@ -14,131 +15,123 @@ namespace
 {
 
 constexpr const char* OUT_OF_MEMORY = "there is not enough memory for all bricks; expected a lower resolution";
+constexpr const char* NO_MEMORY_FOR_LOADS = "there is not enough memory for it; expected fewer parts";
+
+/** A model in colours for the load on its joints, or in its own if the loads can't be computed.
+ * @return null if it was cancelled. */
+osg::ref_ptr<const BrickModel> tryToColorByLoad(const BrickModel& model, const std::function<bool()>& isCancelled)
+{
+    osg::ref_ptr<const BrickModel> colored;
+    const std::string failure = catchFailure([&] { colored = colorByLoad(model, isCancelled); }, NO_MEMORY_FOR_LOADS);
+    if (failure.empty()) return colored;
+    OSG_WARN << "osgLego: parts keep their colours, because the load on their joints can't be computed: " << failure
+             << std::endl;
+    return &model;
+}
+
+/** The set of a model in the colours to show; null if it was cancelled. */
+osg::ref_ptr<const BrickSet> createSet(std::uint64_t revision, const BrickModel& model, Show show,
+                                       const LegoStatistics& statistics, const BrickSet::MeasureLayout& measureLayout,
+                                       const std::function<bool()>& isCancelled)
+{
+    osg::ref_ptr<const BrickModel> shown = &model;
+    if (show == Show::LOAD) shown = tryToColorByLoad(model, isCancelled);
+    return shown ? new BrickSet(revision, model, statistics, measureLayout, shown.get()) : nullptr;
+}
 
 } // namespace
 
-/** A background task that makes one set. It can be cancelled and waited for. */
-class CpuProducer::Job
-{
-public:
-    /** @param layout of the set before, if there is one. */
-    Job(const LegoSource& source, PreviousLayout layout, const std::function<void()>& announce) :
-        _source(&source), _layout(std::move(layout)), _announce(announce), _task([this] { run(); })
-    {
-    }
-
-    bool isOf(const LegoSource& source) const { return _source->revision == source.revision; }
-    /** Whether the task has ended, with or without a set. */
-    bool hasEnded() const { return _task.hasEnded(); }
-    /** The set; null until the task has ended, and also if it was cancelled or has failed. */
-    osg::ref_ptr<const BrickSet> getBricks() const { return hasEnded() ? _bricks : nullptr; }
-    /** The reason why there is no set after the task has ended, unless it was cancelled. */
-    const std::string& getError() const { return _error; }
-    /** The parts of the set, for the next one. Only after the task has ended. */
-    const PreviousLayout& getLayout() const { return _layout; }
-
-    void cancel() { _task.cancel(); }
-    bool isCancelled() const { return _task.isCancelled(); }
-    void wait() { _task.wait(); }
-
-private:
-    void run()
-    {
-        const std::string failure = catchFailure([this] { makeBricks(); }, OUT_OF_MEMORY, "the bricks can't be made: ");
-        if (!failure.empty()) _error = failure;
-        const bool isMade = _bricks.valid();
-        _task.end();
-        if (isMade && _announce) _announce();
-    }
-
-    void makeBricks()
-    {
-        CpuBricksWork work;
-        work.isCancelled = [this] { return _task.isCancelled(); };
-        work.previous = &_layout;
-        const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*_source, work);
-        osg::ref_ptr<const BrickModel> shown = model;
-        if (model && _source->settings.show == Show::LOAD) shown = colorByLoad(*model, work.isCancelled);
-        if (shown) _bricks = new BrickSet(_source->revision, *model, work.statistics, work.measureLayout, shown.get());
-        _error = work.error;
-    }
-
-    osg::ref_ptr<const LegoSource> _source;
-    PreviousLayout _layout;
-    std::function<void()> _announce;
-    osg::ref_ptr<const BrickSet> _bricks;
-    std::string _error;
-    BackgroundTask _task; // last, so that it has ended before the other members are destroyed
-};
-
 CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
-    _store(&store), _announce(std::move(announce))
+    _store(&store), _job({.outOfMemory = OUT_OF_MEMORY,
+                          .prefix = "the bricks can't be made: ",
+                          .deliver = [this](const Job::Run& run) { deliver(run); },
+                          .announce = std::move(announce)})
 {
 }
-
-CpuProducer::~CpuProducer() = default;
 
 void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits)
 {
-    bool isNew = false;
-    const std::shared_ptr<Job> job = start(source, waits, isNew);
-    if (waits) job->wait();
+    const auto [run, isNew] = request(source, waits);
     // A set that was begun in this frame belongs to a later one, however fast it was made.
-    if (!job || (isNew && !waits) || !job->hasEnded() || job->isCancelled()) return;
-    if (const osg::ref_ptr<const BrickSet> bricks = job->getBricks())
-        _store->deliver(*bricks);
-    else
-        _store->getContext(visitor.getState()->getContextID())->fail(source.revision, job->getError());
+    if (!run || (isNew && !waits)) return;
+    if (waits) run->wait();
+    _job.deliver();
+    if (run->getOutcome() == Job::Outcome::FAILED)
+        _store->getContext(visitor.getState()->getContextID())->fail(source.revision, run->getFailure());
 }
 
-/** The job of a source: the one there is, or a new one in place of the job of another source.
- * @return null if that job is to be finished first. */
-std::shared_ptr<CpuProducer::Job> CpuProducer::start(const LegoSource& source, bool waits, bool& isNew)
+CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool waits)
 {
-    const std::lock_guard lock(_mutex);
-    if (_job && _job->isOf(source)) return _job;
-    const bool isRunning = _job && !_job->hasEnded();
-    // A source that changes faster than its bricks are made is shown as it was at times, or it would never be shown.
-    if (isRunning && _hasGivenUp && !waits) return nullptr;
-    _hasGivenUp = isRunning;
-    if (_job && !isRunning)
-        if (const osg::ref_ptr<const BrickSet> bricks = _job->getBricks()) _store->deliver(*bricks);
-    if (_job && !isRunning) _layout = _job->getLayout();
-    retire();
-    _job = std::make_shared<Job>(source, _layout, _announce);
-    isNew = true;
-    return _job;
+    const auto createWork = [&]
+    {
+        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout](
+                   const Job::IsCancelled& isCancelled, std::string& error) mutable -> std::optional<Made>
+        {
+            CpuBricksWork work;
+            work.isCancelled = isCancelled;
+            work.previous = &layout;
+            const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
+            error = work.error;
+            if (!model) return std::nullopt;
+            const osg::ref_ptr<const BrickSet> bricks = createSet(source->revision, *model, source->settings.show,
+                                                                  work.statistics, work.measureLayout, isCancelled);
+            if (!bricks) return std::nullopt;
+            return Made{bricks, std::move(layout)};
+        };
+    };
+    return _job.request(source.revision, waits, createWork);
+}
+
+void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision)
+{
+    const auto createWork = [&]
+    {
+        return [model = osg::ref_ptr<const BrickModel>(&bricks), revision](const Job::IsCancelled& isCancelled,
+                                                                           std::string&) -> std::optional<Made>
+        {
+            LegoStatistics statistics;
+            statistics.isStored = true;
+            const osg::ref_ptr<const BrickSet> set =
+                createSet(revision, *model, Show::LOAD, statistics, {}, isCancelled);
+            if (!set) return std::nullopt;
+            return Made{set, {}};
+        };
+    };
+    _job.cancel();
+    _job.request(revision, false, createWork);
+}
+
+void CpuProducer::deliver(const Job::Run& run)
+{
+    const Made* const made = run.getResult();
+    if (!made) return;
+    _store->deliver(*made->bricks);
+    _layout = made->layout;
 }
 
 void CpuProducer::update(unsigned int)
 {
-    const std::lock_guard lock(_mutex);
-    std::erase_if(_retired, [](const std::shared_ptr<Job>& job) { return job->hasEnded(); });
-    if (!_job) return;
-    if (const osg::ref_ptr<const BrickSet> bricks = _job->getBricks()) _store->deliver(*bricks);
+    _job.deliver();
+}
+
+void CpuProducer::finish()
+{
+    if (const std::shared_ptr<Job::Run> run = _job.getRun()) run->wait();
+    _job.deliver();
 }
 
 void CpuProducer::cancel()
 {
-    const std::lock_guard lock(_mutex);
-    retire();
-}
-
-/** Cancel the current job, without waiting for it to end. */
-void CpuProducer::retire()
-{
-    if (!_job) return;
-    _job->cancel();
-    _retired.push_back(std::move(_job));
+    _job.cancel();
 }
 
 osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
-    bool isNew = false;
-    const std::shared_ptr<Job> job = start(source, true, isNew);
-    job->wait();
-    error = job->getError();
-    return job->getBricks();
+    const std::shared_ptr<Job::Run> run = request(source, true).run;
+    run->wait();
+    error = run->getFailure();
+    const Made* const made = run->getResult();
+    return made ? made->bricks : nullptr;
 }
 
 } // namespace osgLego

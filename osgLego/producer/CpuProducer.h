@@ -1,23 +1,26 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/data/BrickSet.h>
 #include <osgLego/model/ModelBuilder.h>
+#include <osgLego/producer/BackgroundJob.h>
 #include <osgLego/producer/BrickProducer.h>
 #include <osgLego/store/BrickStore.h>
 
+#include <cstdint>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <string>
-#include <vector>
 
 #include <osg/ref_ptr>
 
 namespace osgLego
 {
 
-/** Makes brick sets on the CPU (makeBricksOnCpu), in threads of oneTBB. It locks no context, and no frame waits unless
- * the caller asks for it. One set serves all contexts.
+/** Makes brick sets on the CPU (makeBricksOnCpu), in the background. It locks no context, and no frame waits unless the
+ * caller asks for it. One set serves all contexts.
+ *
+ * With Show::LOAD, the parts of a set have colours for the load on their joints (colorByLoad). If the loads can't be
+ * computed, the parts keep their colours, and a warning says why.
  */
 class CpuProducer : public BrickProducer
 {
@@ -35,21 +38,30 @@ public:
      * @return null, with one sentence in `error`, if they can't be made. */
     osg::ref_ptr<const BrickSet> getBricks(const LegoSource& source, std::string& error);
 
+    /** Begin to make the set of stored bricks with Show::LOAD. Cancels work on others. @param revision of the set. */
+    void produceByLoad(const BrickModel& bricks, std::uint64_t revision);
+    /** Wait for the set in progress, if there is one, and deliver it. */
+    void finish();
+
+    /** The number of sets that were made, could not be made, and were cancelled. */
+    auto getCounts() const { return _job.getCounts(); }
+
 private:
-    class Job;
+    struct Made
+    {
+        osg::ref_ptr<const BrickSet> bricks;
+        PreviousLayout layout;
+    };
+    using Job = BackgroundJob<Made>;
 
-    ~CpuProducer() override;
+    ~CpuProducer() override = default;
 
-    std::shared_ptr<Job> start(const LegoSource& source, bool waits, bool& isNew);
-    void retire();
+    Job::Request request(const LegoSource& source, bool waits);
+    void deliver(const Job::Run& run);
 
     osg::ref_ptr<BrickStore> _store;
-    std::function<void()> _announce;
-    std::mutex _mutex;
-    bool _hasGivenUp = false;                   // whether the job before the present one was given up
-    PreviousLayout _layout;                     // of the last job that has ended
-    std::shared_ptr<Job> _job;                  // of the last source requested
-    std::vector<std::shared_ptr<Job>> _retired; // cancelled, but possibly still running
+    PreviousLayout _layout; // of the last set that was made; guarded by the job, whose calls alone use it
+    Job _job;
 };
 
 } // namespace osgLego

@@ -1,15 +1,18 @@
-#include <osgLego/CpuLegolizer.h>
-#include <osgLego/LegoNode.h>
-#include <osgLego/PartType.h>
+#include <osgLego/producer/CpuProducer.h>
 
-#include <GlTest.h>
 #include <Meshes.h>
 
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
-#include <osg/MatrixTransform>
+#include <gtest/gtest.h>
 
 namespace osgLego::test
 {
@@ -17,228 +20,138 @@ namespace osgLego::test
 namespace
 {
 
-/** Counts notifications, and lets a test wait for one. */
-class Announcements : public LegoNode::BricksCallback
+/** Red bricks 2 x 2: a column, and one in the air. */
+osg::ref_ptr<const BrickModel> createBricks()
 {
-public:
-    void ready() override
+    BrickGrid grid;
+    grid.cellSize = {1.0, 1.0, 1.2};
+    grid.dimensions = {12, 2, 2};
+    std::vector<Part> parts(3);
+    for (Part& part : parts)
     {
-        const std::lock_guard lock(_mutex);
-        ++_count;
-        _changed.notify_all();
+        part.size = {2, 2, 1};
+        part.color = {200, 0, 0};
     }
+    parts[1].cell = {0, 0, 1};
+    parts[2].cell = {9, 0, 1};
+    return BrickModel::createOfParts(grid, std::move(parts));
+}
 
-    void waitFor(int count)
-    {
-        std::unique_lock lock(_mutex);
-        _changed.wait(lock, [&] { return _count >= count; });
-    }
+/** A sphere of many colours. */
+osg::ref_ptr<const LegoSource> createSource(const std::string& settingsText, std::uint64_t revision)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(settingsText, settings, error)) << error;
+    const osg::ref_ptr<LegoSource> source =
+        LegoSource::create(*SceneTriangles::create(*createSphere()), settings, error);
+    EXPECT_EQ(error, "");
+    source->revision = revision;
+    return source;
+}
 
-private:
-    ~Announcements() override = default;
+std::set<std::array<std::uint8_t, 3>> findColors(const BrickSet& bricks)
+{
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (const BrickPoint& point : bricks.getPoints().points)
+        colors.insert(unpackBrick(point).color);
+    return colors;
+}
 
-    std::mutex _mutex;
-    std::condition_variable _changed;
-    int _count = 0;
-};
-
-/** A node in a viewer, whose bricks are made on the CPU while frames are drawn. */
-class CpuProducerTest : public GlTest
+class CpuProducerTest : public testing::Test
 {
 protected:
-    void SetUp() override
+    CpuProducerTest() { _visitor->setState(new osg::State); }
+
+    void expectCounts(std::size_t made, std::size_t failed, std::size_t cancelled)
     {
-        GlTest::SetUp();
-        _context = createContext();
-        _contextID = _context->getState()->getContextID();
-        _transform->addChild(createSphere(12));
-        _lego->addChild(_transform);
-        _lego->setSettings(parseSettings("16,device=cpu"));
-        _lego->setBricksCallback(_announcements);
-        setUpViewer(_viewer, *_context, *_lego);
+        EXPECT_EQ(_producer->getCounts().made, made);
+        EXPECT_EQ(_producer->getCounts().failed, failed);
+        EXPECT_EQ(_producer->getCounts().cancelled, cancelled);
     }
 
-    osg::ref_ptr<osg::Image> drawFrame()
-    {
-        _viewer.frame();
-        return readPixels(*_context);
-    }
-
-    unsigned int countShown() const { return _lego->getStatistics(_contextID).numLegolizations; }
-
-    osg::ref_ptr<osg::GraphicsContext> _context;
-    unsigned int _contextID = 0;
-    osg::ref_ptr<osg::MatrixTransform> _transform = new osg::MatrixTransform;
-    osg::ref_ptr<LegoNode> _lego = new LegoNode;
-    osg::ref_ptr<Announcements> _announcements = new Announcements;
-    osgViewer::Viewer _viewer;
+    const osg::ref_ptr<BrickStore> _store = new BrickStore;
+    std::atomic<int> _numAnnounced{0};
+    const osg::ref_ptr<CpuProducer> _producer = new CpuProducer(*_store, [this] { ++_numAnnounced; });
+    const osg::ref_ptr<osgUtil::CullVisitor> _visitor = new osgUtil::CullVisitor;
 };
 
-TEST_F(CpuProducerTest, TheFirstFrameWaitsForItsBricks)
+TEST_F(CpuProducerTest, DeliversTheBricksOfASource)
 {
-    const osg::ref_ptr<osg::Image> first = drawFrame();
-    EXPECT_GT(countDrawn(*first), 3000u);
-    EXPECT_TRUE(_lego->isLegolized(_contextID));
+    _producer->produce(*createSource("16", 5), *_visitor, true);
+    ASSERT_TRUE(_store->getBricks());
+    EXPECT_EQ(_store->getBricks()->getRevision(), 5u);
+    EXPECT_EQ(_numAnnounced, 1);
+    expectCounts(1, 0, 0);
 }
 
-TEST_F(CpuProducerTest, ANodeShowsItsBricksUntilTheNewOnesAreReady)
+TEST_F(CpuProducerTest, ASourceThatCannotBeFilledFails)
 {
-    const osg::ref_ptr<osg::Image> before = drawFrame();
-    _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, 0.5));
-    EXPECT_EQ(countDifferent(*before, *drawFrame(), 0), 0u);
-    EXPECT_FALSE(_lego->isLegolized(_contextID));
-    _announcements->waitFor(2);
-    const osg::ref_ptr<osg::Image> after = drawFrame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID));
-    EXPECT_GT(countDifferent(*before, *after, 10), 500u);
-    EXPECT_EQ(countShown(), 2u);
+    _producer->produce(*createSource("600,fill=solid", 5), *_visitor, true);
+    EXPECT_FALSE(_store->getBricks());
+    EXPECT_EQ(_store->getContext(0)->getFailedRevision(), 5u);
+    EXPECT_NE(_store->getContext(0)->getFailure(), "");
+    expectCounts(0, 1, 0);
 }
 
-TEST_F(CpuProducerTest, ANewerChangeReplacesAnOlderOne)
+TEST_F(CpuProducerTest, ACancelledSourceHasNotFailed)
 {
-    drawFrame();
-    _lego->setSettings(parseSettings("512,device=cpu"));
-    _viewer.frame();
-    _lego->setSettings(parseSettings("20,device=cpu"));
-    _viewer.frame();
-    EXPECT_EQ(countShown(), 1u);
-    while (!_lego->isLegolized(_contextID))
-        _viewer.frame();
-    EXPECT_EQ(countShown(), 2u);
-    EXPECT_EQ(_lego->getStatistics(_contextID).numDrawnBricks, _lego->getBricks()->getNumVisible());
+    const osg::ref_ptr<const LegoSource> source = createSource("1024,proportions=plate,parts=bricks", 5);
+    std::thread frame([&] { _producer->produce(*source, *_visitor, true); });
+    // Again and again, because the frame may not have begun.
+    while (_producer->getCounts().cancelled == 0 && _producer->getCounts().made == 0)
+        _producer->cancel();
+    frame.join();
+    EXPECT_FALSE(_store->getBricks());
+    EXPECT_EQ(_store->getContext(0)->getFailedRevision(), 0u);
+    EXPECT_EQ(_store->getContext(0)->getFailure(), "");
+    EXPECT_EQ(_numAnnounced, 0);
+    expectCounts(0, 0, 1);
 }
 
-TEST_F(CpuProducerTest, WithWaitingEachFrameShowsTheCurrentSource)
+TEST_F(CpuProducerTest, StoredBricksGetColorsForTheirLoad)
 {
-    _lego->setWaiting(true);
-    drawFrame();
-    for (const double height : {0.5, 0.8, 1.5})
-    {
-        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
-        _viewer.frame();
-        EXPECT_TRUE(_lego->isLegolized(_contextID)) << height;
-    }
-    EXPECT_EQ(countShown(), 4u);
+    const osg::ref_ptr<const BrickModel> model = createBricks();
+    _producer->finish();
+    EXPECT_FALSE(_store->getBricks());
+    _producer->produceByLoad(*model, 7);
+    _producer->finish();
+    const osg::ref_ptr<const BrickSet> bricks = _store->getBricks();
+    ASSERT_TRUE(bricks);
+    EXPECT_EQ(bricks->getRevision(), 7u);
+    EXPECT_EQ(bricks->getModel(), model);
+    EXPECT_TRUE(bricks->getStatistics().isStored);
+    // Blue for the column, in which nothing pulls, and magenta for the part that falls.
+    EXPECT_EQ(findColors(*bricks), (std::set<std::array<std::uint8_t, 3>>{{49, 84, 190}, {220, 0, 200}}));
+    EXPECT_EQ(_numAnnounced, 1);
 }
 
-TEST_F(CpuProducerTest, AMovingSourceIsShownInRealParts)
+TEST_F(CpuProducerTest, BricksOfASourceGetColorsForTheirLoad)
 {
-    _lego->setSettings(parseSettings("24,parts=bricks,colors=4,effort=instant,device=cpu"));
-    _lego->setWaiting(true);
-    for (const double height : {1.0, 0.9, 0.8, 0.8, 0.5})
-    {
-        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
-        _viewer.frame();
-        const osg::ref_ptr<const BrickModel> shown = _lego->getBricks();
-        const osg::ref_ptr<const BrickModel> cells =
-            legolizeOnCpu(*_transform, parseSettings("24,proportions=brick,palette=ldraw,colors=4,device=cpu"));
-        EXPECT_EQ(shown->getBricks(), cells->getBricks()) << height;
-        EXPECT_LT(shown->getParts().size(), cells->getBricks().size()) << height;
-        for (const Part& part : shown->getParts())
-            ASSERT_TRUE(findPartType(part, shown->getGrid())) << height;
-        EXPECT_EQ(_lego->getStatistics(_contextID).layout->numParts, shown->getParts().size());
-    }
+    const osg::ref_ptr<const LegoSource> source = createSource("8,parts=bricks,show=load,effort=instant", 5);
+    std::string error;
+    const osg::ref_ptr<const BrickSet> bricks = _producer->getBricks(*source, error);
+    ASSERT_TRUE(bricks) << error;
+    const std::vector<Part>& parts = bricks->getModel()->getParts();
+    ASSERT_FALSE(parts.empty());
+    // The scale runs from blue over green and yellow to red; magenta is for parts that fall.
+    for (const std::array<std::uint8_t, 3>& color : findColors(*bricks))
+        EXPECT_TRUE(std::none_of(parts.begin(), parts.end(), [&](const Part& part) { return part.color == color; }))
+            << int(color[0]) << ' ' << int(color[1]) << ' ' << int(color[2]);
 }
 
-TEST_F(CpuProducerTest, PartsFarFromAChangeAreKept)
+TEST_F(CpuProducerTest, OnlyTheLastStoredBricksAreDelivered)
 {
-    _lego->setSettings(parseSettings("cell=0.1,origin=0:0:0,proportions=brick,parts=bricks,colors=1,device=cpu"));
-    _lego->setWaiting(true);
-    drawFrame();
-    const std::vector<Part> before = _lego->getBricks()->getParts();
-    osg::ref_ptr<osg::MatrixTransform> horn = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 1.2));
-    horn->addChild(createTriangle({0, 0, 0}, {0.2f, 0, 0}, {0, 0, -0.4f}));
-    _transform->addChild(horn);
-    drawFrame();
-    const std::vector<Part> after = _lego->getBricks()->getParts();
-    ASSERT_NE(before, after);
-    // The grid is the same below, so the lowest parts have the same cells.
-    const auto isLow = [](const Part& part) { return part.cell[2] < 5; };
-    const auto numLow = static_cast<std::size_t>(std::count_if(before.begin(), before.end(), isLow));
-    const auto numKept = static_cast<std::size_t>(std::count_if(
-        before.begin(), before.end(),
-        [&](const Part& part) { return isLow(part) && std::find(after.begin(), after.end(), part) != after.end(); }));
-    EXPECT_GT(numLow, 20u);
-    EXPECT_EQ(numKept, numLow);
-    // A layout without history differs there.
-    const std::vector<Part> fresh = legolizeOnCpu(*_transform, _lego->getSettings())->getParts();
-    EXPECT_TRUE(std::any_of(before.begin(), before.end(),
-                            [&](const Part& part)
-                            { return isLow(part) && std::find(fresh.begin(), fresh.end(), part) == fresh.end(); }));
-}
-
-TEST_F(CpuProducerTest, AModelThatCannotBeFilledIsDrawnAsItIsWithTheReason)
-{
-    _lego->setSettings(parseSettings("600,fill=solid,device=cpu"));
-    EXPECT_GT(countDrawn(*drawFrame()), 3000u);
-    EXPECT_NE(_lego->getFailure(_contextID).find("cells; expected at most 67108864"), std::string::npos);
-    _lego->setSettings(parseSettings("16,fill=solid,device=cpu"));
-    drawFrame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID));
-}
-
-TEST_F(CpuProducerTest, BoundsIncludeTheBricksShownAndTheBricksBeingMade)
-{
-    drawFrame();
-    const osg::BoundingSphere before = _lego->getBound();
-    _transform->setMatrix(osg::Matrix::translate(5.0, 0.0, 0.0));
-    _viewer.frame();
-    const osg::BoundingSphere between = _lego->getBound();
-    EXPECT_GT(between.radius(), before.radius() + 2.0f);
-    _announcements->waitFor(2);
-    _viewer.frame();
-    EXPECT_NEAR(_lego->getBound().radius(), before.radius(), 1e-3f);
-    EXPECT_NEAR(_lego->getBound().center().x(), before.center().x() + 5.0f, 1e-3f);
-}
-
-TEST_F(CpuProducerTest, WithoutTrianglesNothingIsShownAndOldBricksDoNotReturn)
-{
-    drawFrame();
-    _lego->removeChild(_transform);
-    EXPECT_EQ(countDrawn(*drawFrame()), 0u);
-    _lego->addChild(createTorus());
-    _viewer.frame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID)) << "without older bricks to show, new ones are waited for";
-}
-
-TEST_F(CpuProducerTest, ASourceThatChangesInEveryFrameIsShownNowAndThen)
-{
-    // Its bricks take longer than a frame, so each frame finds a job still running.
-    _lego->setSettings(parseSettings("300,device=cpu,look=plain"));
-    drawFrame();
-    for (int frame = 0; frame < 2000 && countShown() < 3; ++frame)
-    {
-        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.001 * frame));
-        _viewer.frame();
-    }
-    EXPECT_GE(countShown(), 3u);
-}
-
-TEST_F(CpuProducerTest, WithoutUpdateTraversalsNewSettingsAreShownToo)
-{
-    drawFrame();
-    _lego->setSettings(parseSettings("20,device=cpu"));
-    const auto renderFrame = [&]
-    {
-        _viewer.advance();
-        _viewer.eventTraversal();
-        _viewer.renderingTraversals();
-    };
-    renderFrame();
-    _announcements->waitFor(2);
-    renderFrame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID));
-    EXPECT_EQ(countShown(), 2u);
-}
-
-TEST_F(CpuProducerTest, ANodeMayBeDeletedWhileItsBricksAreBeingMade)
-{
-    drawFrame();
-    _lego->setSettings(parseSettings("512,device=cpu"));
-    _viewer.frame();
-    _viewer.setSceneData(new osg::Group);
-    _lego = nullptr;
-    EXPECT_EQ(countDrawn(*drawFrame()), 0u);
+    const osg::ref_ptr<const BrickModel> model = createBricks();
+    _producer->produceByLoad(*model, 1);
+    _producer->cancel();
+    _producer->finish();
+    EXPECT_FALSE(_store->getBricks());
+    for (const std::uint64_t revision : {2, 3, 4})
+        _producer->produceByLoad(*model, revision);
+    _producer->finish();
+    ASSERT_TRUE(_store->getBricks());
+    EXPECT_EQ(_store->getBricks()->getRevision(), 4u);
 }
 
 } // namespace

@@ -1,0 +1,237 @@
+#pragma once
+
+#include <osgLego/producer/BackgroundTask.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Makes results on threads of their own, each for one revision of its input, of which only the newest is wanted.
+ *
+ * A request for another revision cancels the run in progress, though never twice in a row: input that changes faster
+ * than its results are made would otherwise never have one.
+ *
+ * Usage:
+ *
+ *     BackgroundJob<int> job({.deliver = [](const auto& run) { if (run.getResult()) use(*run.getResult()); }});
+ *     job.request(1, false, [] { return [](const auto&, std::string&) { return 42; }; });
+ *     ... // in each frame:
+ *     job.deliver();
+ *
+ * Every function may be called from any thread.
+ */
+template <typename Result>
+class BackgroundJob
+{
+public:
+    using IsCancelled = std::function<bool()>;
+    /** Makes a result, and returns early once cancelled; may throw. @return nothing, with a sentence in `error`, if it
+     * can't be made. */
+    using Work = std::function<std::optional<Result>(const IsCancelled& isCancelled, std::string& error)>;
+
+    /** How a run has ended. */
+    enum class Outcome
+    {
+        NONE, //!< it has not ended
+        MADE,
+        FAILED,
+        CANCELLED
+    };
+
+    class Run;
+
+    struct Options
+    {
+        std::string outOfMemory{}; //!< the reason if there is not enough memory
+        std::string prefix{};      //!< comes before the reasons of other exceptions
+        /** Called at most once for a run that was made or has failed. Must not call the job. */
+        std::function<void(const Run&)> deliver{};
+        /** Called when a result has been made, in the thread that made it. */
+        std::function<void()> announce{};
+    };
+
+    /** The number of runs that have ended. */
+    struct Counts
+    {
+        std::size_t made = 0;
+        std::size_t failed = 0;
+        std::size_t cancelled = 0;
+    };
+
+    struct Request
+    {
+        std::shared_ptr<Run> run;
+        bool isNew = false; //!< whether this request has started it
+    };
+
+    explicit BackgroundJob(Options options) : _options(std::move(options)) {}
+    /** Cancels the runs in progress, and waits until they have ended. */
+    ~BackgroundJob() = default;
+
+    /** The run for a revision: the last one if it is for this revision, or a new one in its place.
+     * @param waits cancel a run in progress even if the one before it was cancelled.
+     * @param createWork creates the work of a new run, after the last run has been delivered.
+     * @return null if the run in progress is to end first. */
+    Request request(std::uint64_t revision, bool waits, const std::function<Work()>& createWork);
+    /** The last run that was requested; null if there is none, or if it was cancelled. */
+    std::shared_ptr<Run> getRun() const;
+    /** Deliver the last run if it has ended, unless it has been delivered. */
+    void deliver();
+    /** Cancel the run in progress, without waiting for it to end. */
+    void cancel();
+    Counts getCounts() const;
+
+private:
+    void deliverLast();
+    void retire();
+    void forgetEnded();
+
+    Options _options;
+    std::array<std::atomic<std::size_t>, 4> _numEnded{}; // for each outcome
+    mutable std::mutex _mutex;
+    bool _hasGivenUp = false; // whether the run before the last one was cancelled by a request
+    bool _isDelivered = false;
+    std::shared_ptr<Run> _last;
+    std::vector<std::shared_ptr<Run>> _retired; // cancelled, but possibly not ended
+};
+
+/** One run of a job, which it must not outlive. Every function may be called from any thread. */
+template <typename Result>
+class BackgroundJob<Result>::Run
+{
+public:
+    Run(BackgroundJob& job, std::uint64_t revision, Work work) :
+        _job(job), _revision(revision), _work(std::move(work)),
+        _task({.work = [this] { _result = _work([this] { return _task.isCancelled(); }, _failure); },
+               .outOfMemory = job._options.outOfMemory,
+               .prefix = job._options.prefix,
+               .settle = [this](const std::string& failure) { settle(failure); },
+               .announce = [this] { announce(); }})
+    {
+    }
+
+    std::uint64_t getRevision() const { return _revision; }
+    void wait() const { _task.wait(); }
+    bool isCancelled() const { return _task.isCancelled(); }
+    Outcome getOutcome() const { return _task.hasEnded() ? _outcome : Outcome::NONE; }
+    /** Null unless the outcome is MADE. */
+    const Result* getResult() const { return getOutcome() == Outcome::MADE ? &*_result : nullptr; }
+    /** The reason if the outcome is FAILED; otherwise empty. */
+    std::string getFailure() const { return getOutcome() == Outcome::FAILED ? _failure : std::string(); }
+
+private:
+    friend class BackgroundJob;
+
+    void settle(const std::string& failure)
+    {
+        _work = nullptr; // and all that it holds
+        if (!failure.empty()) _failure = failure;
+        _outcome = _result ? Outcome::MADE : Outcome::FAILED;
+        if (_task.isCancelled())
+        {
+            _outcome = Outcome::CANCELLED;
+            _result.reset();
+        }
+        ++_job._numEnded[static_cast<std::size_t>(_outcome)];
+    }
+
+    void announce()
+    {
+        if (_outcome == Outcome::MADE && _job._options.announce) _job._options.announce();
+    }
+
+    BackgroundJob& _job;
+    std::uint64_t _revision;
+    Work _work;
+    std::optional<Result> _result;
+    std::string _failure;
+    Outcome _outcome = Outcome::NONE;
+    BackgroundTask _task; // last, so that it has ended before the other members are destroyed
+};
+
+template <typename Result>
+typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint64_t revision, bool waits,
+                                                                       const std::function<Work()>& createWork)
+{
+    std::shared_ptr<Run> run;
+    {
+        const std::lock_guard lock(_mutex);
+        if (_last && _last->getRevision() == revision) return {_last, false};
+        const bool isRunning = _last && _last->getOutcome() == Outcome::NONE;
+        if (isRunning && _hasGivenUp && !waits) return {};
+        _hasGivenUp = isRunning;
+        deliverLast();
+        retire();
+        run = _last = std::make_shared<Run>(*this, revision, createWork());
+        _isDelivered = false;
+    }
+    run->_task.start(); // without the lock, since this thread may do the work
+    return {run, true};
+}
+
+template <typename Result>
+std::shared_ptr<typename BackgroundJob<Result>::Run> BackgroundJob<Result>::getRun() const
+{
+    const std::lock_guard lock(_mutex);
+    return _last;
+}
+
+template <typename Result>
+void BackgroundJob<Result>::deliver()
+{
+    const std::lock_guard lock(_mutex);
+    deliverLast();
+    forgetEnded();
+}
+
+template <typename Result>
+void BackgroundJob<Result>::cancel()
+{
+    const std::lock_guard lock(_mutex);
+    retire();
+}
+
+template <typename Result>
+typename BackgroundJob<Result>::Counts BackgroundJob<Result>::getCounts() const
+{
+    const auto count = [this](Outcome outcome) { return _numEnded[static_cast<std::size_t>(outcome)].load(); };
+    return {count(Outcome::MADE), count(Outcome::FAILED), count(Outcome::CANCELLED)};
+}
+
+template <typename Result>
+void BackgroundJob<Result>::deliverLast()
+{
+    const Outcome outcome = _last ? _last->getOutcome() : Outcome::NONE;
+    if (_isDelivered || (outcome != Outcome::MADE && outcome != Outcome::FAILED)) return;
+    _isDelivered = true;
+    if (_options.deliver) _options.deliver(*_last);
+}
+
+/** Cancel the last run, without waiting for it to end. */
+template <typename Result>
+void BackgroundJob<Result>::retire()
+{
+    forgetEnded();
+    if (!_last) return;
+    _last->_task.cancel();
+    _retired.push_back(std::move(_last));
+}
+
+template <typename Result>
+void BackgroundJob<Result>::forgetEnded()
+{
+    std::erase_if(_retired, [](const std::shared_ptr<Run>& run) { return run->getOutcome() != Outcome::NONE; });
+}
+
+} // namespace osgLego

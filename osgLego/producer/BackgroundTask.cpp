@@ -1,0 +1,70 @@
+#include <osgLego/producer/BackgroundTask.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+namespace osgLego
+{
+
+std::string catchFailure(const std::function<void()>& work, const std::string& outOfMemory, const std::string& prefix)
+{
+    try
+    {
+        work();
+        return {};
+    }
+    catch (const std::bad_alloc&)
+    {
+        return outOfMemory;
+    }
+    catch (const std::length_error&) // more than a container can hold
+    {
+        return outOfMemory;
+    }
+    catch (const std::exception& exception)
+    {
+        return prefix + exception.what();
+    }
+}
+
+BackgroundTask::~BackgroundTask()
+{
+    cancel();
+    if (_thread.joinable()) _thread.join();
+}
+
+void BackgroundTask::start()
+{
+    // Not a task of oneTBB: if oneTBB can't start its threads, such a task would wait for one for ever.
+    try
+    {
+        _thread = std::thread([this] { run(); });
+    }
+    catch (const std::system_error&)
+    {
+        run();
+    }
+}
+
+void BackgroundTask::cancel()
+{
+    _isCancelled = true;
+    _group.cancel();
+}
+
+void BackgroundTask::run()
+{
+    // In the group, so that cancelling it ends loops of oneTBB. Outside of it, oneTBB may report that it has no
+    // threads.
+    const std::string failure =
+        catchFailure([this] { _group.run_and_wait([this] { _steps.work(); }); }, _steps.outOfMemory, _steps.prefix);
+    _steps.work = nullptr; // and all that it holds
+    _steps.settle(failure);
+    _hasEnded = true;
+    _hasEnded.notify_all();
+    _steps.announce();
+}
+
+} // namespace osgLego
