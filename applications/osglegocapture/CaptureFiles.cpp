@@ -3,12 +3,12 @@
 #include "ExitCode.h"
 
 #include <common/CompleteFile.h>
+#include <common/PictureBuffer.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
-#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <osgDB/FileNameUtils>
@@ -19,7 +19,6 @@ namespace osgLego
 namespace
 {
 
-const char* const STRAIGHT_ALPHA = "oiio:UnassociatedAlpha";
 const char* const OPENEXR = "openexr";
 
 /** The format in which OpenImageIO writes a file with this name; empty if there is none. */
@@ -97,30 +96,6 @@ void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture)
         writeCompleteFile(fileName, [&](const std::string& temporaryName)
                           { return written.write(temporaryName) ? std::string() : written.geterror(); });
     if (!why.empty()) throw cannotWrite(fileName, why);
-}
-
-OIIO::ImageBuf toImageBuf(const osg::Image& image)
-{
-    const bool hasAlpha = image.getPixelFormat() == GL_RGBA;
-    OIIO::ImageSpec spec(image.s(), image.t(), hasAlpha ? 4 : 3, OIIO::TypeDesc::UINT8);
-    if (hasAlpha) spec.attribute(STRAIGHT_ALPHA, 1);
-    OIIO::ImageBuf upsideDown(spec);
-    upsideDown.set_pixels(OIIO::ROI::All(), OIIO::TypeDesc::UINT8, image.data(), OIIO::AutoStride,
-                          static_cast<OIIO::stride_t>(image.getRowStepInBytes()));
-    return OIIO::ImageBufAlgo::flip(upsideDown);
-}
-
-bool hasStraightAlpha(const OIIO::ImageBuf& picture)
-{
-    return picture.spec().alpha_channel >= 0 && picture.spec().get_int_attribute(STRAIGHT_ALPHA) != 0;
-}
-
-OIIO::ImageBuf toMultiplied(const OIIO::ImageBuf& picture)
-{
-    if (!hasStraightAlpha(picture)) return picture;
-    OIIO::ImageBuf multiplied = OIIO::ImageBufAlgo::premult(picture.copy(OIIO::TypeDesc::FLOAT));
-    multiplied.specmod().erase_attribute(STRAIGHT_ALPHA);
-    return multiplied;
 }
 
 void writePartsList(const std::string& fileName, const PartsList& list)

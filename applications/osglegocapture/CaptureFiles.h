@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <OpenImageIO/imagebuf.h>
-#include <osg/Image>
 
 namespace osgLego
 {
@@ -33,16 +32,6 @@ void writeText(const std::string& fileName, const std::function<void(std::ostrea
 /** Write a picture in the format of its extension, rows from top to bottom. OpenEXR requires colours multiplied by
  * alpha, so straight alpha is converted for it. Throws CaptureError. */
 void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture);
-
-/** Convert a picture drawn by OSG, 8-bit RGB or RGBA, for OpenImageIO: top row first, and straight alpha marked as
- * such. */
-OIIO::ImageBuf toImageBuf(const osg::Image& image);
-
-/** Whether a picture has straight alpha: colours not yet multiplied by it. */
-bool hasStraightAlpha(const OIIO::ImageBuf& picture);
-
-/** The picture with colours multiplied by alpha, in single precision if it had straight alpha. */
-OIIO::ImageBuf toMultiplied(const OIIO::ImageBuf& picture);
 
 /** Write a parts list in the format of its extension. Throws CaptureError. */
 void writePartsList(const std::string& fileName, const PartsList& list);

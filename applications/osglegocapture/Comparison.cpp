@@ -3,6 +3,7 @@
 #include "CaptureFiles.h"
 #include "ExitCode.h"
 
+#include <common/PictureBuffer.h>
 #include <common/ReadableFile.h>
 
 #include <OpenImageIO/imagebufalgo.h>

@@ -59,6 +59,11 @@ const SceneStability::ModelStability& SceneStability::getWorst() const
                              { return a.report.margin < b.report.margin; });
 }
 
+std::optional<StabilityReport> SceneStability::getReport() const
+{
+    return _models.size() == 1 ? std::optional(_models.front().report) : std::nullopt;
+}
+
 std::string SceneStability::toText() const
 {
     std::string text;

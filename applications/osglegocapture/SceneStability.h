@@ -3,6 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/Stability.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ public:
     /** @param models at least one, each with parts. */
     SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base);
 
+    /** The report on the only model; nothing if there are several. */
+    std::optional<StabilityReport> getReport() const;
     /** A few lines for people: the verdict, the weakest joint, and the first parts that fall. */
     std::string toText() const;
     /** All figures; docs/osglegocapture.md describes them. */

@@ -1,15 +1,17 @@
+#include "Cancellation.h"
 #include "CaptureFiles.h"
 #include "CaptureOptions.h"
 #include "CaptureScene.h"
 #include "Comparison.h"
 #include "ExitCode.h"
+#include "Instructions.h"
 #include "ModelBound.h"
+#include "ProgressBar.h"
 #include "SceneStability.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
 
-#include "booklet/Booklet.h"
-
+#include <common/PictureBuffer.h>
 #include <offscreen/OffscreenContext.h>
 
 #include <cstdio>
@@ -26,27 +28,6 @@ namespace osgLego
 
 namespace
 {
-
-/** Shows progress on a terminal; prints nothing if standard error is not a terminal. */
-class Progress
-{
-public:
-    ~Progress() { clear(); }
-
-    void show(const char* what) const
-    {
-        if (_isTerminal) fmt::print(stderr, "\r\x1b[K{} ...", what);
-        std::fflush(stderr);
-    }
-
-    void clear() const
-    {
-        if (_isTerminal) fmt::print(stderr, "\r\x1b[K");
-    }
-
-private:
-    bool _isTerminal = isatty(STDERR_FILENO) != 0;
-};
 
 /** The file for the difference to a reference: next to the output or, without an output, in the current folder. */
 std::string differenceNameOf(const CaptureOptions& options)
@@ -79,7 +60,7 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
 }
 
 /** Compute the fewest bricks, or warn that there are none to count. */
-void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, const Progress& progress)
+void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, const ProgressBar& progress)
 {
     progress.show("computing the fewest bricks");
     const std::size_t bound = layout ? computeModelBound(lego) : 0;
@@ -93,7 +74,7 @@ void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, con
 
 /** Print the figures of parts. @return nothing if there are no parts. */
 std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, const CaptureScene& scene,
-                                             osg::GraphicsContext& context, const Progress& progress)
+                                             osg::GraphicsContext& context, const ProgressBar& progress)
 {
     const LegoNode* lego = scene.getLegoNode();
     if (!lego) return std::nullopt;
@@ -109,7 +90,7 @@ std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, cons
 int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const SceneStability* stability,
                  const StandardOutput* standardOutput, const OIIO::ImageBuf& reference)
 {
-    const Progress progress;
+    const ProgressBar progress;
     warnOfMemory(scene, options);
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
     progress.show(options.original ? "drawing" : "legolizing and drawing");
@@ -146,7 +127,7 @@ void writePartsList(const CaptureOptions& options, const CaptureScene& scene, co
 std::optional<SceneStability> reportStability(const CaptureOptions& options, const CaptureScene& scene)
 {
     if (!options.base) return std::nullopt;
-    const Progress progress;
+    const ProgressBar progress;
     progress.show("computing stability");
     SceneStability stability(scene.findPartModels(), *options.base);
     progress.clear();
@@ -173,7 +154,7 @@ int capture(const CaptureOptions& options)
     checkPlace(statisticsFile);
     checkPlace(options.cells);
     checkPartsListPlace(partsFile);
-    if (!options.instructions.empty()) checkBookletPlace(options);
+    if (!options.instructions.empty()) checkInstructionsPlace(options);
     checkAreDistinct({options.output, statisticsFile, options.cells, partsFile});
 
     OIIO::ImageBuf reference;
@@ -187,7 +168,7 @@ int capture(const CaptureOptions& options)
         reference = readReference(options.reference, options.width, options.height);
     }
 
-    const Progress progress;
+    const ProgressBar progress;
     progress.show("reading");
     CaptureScene scene(options);
     progress.clear();
@@ -197,7 +178,11 @@ int capture(const CaptureOptions& options)
     const int code = options.needsContext()
                          ? drawAndWrite(options, scene, stability ? &*stability : nullptr, output, reference)
                          : EXIT_FINE;
-    if (built) writeBooklet(options, *built, createContext);
+    if (!built) return code;
+    const Cancellation cancellation;
+    checkInstructionsSize(options, *built);
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    writeInstructions(options, *built, stability ? stability->getReport() : std::nullopt, *context, progress);
     return code;
 }
 

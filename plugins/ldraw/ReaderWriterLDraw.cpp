@@ -26,6 +26,9 @@ namespace osgLego
  *     osgconv "bunny.ply.(48,proportions=brick,parts=bricks).legolize" bunny.ldr
  *     osgviewer bunny.ldr
  *
+ * Streams are written as .ldr, unless the option's plugin data STREAM_FILENAME gives them another name, with its
+ * extension.
+ *
  * The environment variable LDRAWDIR may name the folder of LDraw's part library, from which other parts are read. */
 class ReaderWriterLDraw : public osgDB::ReaderWriter
 {
@@ -89,9 +92,9 @@ public:
                           });
     }
 
-    WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options*) const override
+    WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options* options) const override
     {
-        return writeScene(node, STREAM_NAME,
+        return writeScene(node, nameStream(options),
                           [&stream](const LDrawWriter& writer)
                           {
                               std::ostringstream text;
@@ -104,6 +107,13 @@ public:
 
 private:
     static constexpr const char* STREAM_NAME = "model.ldr";
+
+    /** The name that a file has in its text. OSG's archives give streams names in this way, too. */
+    static std::string nameStream(const Options* options)
+    {
+        const std::string name = options ? options->getPluginStringData("STREAM_FILENAME") : std::string();
+        return name.empty() ? STREAM_NAME : name;
+    }
 
     /** Call a function that returns the reason if it fails. @return that reason, also if memory runs out. */
     static std::string catchShortage(const std::function<std::string()>& function)

@@ -2,6 +2,7 @@
 #include "SceneFile.h"
 #include "SceneLibrary.h"
 
+#include <common/PictureBuffer.h>
 #include <offscreen/OffscreenContext.h>
 #include <osglegocapture/CaptureFiles.h>
 #include <osglegocapture/CaptureScene.h>

@@ -29,7 +29,7 @@ public:
         if (auto* lego = dynamic_cast<LegoNode*>(&group))
         {
             LegoSettings settings = lego->getSettings();
-            settings.voxelization.device = Device::CPU;
+            settings.device = Device::CPU;
             lego->setSettings(settings);
             lego->setWaiting(true);
         }

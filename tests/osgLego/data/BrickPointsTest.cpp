@@ -20,7 +20,7 @@ namespace
 osg::ref_ptr<const BrickModel> createModel(unsigned int resolution)
 {
     LegoSettings settings;
-    settings.grid.resolution = resolution;
+    settings.resolution = resolution;
     return legolizeOnCpu(*test::createSphere(), settings);
 }
 

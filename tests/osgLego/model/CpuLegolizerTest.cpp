@@ -25,7 +25,7 @@ using test::createTriangle;
 LegoSettings settingsOf(unsigned int resolution)
 {
     LegoSettings settings;
-    settings.grid.resolution = resolution;
+    settings.resolution = resolution;
     return settings;
 }
 

@@ -4,6 +4,7 @@
 #include "BookletText.h"
 
 #include <common/MarkupText.h>
+#include <common/NumberText.h>
 
 #include <algorithm>
 #include <map>

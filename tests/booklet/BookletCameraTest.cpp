@@ -1,4 +1,4 @@
-#include <osglegocapture/booklet/BookletCamera.h>
+#include <booklet/BookletCamera.h>
 
 #include <PartModels.h>
 

@@ -1,4 +1,4 @@
-#include <osglegocapture/booklet/BookletModel.h>
+#include <booklet/BookletModel.h>
 
 #include <PartModels.h>
 

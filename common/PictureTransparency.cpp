@@ -1,4 +1,4 @@
-#include "Transparency.h"
+#include "PictureTransparency.h"
 
 #include <algorithm>
 

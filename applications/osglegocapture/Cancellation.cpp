@@ -1,6 +1,6 @@
 #include "Cancellation.h"
 
-#include "../ExitCode.h"
+#include "ExitCode.h"
 
 #include <atomic>
 #include <csignal>

@@ -1,7 +1,8 @@
 #include "BookletPictures.h"
 
-#include "../CaptureFiles.h"
-#include "../ExitCode.h"
+#include "BookletFailure.h"
+
+#include <common/PictureBuffer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ BookletPicture encode(const osg::Image& image, double density)
     picture.specmod().attribute("compression", format.compression);
     OIIO::Filesystem::IOVecOutput bytes;
     picture.set_write_ioproxy(&bytes);
-    if (!picture.write(format.fileName)) throw CaptureError(EXIT_BAD_OUTPUT, picture.geterror());
+    if (!picture.write(format.fileName)) throw BookletFailure(BookletError::Reason::BAD_FILE, picture.geterror());
     BookletPicture encoded;
     encoded.bytes.assign(bytes.buffer().begin(), bytes.buffer().end());
     encoded.mediaType = format.mediaType;

@@ -2,6 +2,7 @@
 
 #include "BookletCamera.h"
 
+#include <common/PictureRenderer.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>
@@ -10,23 +11,21 @@
 #include <cstddef>
 
 #include <glm/vec2.hpp>
-#include <osg/Camera>
 #include <osg/GraphicsContext>
 #include <osg/Image>
-#include <osg/Vec4>
 #include <osg/ref_ptr>
-#include <osgViewer/Viewer>
 
 namespace osgLego
 {
 
 /** Draws models of parts in a context: all pictures of a booklet share its GL objects.
  *
- * Throws CaptureError if the context can't draw bricks. One thread.
+ * One thread.
  */
 class BookletRenderer
 {
 public:
+    /** @param context that can draw bricks; it must not be current. */
     explicit BookletRenderer(osg::GraphicsContext& context);
 
     /** Show a model. @param plan the order of its parts, for setPlaced(). */
@@ -48,12 +47,7 @@ public:
                                              const glm::ivec2& size);
 
 private:
-    osg::ref_ptr<osg::Image> drawOver(const osg::Vec4& background, const glm::ivec2& size);
-    void addLight();
-    void checkSupport(osg::GraphicsContext& context) const;
-
-    osgViewer::Viewer _viewer; // closes the context on destruction
-    osg::ref_ptr<osg::Camera> _camera;
+    PictureRenderer _renderer;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<const BrickModel> _model;

@@ -4,16 +4,9 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace osgLego
 {
-
-/** A number with its noun, such as "1 part" or "1,200 parts". @param noun that forms its plural with an s. */
-std::string countOf(std::size_t number, std::string_view noun);
-
-/** A number with commas between groups of three digits. */
-std::string formatNumber(std::size_t number);
 
 /** The name of a type, such as "Brick 2 x 4", with a multiplication sign, and without spaces at which lines break. */
 std::string nameType(const PartType& type);
@@ -26,10 +19,6 @@ std::string nameBrickLinkColor(const PaletteColor& color);
 
 /** Parts of one kind within a sentence, such as "2 red bricks 2 x 4". */
 std::string describeParts(const PartsList::Row& row, std::size_t quantity);
-
-/** The name of a booklet, without a folder and an extension, for the file name of a model, which may end with the
- * settings of a pseudo-loader. */
-std::string nameBooklet(const std::string& modelFileName);
 
 /** A title for a name: "racing_car" becomes "Racing car". */
 std::string titleOf(std::string name);

@@ -1,5 +1,7 @@
 #include "BookletText.h"
 
+#include <common/NumberText.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -22,19 +24,6 @@ constexpr std::array<std::pair<int, const char*>, 7> OTHER_NAMES{{{32, "Light Or
                                                                   {245, "Lilac"}}};
 
 } // namespace
-
-std::string formatNumber(std::size_t number)
-{
-    std::string text = std::to_string(number);
-    for (std::size_t place = text.size(); place > 3; place -= 3)
-        text.insert(place - 3, ",");
-    return text;
-}
-
-std::string countOf(std::size_t number, std::string_view noun)
-{
-    return formatNumber(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
-}
 
 std::string nameType(const PartType& type)
 {
@@ -67,21 +56,6 @@ std::string describeParts(const PartsList::Row& row, std::size_t quantity)
         row.color.code == Part::NO_CODE ? row.color.name : osgDB::convertToLowerCase(nameColor(row.color));
     return formatNumber(quantity) + " " + color + " " + name.substr(0, space) + (quantity == 1 ? "" : "s") +
            name.substr(space);
-}
-
-std::string nameBooklet(const std::string& modelFileName)
-{
-    const std::string loader = ".legolize";
-    std::string name = modelFileName;
-    while (name.ends_with(loader))
-    {
-        name.resize(name.size() - loader.size());
-        const auto settings = name.ends_with(')') ? name.rfind(".(") : name.rfind('.');
-        if (settings == std::string::npos) break;
-        name.resize(settings);
-    }
-    name = osgDB::getStrippedName(name);
-    return name.empty() ? "model" : name;
 }
 
 std::string titleOf(std::string name)

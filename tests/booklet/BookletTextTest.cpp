@@ -1,5 +1,5 @@
-#include <osglegocapture/booklet/Base64.h>
-#include <osglegocapture/booklet/BookletText.h>
+#include <booklet/Base64.h>
+#include <booklet/BookletText.h>
 
 #include <gtest/gtest.h>
 
@@ -30,14 +30,6 @@ TEST(Base64Test, EncodesTheExamplesOfTheStandard)
     EXPECT_EQ(toBase64("\xff\xfe\xfd"), "//79");
 }
 
-TEST(BookletTextTest, GroupsDigitsAndFormsPlurals)
-{
-    EXPECT_EQ(countOf(1, "part"), "1 part");
-    EXPECT_EQ(countOf(999, "part"), "999 parts");
-    EXPECT_EQ(countOf(20000, "part"), "20,000 parts");
-    EXPECT_EQ(formatNumber(1234567), "1,234,567");
-}
-
 TEST(BookletTextTest, DescribesPartsInASentence)
 {
     EXPECT_EQ(describeParts(createRow(PartFamily::BRICK, 2, 4, "Dark_Red"), 2), "2 dark red bricks 2 x 4");
@@ -57,13 +49,10 @@ TEST(BookletTextTest, NamesColorsAsBrickLinkDoes)
     EXPECT_EQ(nameBrickLinkColor(color), "Dark Purple");
 }
 
-TEST(BookletTextTest, NamesBookletsAfterTheModelAndNotItsSettings)
+TEST(BookletTextTest, TurnsNamesIntoTitles)
 {
-    EXPECT_EQ(nameBooklet("models/bunny.ply"), "bunny");
-    EXPECT_EQ(nameBooklet("models/bunny.ply.64.legolize"), "bunny");
-    EXPECT_EQ(nameBooklet("bunny.ply.(64,palette=/a/b.csv).legolize"), "bunny");
-    EXPECT_EQ(nameBooklet("tower.mpd"), "tower");
     EXPECT_EQ(titleOf("racing-car"), "Racing car");
+    EXPECT_EQ(titleOf("small_tower"), "Small tower");
 }
 
 } // namespace osgLego

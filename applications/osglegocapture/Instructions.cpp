@@ -1,0 +1,89 @@
+#include "Instructions.h"
+
+#include "Cancellation.h"
+#include "ExitCode.h"
+
+#include <common/NumberText.h>
+#include <osgLego/BuildingPlanner.h>
+#include <osgLegoBooklet/Booklet.h>
+
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+std::string nameModel(const CaptureOptions& options)
+{
+    return options.mesh.empty() ? "the built-in model" : "'" + options.mesh + "'";
+}
+
+std::string findFile(const CaptureOptions& options)
+{
+    const std::string name = options.mesh.empty() ? "racing-car" : nameBooklet(options.mesh);
+    return (std::filesystem::path(options.instructions) / (name + ".html")).string();
+}
+
+void throwIf(const std::optional<BookletError>& error)
+{
+    using Reason = BookletError::Reason;
+    if (!error) return;
+    if (error->reason == Reason::CANCELLED) Cancellation::check();
+    switch (error->reason)
+    {
+    case Reason::BAD_STEPS:
+        throw CaptureError(EXIT_BAD_OPTIONS, error->message);
+    case Reason::NO_PLUGIN:
+    case Reason::BAD_FILE:
+        throw CaptureError(EXIT_BAD_OUTPUT, error->message);
+    case Reason::NO_GL:
+        throw CaptureError(EXIT_NO_GL, error->message);
+    default:
+        throw CaptureError(EXIT_BAD_INPUT, error->message);
+    }
+}
+
+} // namespace
+
+void checkInstructionsPlace(const CaptureOptions& options)
+{
+    throwIf(checkBookletFile(findFile(options)));
+}
+
+void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
+{
+    constexpr std::size_t MOST_PARTS_UNASKED = 2000;
+    const osg::ref_ptr<const BrickModel> model = lego.getBricks();
+    const std::size_t numParts = model ? model->getParts().size() : 0;
+    if (numParts <= MOST_PARTS_UNASKED || options.isBookletConfirmed || options.bookletSteps) return;
+    PlanningOptions quick;
+    quick.checksStability = false;
+    quick.isCancelled = Cancellation::isRequested;
+    const osg::ref_ptr<const BuildingPlan> plan = planBuilding(*model, quick);
+    Cancellation::check();
+    throw CaptureError(
+        EXIT_BAD_INPUT,
+        fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or --steps FIRST-LAST",
+                    nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size())));
+}
+
+void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
+                       const std::optional<StabilityReport>& stability, osg::GraphicsContext& context,
+                       const ProgressBar& progress)
+{
+    BookletOptions booklet;
+    booklet.base = options.base.value_or(BuildingBase::TABLE);
+    if (options.bookletSteps) booklet.steps = {options.bookletSteps->first, options.bookletSteps->second};
+    booklet.stability = stability;
+    booklet.modelName = nameModel(options);
+    booklet.isCancelled = Cancellation::isRequested;
+    booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };
+    throwIf(writeBooklet(lego, findFile(options), context, booklet));
+}
+
+} // namespace osgLego

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "CaptureOptions.h"
+#include "ProgressBar.h"
+
+#include <osgLego/LegoNode.h>
+#include <osgLego/Stability.h>
+
+#include <optional>
+
+#include <osg/GraphicsContext>
+
+namespace osgLego
+{
+
+/** Throws CaptureError if the booklet's file can't be written. Call it before the work, which may take long. */
+void checkInstructionsPlace(const CaptureOptions& options);
+
+/** Throws CaptureError if a booklet of the node's parts would be very large, unless the options want it. */
+void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego);
+
+/** Write a booklet of building instructions. Throws CaptureError.
+ * @param stability of the node's bricks, if it is known. */
+void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
+                       const std::optional<StabilityReport>& stability, osg::GraphicsContext& context,
+                       const ProgressBar& progress);
+
+} // namespace osgLego

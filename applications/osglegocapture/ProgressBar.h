@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+namespace osgLego
+{
+
+/** Shows the progress of long work in a line on a terminal; prints nothing if standard error is not a terminal.
+ *
+ *     ProgressBar progress;
+ *     progress.show("reading");
+ *     progress.show(0.5, "step 2 of 4");
+ *     progress.clear(); // before anything else is printed
+ *
+ * One thread.
+ */
+class ProgressBar
+{
+public:
+    ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+    ~ProgressBar();
+
+    /** Show work that does not tell how much of it is done. */
+    void show(const std::string& work) const;
+    /** Show a bar.
+     * @param share of the work that is done, 0 to 1.
+     * @param work that comes next. */
+    void show(double share, const std::string& work) const;
+    /** Remove the line. */
+    void clear() const;
+
+private:
+    bool _isTerminal;
+};
+
+} // namespace osgLego

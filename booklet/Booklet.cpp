@@ -1,0 +1,214 @@
+#include <osgLegoBooklet/Booklet.h>
+
+#include "BookletCover.h"
+#include "BookletDownloads.h"
+#include "BookletFailure.h"
+#include "BookletFile.h"
+#include "BookletModel.h"
+#include "BookletPage.h"
+#include "BookletPictures.h"
+#include "BookletRenderer.h"
+#include "BookletText.h"
+
+#include <common/PictureRenderer.h>
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/Palette.h>
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+#include <osgDB/FileNameUtils>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using Reason = BookletError::Reason;
+
+/** Parts up to which the steps are planned with stability, which takes minutes for more. */
+constexpr std::size_t MOST_CHECKED_PARTS = 2000;
+/** Parts up to which it is computed whether the finished model stands. */
+constexpr std::size_t MOST_COMPUTED_PARTS = 6000;
+constexpr double PLANNING_SHARE = 0.1; // of the time
+
+/** Makes one booklet. Throws BookletFailure. */
+class BookletWriter
+{
+public:
+    BookletWriter(const LegoNode& lego, const BookletOptions& options) : _lego(lego), _options(options) {}
+
+    void write(const std::string& fileName, osg::GraphicsContext& context) const;
+
+private:
+    void checkCancellation() const;
+    void report(double share, const std::string& work) const;
+    osg::ref_ptr<const BrickModel> findModel() const;
+    osg::ref_ptr<const BuildingPlan> createPlan(const BrickModel& model) const;
+    std::optional<StabilityReport> findStability(const BrickModel& model) const;
+    void setSteps(std::size_t numSteps, BookletFacts& facts) const;
+    void writePage(const std::string& fileName, const BookletModel& model, const BookletFacts& facts,
+                   BookletPictureSource& pictures) const;
+
+    const LegoNode& _lego;
+    const BookletOptions& _options;
+};
+
+void BookletWriter::checkCancellation() const
+{
+    if (_options.isCancelled && _options.isCancelled())
+        throw BookletFailure(Reason::CANCELLED, "cancelled; the booklet was not written");
+}
+
+void BookletWriter::report(double share, const std::string& work) const
+{
+    if (_options.progress) _options.progress(share, work);
+}
+
+/** The parts to build. */
+osg::ref_ptr<const BrickModel> BookletWriter::findModel() const
+{
+    osg::ref_ptr<const BrickModel> model = _lego.getBricks();
+    if (!model || model->getParts().empty())
+        throw BookletFailure(Reason::BAD_MODEL, _options.modelName + " has no parts to build; expected parts=bricks "
+                                                                     "among its settings");
+    const BrickGrid& grid = model->getGrid();
+    if (!std::all_of(model->getParts().begin(), model->getParts().end(),
+                     [&grid](const Part& part) { return findPartType(part, grid) != nullptr; }))
+        throw BookletFailure(Reason::BAD_MODEL, _options.modelName + " has parts of other shapes; expected bricks and "
+                                                                     "plates of 1x1 to 2x8");
+    return model;
+}
+
+osg::ref_ptr<const BuildingPlan> BookletWriter::createPlan(const BrickModel& model) const
+{
+    PlanningOptions planning;
+    planning.base = _options.base;
+    planning.checksStability = model.getParts().size() <= MOST_CHECKED_PARTS;
+    planning.isCancelled = _options.isCancelled;
+    planning.progress = [this](double share) { report(PLANNING_SHARE * share, "planning the order of building"); };
+    osg::ref_ptr<const BuildingPlan> plan = planBuilding(model, planning);
+    checkCancellation();
+    return plan;
+}
+
+/** @return nothing for models so large that it would take too long. */
+std::optional<StabilityReport> BookletWriter::findStability(const BrickModel& model) const
+{
+    if (_options.stability) return _options.stability;
+    if (model.getParts().size() > MOST_COMPUTED_PARTS) return std::nullopt;
+    std::optional<StabilityReport> report = computeStability(model, {_options.base, _options.isCancelled});
+    checkCancellation();
+    return report;
+}
+
+void BookletWriter::setSteps(std::size_t numSteps, BookletFacts& facts) const
+{
+    facts.endStep = numSteps;
+    if (!_options.steps) return;
+    const auto [first, last] = *_options.steps;
+    if (first < 1 || first > last || first > numSteps)
+        throw BookletFailure(Reason::BAD_STEPS,
+                             fmt::format("{} has no steps {}-{}; expected FIRST-LAST from 1 to {}, the number of steps",
+                                         _options.modelName, first, last, numSteps));
+    facts.firstStep = first - 1;
+    facts.endStep = std::min(last, numSteps);
+}
+
+void BookletWriter::writePage(const std::string& fileName, const BookletModel& model, const BookletFacts& facts,
+                              BookletPictureSource& pictures) const
+{
+    std::size_t numDone = 0;
+    std::size_t numPictures = 0;
+    BookletPage page(model, facts, pictures,
+                     [&](const std::string& work)
+                     {
+                         checkCancellation();
+                         const double share = static_cast<double>(numDone++) / static_cast<double>(numPictures);
+                         report(PLANNING_SHARE + (1.0 - PLANNING_SHARE) * share, work);
+                     });
+    numPictures = page.countPictures();
+    BookletFolder folder(fileName);
+    writeBookletFile(fileName, [&page](std::ostream& stream) { page.write(stream); });
+    folder.keep();
+}
+
+void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& context) const
+{
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read(_lego.getSettings(), error);
+    if (!error.empty()) throw BookletFailure(Reason::BAD_MODEL, error);
+    const osg::ref_ptr<const BrickModel> bricks = findModel();
+    // Before planning, which may take long.
+    const std::string missing = PictureRenderer::findMissing(context);
+    if (!missing.empty()) throw BookletFailure(Reason::NO_GL, missing);
+    BookletRenderer renderer(context);
+
+    const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks);
+    const BookletModel model(*bricks, *plan, palette ? palette->getColors() : std::span<const PaletteColor>());
+    const osg::ref_ptr<LegoNode> planned = new LegoNode(_lego.getSettings());
+    planned->setName(_lego.getName());
+    planned->setStoredBricks(bricks);
+    planned->setBuildingPlan(plan);
+
+    const std::string name = osgDB::getStrippedName(fileName);
+    BookletFacts facts;
+    facts.title = titleOf(name);
+    facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
+    facts.downloads = createDownloads(name, model.getPartsList(), *planned);
+    checkCancellation();
+    setSteps(model.getMainChapter().steps.size(), facts);
+    BookletPictures pictures(model, renderer);
+    writePage(fileName, model, facts, pictures);
+}
+
+void checkFile(const std::string& fileName)
+{
+    checkBookletFolder(fileName);
+    findLDrawWriter();
+}
+
+} // namespace
+
+std::optional<BookletError> checkBookletFile(const std::string& fileName)
+try
+{
+    checkFile(fileName);
+    return std::nullopt;
+}
+catch (const BookletFailure& failure)
+{
+    return failure.getError();
+}
+
+std::optional<BookletError> writeBooklet(const LegoNode& lego, const std::string& fileName,
+                                         osg::GraphicsContext& context, const BookletOptions& options)
+try
+{
+    checkFile(fileName);
+    BookletWriter(lego, options).write(fileName, context);
+    return std::nullopt;
+}
+catch (const BookletFailure& failure)
+{
+    return failure.getError();
+}
+
+std::string nameBooklet(const std::string& modelFileName)
+{
+    const std::string loader = ".legolize";
+    std::string name = modelFileName;
+    while (name.ends_with(loader))
+    {
+        name.resize(name.size() - loader.size());
+        const auto settings = name.ends_with(')') ? name.rfind(".(") : name.rfind('.');
+        if (settings == std::string::npos) break;
+        name.resize(settings);
+    }
+    name = osgDB::getStrippedName(name);
+    return name.empty() ? "model" : name;
+}
+
+} // namespace osgLego

@@ -1,0 +1,40 @@
+#include "BookletCover.h"
+
+#include <common/NumberText.h>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+std::vector<std::string> createWarnings(const BookletModel& model, const std::optional<StabilityReport>& stability,
+                                        const BuildingPlan& plan, BuildingBase base)
+{
+    std::vector<std::string> warnings;
+    const std::string place = base == BuildingBase::TABLE ? "a table" : "a base plate";
+    if (!stability)
+        warnings.push_back("It was not computed whether this model stands, since it has so many parts.");
+    else if (!stability->stands)
+        warnings.push_back("This model does not stand on " + place + ": " + countOf(stability->falling.size(), "part") +
+                           " would fall. Support it from below, or make it with support=on.");
+    else if (!stability->safe)
+        warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
+    if (const std::size_t unheld = model.getNumUnheld())
+        warnings.push_back("This model can't be built as it is: nothing holds " + countOf(unheld, "part") + " when " +
+                           (unheld == 1 ? "it is" : "they are") + " placed.");
+    if (model.getNumPieces() > 1)
+        warnings.push_back(
+            fmt::format("This model consists of {} that no stud connects.", countOf(model.getNumPieces(), "piece")));
+    if (const std::size_t numFalling = model.getNumFallingSteps())
+        warnings.push_back(fmt::format("After {} the model, or a submodel, does not stand by itself: hold it there.",
+                                       countOf(numFalling, "step")));
+    if (const std::size_t numUnchecked = plan.getNumUnchecked())
+        warnings.push_back(fmt::format("Of {}, it was not computed whether the model stands after {}.",
+                                       countOf(numUnchecked, "step"), numUnchecked == 1 ? "it" : "them"));
+    for (const std::string& warning :
+         {model.getPartsList().describeNeverMade(), model.getPartsList().describeWithoutNumber()})
+        if (!warning.empty()) warnings.push_back("Parts " + warning + ".");
+    return warnings;
+}
+
+} // namespace osgLego

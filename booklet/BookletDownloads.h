@@ -1,0 +1,25 @@
+#pragma once
+
+#include "BookletPage.h"
+
+#include <common/PartsList.h>
+#include <osgLego/LegoNode.h>
+
+#include <string>
+#include <vector>
+
+#include <osgDB/ReaderWriter>
+
+namespace osgLego
+{
+
+/** The plugin that writes LDraw's files. Throws BookletFailure if osgDB does not find it. */
+osgDB::ReaderWriter& findLDrawWriter();
+
+/** The files that readers save from a booklet: a wanted list, a parts list, and the model in LDraw's format. Throws
+ * BookletFailure.
+ * @param name of the files, without an extension.
+ * @param lego with stored bricks and their building plan. */
+std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego);
+
+} // namespace osgLego
