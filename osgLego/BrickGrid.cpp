@@ -49,10 +49,10 @@ CellRange findCells(const BrickGrid& lattice, const osg::BoundingBoxd& bounds)
 BrickGrid createLattice(const LegoSettings& settings)
 {
     BrickGrid lattice;
-    lattice.upAxis = settings.upAxis;
-    lattice.cellSize = glm::dvec3(*settings.cellPitch);
+    lattice.upAxis = settings.grid.upAxis;
+    lattice.cellSize = glm::dvec3(*settings.grid.cellPitch);
     lattice.cellSize[lattice.getUpIndex()] *= settings.getCellHeight();
-    lattice.origin = settings.gridOrigin.value_or(glm::dvec3(0.0));
+    lattice.origin = settings.grid.origin.value_or(glm::dvec3(0.0));
     return lattice;
 }
 
@@ -70,9 +70,9 @@ constexpr double MAXIMUM_DISTANCE = 1e9;
 BrickGrid createFromLattice(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
 {
     BrickGrid grid = createLattice(settings);
-    if (settings.gridSize)
+    if (settings.grid.size)
     {
-        grid.dimensions = *settings.gridSize;
+        grid.dimensions = *settings.grid.size;
         return grid;
     }
     const CellRange cells = findCells(grid, bounds);
@@ -87,9 +87,9 @@ BrickGrid createFromLattice(const osg::BoundingBoxd& bounds, const LegoSettings&
 BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
 {
     BrickGrid grid;
-    grid.upAxis = settings.upAxis;
+    grid.upAxis = settings.grid.upAxis;
     if (!isFitToMeasure(bounds)) return grid;
-    if (settings.cellPitch) return createFromLattice(bounds, settings);
+    if (settings.grid.cellPitch) return createFromLattice(bounds, settings);
 
     const glm::dvec3 minimum(bounds.xMin(), bounds.yMin(), bounds.zMin());
     const glm::dvec3 extent = glm::dvec3(bounds.xMax(), bounds.yMax(), bounds.zMax()) - minimum;
@@ -98,14 +98,14 @@ BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& se
 
     glm::dvec3 proportions(1.0);
     proportions[up] = settings.getCellHeight();
-    const double pitch = extent[longest] / settings.resolution / proportions[longest];
+    const double pitch = extent[longest] / settings.grid.resolution / proportions[longest];
     if (!(pitch > 0.0)) return grid;
     grid.cellSize = pitch * proportions;
 
     for (int axis = 0; axis < 3; ++axis)
     {
         const double cells = extent[axis] / grid.cellSize[axis];
-        grid.dimensions[axis] = axis == longest ? static_cast<int>(settings.resolution)
+        grid.dimensions[axis] = axis == longest ? static_cast<int>(settings.grid.resolution)
                                                 : std::max(1, static_cast<int>(std::ceil(cells - EXTENT_TOLERANCE)));
         const double spare = std::max(0.0, grid.dimensions[axis] * grid.cellSize[axis] - extent[axis]);
         const bool shared = axis != up && axis != longest;
@@ -116,7 +116,7 @@ BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& se
 
 std::string BrickGrid::findObstacle(const osg::BoundingBoxd& bounds, const LegoSettings& settings)
 {
-    if (!settings.cellPitch || settings.gridSize || !isFitToMeasure(bounds)) return {};
+    if (!settings.grid.cellPitch || settings.grid.size || !isFitToMeasure(bounds)) return {};
     const BrickGrid lattice = createLattice(settings);
     const glm::dvec3 farthest =
         glm::max(glm::abs(lattice.toCells(bounds._min)), glm::abs(lattice.toCells(bounds._max)));

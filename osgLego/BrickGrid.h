@@ -25,7 +25,7 @@ namespace osgLego
  * are rounded up to whole cells. A horizontal side shares the excess between both ends, so that a symmetric mesh gets
  * symmetric bricks; the vertical side has it at the top, so that the lowest bricks stand where the mesh stands.
  *
- * With a cell pitch, the grid is a box of cells of a lattice, which extends from LegoSettings::gridOrigin in all
+ * With a cell pitch, the grid is a box of cells of a lattice, which extends from LegoSettings::Grid::origin in all
  * directions: `gridSize` cells from there on, or without a size the cells that the bounds reach into. Such a grid need
  * not contain the mesh; a surface exactly between two cells belongs to the upper one, even at the end of the grid.
  *

@@ -9,7 +9,7 @@
 namespace osgLego
 {
 
-/** The means by which a model was made to stand (LegoSettings::support). */
+/** The means by which a model was made to stand (LegoSettings::Parts::support). */
 struct SupportStatistics
 {
     bool stands = true;             //!< whether it stands now
@@ -19,11 +19,11 @@ struct SupportStatistics
     double milliseconds = 0.0;      //!< the time taken
 };
 
-/** Figures of the parts that cells were joined to (LegoSettings::parts). Times are in milliseconds. */
+/** Figures of the parts that cells were joined to (LegoSettings::Parts::set). Times are in milliseconds. */
 struct OSGLEGO_EXPORT LayoutStatistics
 {
     std::size_t numCells = 0;
-    std::size_t numInterior = 0; //!< cells that LegoSettings::fill added
+    std::size_t numInterior = 0; //!< cells that LegoSettings::Parts::fill added
     std::size_t numParts = 0;
     /** The sum over all layers of the fewest parts that can cover one; unset unless it was asked for. */
     std::optional<std::size_t> lowerBound;
@@ -37,7 +37,7 @@ struct OSGLEGO_EXPORT LayoutStatistics
     std::size_t numUnavailable = 0; //!< parts of a size that was never made in their colour
     double meanColorError = 0.0;    //!< the mean distance of visible cells from their surface's colour, in Oklab
     double maximumColorError = 0.0;
-    std::optional<SupportStatistics> support; //!< unset unless LegoSettings::support is on
+    std::optional<SupportStatistics> support; //!< unset unless LegoSettings::Parts::support is on
     double palette = 0.0;                     //!< the time taken to look up colours
     double fill = 0.0;                        //!< likewise to find interior cells
     double layout = 0.0;                      //!< likewise to lay parts

@@ -177,7 +177,7 @@ osg::ref_ptr<const BrickModel> LegoNode::getStoredBricks() const
 bool LegoNode::setBuildProgress(double progress)
 {
     LegoSettings settings;
-    settings.progress = progress;
+    settings.view.progress = progress;
     if (const std::string error = settings.check(); !error.empty())
     {
         OSG_WARN << "osgLego: " << error << std::endl;
@@ -189,7 +189,7 @@ bool LegoNode::setBuildProgress(double progress)
 
 double LegoNode::getBuildProgress() const
 {
-    return getSettings().progress;
+    return getSettings().view.progress;
 }
 
 void LegoNode::setBuildingPlan(const BuildingPlan* plan)

@@ -156,7 +156,7 @@ public:
     void setStoredBricks(const BrickModel* bricks);
     osg::ref_ptr<const BrickModel> getStoredBricks() const;
 
-    /** Show the parts that come first in the order of building; this is LegoSettings::progress. Parts appear and
+    /** Show the parts that come first in the order of building; this is LegoSettings::View::progress. Parts appear and
      * disappear in the shaders, so that a change in every frame costs no more than a still model. A model without parts
      * grows brick by brick, from bottom to top.
      *

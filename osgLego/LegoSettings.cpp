@@ -57,34 +57,36 @@ bool isNumber(std::string_view text)
 /** Read one value. @return what is wrong with it; empty when nothing is. */
 std::string readSetting(std::string_view key, std::string_view value, LegoSettings& settings)
 {
-    if (key == "resolution") return readNumber(key, value, "a whole number, 1 to 1024", settings.resolution);
-    if (key == "cell") return readNumber(key, value, EXPECTED_CELL, settings.cellPitch.emplace());
-    if (key == "origin") return readVector(key, value, EXPECTED_ORIGIN, settings.gridOrigin.emplace());
-    if (key == "size") return readVector(key, value, EXPECTED_SIZE, settings.gridSize.emplace());
-    if (key == "proportions") return readName(key, value, PROPORTIONS_NAMES, settings.proportions);
-    if (key == "up") return readName(key, value, UP_NAMES, settings.upAxis);
-    if (key == "method") return readName(key, value, METHOD_NAMES, settings.method);
-    if (key == "target") return readName(key, value, TARGET_NAMES, settings.target.emplace());
-    if (key == "fbo") return readNumber(key, value, "a whole number of pixels, 16 to 8192", settings.fboSize);
-    if (key == "edge") return readNumber(key, value, "a number of cells, 0.0625 to 4", settings.edgeLimit.emplace());
-    if (key == "device") return readName(key, value, DEVICE_NAMES, settings.device);
+    if (key == "resolution") return readNumber(key, value, "a whole number, 1 to 1024", settings.grid.resolution);
+    if (key == "cell") return readNumber(key, value, EXPECTED_CELL, settings.grid.cellPitch.emplace());
+    if (key == "origin") return readVector(key, value, EXPECTED_ORIGIN, settings.grid.origin.emplace());
+    if (key == "size") return readVector(key, value, EXPECTED_SIZE, settings.grid.size.emplace());
+    if (key == "proportions") return readName(key, value, PROPORTIONS_NAMES, settings.grid.proportions);
+    if (key == "up") return readName(key, value, UP_NAMES, settings.grid.upAxis);
+    if (key == "method") return readName(key, value, METHOD_NAMES, settings.voxelization.method);
+    if (key == "target") return readName(key, value, TARGET_NAMES, settings.voxelization.target.emplace());
+    if (key == "fbo")
+        return readNumber(key, value, "a whole number of pixels, 16 to 8192", settings.voxelization.fboSize);
+    if (key == "edge")
+        return readNumber(key, value, "a number of cells, 0.0625 to 4", settings.voxelization.edgeLimit.emplace());
+    if (key == "device") return readName(key, value, DEVICE_NAMES, settings.voxelization.device);
     if (key == "palette")
     {
-        settings.palette.emplace(value);
+        settings.colors.palette.emplace(value);
         return {};
     }
-    if (key == "colors") return readNumber(key, value, EXPECTED_COLORS, settings.numColors.emplace());
-    if (key == "dither") return readName(key, value, SWITCH_NAMES, settings.dither);
-    if (key == "fill") return readName(key, value, FILL_NAMES, settings.fill);
-    if (key == "shell") return readNumber(key, value, EXPECTED_SHELL, settings.shell);
-    if (key == "parts") return readName(key, value, PARTS_NAMES, settings.parts);
-    if (key == "seed") return readNumber(key, value, "a whole number, 0 to 4294967295", settings.seed);
-    if (key == "effort") return readName(key, value, EFFORT_NAMES, settings.effort);
-    if (key == "support") return readName(key, value, SWITCH_NAMES, settings.support);
-    if (key == "look") return readName(key, value, LOOK_NAMES, settings.look);
-    if (key == "drawing") return readName(key, value, DRAWING_NAMES, settings.drawing);
-    if (key == "progress") return readNumber(key, value, EXPECTED_PROGRESS, settings.progress);
-    if (key == "show") return readName(key, value, SHOW_NAMES, settings.show);
+    if (key == "colors") return readNumber(key, value, EXPECTED_COLORS, settings.colors.count.emplace());
+    if (key == "dither") return readName(key, value, SWITCH_NAMES, settings.colors.dither);
+    if (key == "fill") return readName(key, value, FILL_NAMES, settings.parts.fill);
+    if (key == "shell") return readNumber(key, value, EXPECTED_SHELL, settings.parts.shell);
+    if (key == "parts") return readName(key, value, PARTS_NAMES, settings.parts.set);
+    if (key == "seed") return readNumber(key, value, "a whole number, 0 to 4294967295", settings.parts.seed);
+    if (key == "effort") return readName(key, value, EFFORT_NAMES, settings.parts.effort);
+    if (key == "support") return readName(key, value, SWITCH_NAMES, settings.parts.support);
+    if (key == "look") return readName(key, value, LOOK_NAMES, settings.view.look);
+    if (key == "drawing") return readName(key, value, DRAWING_NAMES, settings.view.drawing);
+    if (key == "progress") return readNumber(key, value, EXPECTED_PROGRESS, settings.view.progress);
+    if (key == "show") return readName(key, value, SHOW_NAMES, settings.view.show);
     return unknownKey(key, KEYS);
 }
 
@@ -102,16 +104,17 @@ public:
         if (isResolution)
         {
             _hasResolution = true;
-            settings.cellPitch.reset();
-            settings.gridOrigin.reset();
-            settings.gridSize.reset();
+            settings.grid.cellPitch.reset();
+            settings.grid.origin.reset();
+            settings.grid.size.reset();
         }
         if (isCells) _hasCells = true;
-        if (key == "cell") settings.resolution = LegoSettings().resolution;
+        if (key == "cell") settings.grid.resolution = LegoSettings().grid.resolution;
         if (key == "proportions") _hasProportions = true;
         std::string error = readSetting(key, value, settings);
-        const bool isCube = settings.proportions == Proportions::CUBE;
-        if (settings.parts != PartSet::NONE && isCube && !_hasProportions) settings.proportions = Proportions::BRICK;
+        const bool isCube = settings.grid.proportions == Proportions::CUBE;
+        if (settings.parts.set != PartSet::NONE && isCube && !_hasProportions)
+            settings.grid.proportions = Proportions::BRICK;
         return error;
     }
 
@@ -153,18 +156,18 @@ bool isInRange(const glm::ivec3& size, UpAxis upAxis)
 /** @return the first error in the settings of the lattice, in one sentence; empty if there is none. */
 std::string checkLattice(const LegoSettings& settings)
 {
-    if (settings.gridOrigin && !settings.cellPitch) return "origin is given without cell; expected both";
-    if (settings.gridSize && !settings.gridOrigin) return "size is given without origin; expected both, and cell";
-    if (!settings.cellPitch) return {};
-    if (settings.resolution != LegoSettings().resolution)
+    if (settings.grid.origin && !settings.grid.cellPitch) return "origin is given without cell; expected both";
+    if (settings.grid.size && !settings.grid.origin) return "size is given without origin; expected both, and cell";
+    if (!settings.grid.cellPitch) return {};
+    if (settings.grid.resolution != LegoSettings().grid.resolution)
         return "a resolution can't be combined with cell; expected either";
-    const double pitch = *settings.cellPitch;
+    const double pitch = *settings.grid.cellPitch;
     if (!(pitch >= LegoSettings::MINIMUM_CELL && pitch <= LegoSettings::MAXIMUM_CELL))
         return badValue("cell", toText(pitch), EXPECTED_CELL);
-    if (settings.gridOrigin && !isInRange(*settings.gridOrigin))
-        return badValue("origin", vectorToText(*settings.gridOrigin), EXPECTED_ORIGIN);
-    if (settings.gridSize && !isInRange(*settings.gridSize, settings.upAxis))
-        return badValue("size", vectorToText(*settings.gridSize), EXPECTED_SIZE);
+    if (settings.grid.origin && !isInRange(*settings.grid.origin))
+        return badValue("origin", vectorToText(*settings.grid.origin), EXPECTED_ORIGIN);
+    if (settings.grid.size && !isInRange(*settings.grid.size, settings.grid.upAxis))
+        return badValue("size", vectorToText(*settings.grid.size), EXPECTED_SIZE);
     return {};
 }
 
@@ -181,21 +184,22 @@ bool isInTextForm(std::string_view palette)
  * none. */
 std::string checkParts(const LegoSettings& settings)
 {
-    if (settings.palette && !isInTextForm(*settings.palette))
-        return badValue("palette", *settings.palette, EXPECTED_PALETTE);
-    if (settings.numColors && (*settings.numColors < 1 || *settings.numColors > LegoSettings::MAXIMUM_COLORS))
-        return badValue("colors", toText(*settings.numColors), EXPECTED_COLORS);
-    if (settings.shell < 1 || settings.shell > LegoSettings::MAXIMUM_SHELL)
-        return badValue("shell", toText(settings.shell), EXPECTED_SHELL);
-    if (settings.getPalette() == "none" && settings.numColors)
+    if (settings.colors.palette && !isInTextForm(*settings.colors.palette))
+        return badValue("palette", *settings.colors.palette, EXPECTED_PALETTE);
+    if (settings.colors.count && (*settings.colors.count < 1 || *settings.colors.count > LegoSettings::MAXIMUM_COLORS))
+        return badValue("colors", toText(*settings.colors.count), EXPECTED_COLORS);
+    if (settings.parts.shell < 1 || settings.parts.shell > LegoSettings::MAXIMUM_SHELL)
+        return badValue("shell", toText(settings.parts.shell), EXPECTED_SHELL);
+    if (settings.getPalette() == "none" && settings.colors.count)
         return "colors is given without a palette; expected palette=ldraw or a file";
-    if (settings.getPalette() == "none" && settings.dither)
+    if (settings.getPalette() == "none" && settings.colors.dither)
         return "dither is on without a palette; expected palette=ldraw or a file";
-    if (settings.parts != PartSet::NONE && settings.proportions == Proportions::CUBE)
+    if (settings.parts.set != PartSet::NONE && settings.grid.proportions == Proportions::CUBE)
         return "bad value 'cube' for proportions; expected brick or plate with parts";
-    if (settings.support && settings.parts == PartSet::NONE)
+    if (settings.parts.support && settings.parts.set == PartSet::NONE)
         return "support is on without parts; expected parts=bricks";
-    if (settings.needsCpu() && (settings.method != VoxelizationMethod::EXACT || settings.device == Device::GPU))
+    if (settings.needsCpu() &&
+        (settings.voxelization.method != VoxelizationMethod::EXACT || settings.voxelization.device == Device::GPU))
         return "parts, and fill other than surface, are made on the CPU; expected method=exact, and device=auto or cpu";
     return {};
 }
@@ -204,30 +208,31 @@ std::string checkParts(const LegoSettings& settings)
 
 VoxelizationTarget LegoSettings::getTarget() const
 {
-    if (target) return *target;
-    return method == VoxelizationMethod::POINTS ? VoxelizationTarget::PROJECTED : VoxelizationTarget::ADDRESSED;
+    if (voxelization.target) return *voxelization.target;
+    return voxelization.method == VoxelizationMethod::POINTS ? VoxelizationTarget::PROJECTED
+                                                             : VoxelizationTarget::ADDRESSED;
 }
 
 double LegoSettings::getEdgeLimit() const
 {
-    if (edgeLimit) return *edgeLimit;
-    return method == VoxelizationMethod::POINTS ? 1.0 : 2.0;
+    if (voxelization.edgeLimit) return *voxelization.edgeLimit;
+    return voxelization.method == VoxelizationMethod::POINTS ? 1.0 : 2.0;
 }
 
 std::string LegoSettings::getPalette() const
 {
-    if (palette) return *palette;
-    return parts == PartSet::NONE ? "none" : "ldraw";
+    if (colors.palette) return *colors.palette;
+    return parts.set == PartSet::NONE ? "none" : "ldraw";
 }
 
 bool LegoSettings::needsCpu() const
 {
-    return parts != PartSet::NONE || fill != Fill::SURFACE;
+    return parts.set != PartSet::NONE || parts.fill != Fill::SURFACE;
 }
 
 double LegoSettings::getCellHeight() const
 {
-    switch (proportions)
+    switch (grid.proportions)
     {
     case Proportions::BRICK:
         return 1.2;
@@ -241,18 +246,19 @@ double LegoSettings::getCellHeight() const
 
 std::string LegoSettings::check() const
 {
-    if (resolution < 1 || resolution > MAXIMUM_RESOLUTION)
-        return rangeError("resolution", resolution, "a whole number", 1u, MAXIMUM_RESOLUTION);
+    if (grid.resolution < 1 || grid.resolution > MAXIMUM_RESOLUTION)
+        return rangeError("resolution", grid.resolution, "a whole number", 1u, MAXIMUM_RESOLUTION);
     if (std::string error = checkLattice(*this); !error.empty()) return error;
-    if (fboSize < MINIMUM_FBO_SIZE || fboSize > MAXIMUM_FBO_SIZE)
-        return rangeError("fbo", fboSize, "a whole number of pixels", MINIMUM_FBO_SIZE, MAXIMUM_FBO_SIZE);
+    if (voxelization.fboSize < MINIMUM_FBO_SIZE || voxelization.fboSize > MAXIMUM_FBO_SIZE)
+        return rangeError("fbo", voxelization.fboSize, "a whole number of pixels", MINIMUM_FBO_SIZE, MAXIMUM_FBO_SIZE);
     const double edge = getEdgeLimit();
     if (!(edge >= MINIMUM_EDGE_LIMIT && edge <= MAXIMUM_EDGE_LIMIT))
         return rangeError("edge", edge, "a number of cells", MINIMUM_EDGE_LIMIT, MAXIMUM_EDGE_LIMIT);
-    if (method == VoxelizationMethod::EXACT && getTarget() != VoxelizationTarget::ADDRESSED)
+    if (voxelization.method == VoxelizationMethod::EXACT && getTarget() != VoxelizationTarget::ADDRESSED)
         return "bad value 'projected' for target; expected addressed with method=exact";
-    if (!(progress >= 0.0 && progress <= 1.0)) return badValue("progress", toText(progress), EXPECTED_PROGRESS);
-    if (method == VoxelizationMethod::POINTS && device == Device::CPU)
+    if (!(view.progress >= 0.0 && view.progress <= 1.0))
+        return badValue("progress", toText(view.progress), EXPECTED_PROGRESS);
+    if (voxelization.method == VoxelizationMethod::POINTS && voxelization.device == Device::CPU)
         return "bad value 'cpu' for device; expected auto or gpu with method=points";
     return checkParts(*this);
 }
@@ -265,10 +271,7 @@ bool LegoSettings::isKey(const std::string& name)
 bool LegoSettings::givesSameBricks(const LegoSettings& other) const
 {
     LegoSettings alike = other;
-    alike.look = look;
-    alike.drawing = drawing;
-    alike.progress = progress;
-    alike.show = show;
+    alike.view = view;
     return alike == *this;
 }
 
@@ -290,32 +293,35 @@ std::string LegoSettings::toString() const
 {
     const LegoSettings defaults;
     std::ostringstream text;
-    if (cellPitch)
-        text << "cell=" << toText(*cellPitch);
+    if (grid.cellPitch)
+        text << "cell=" << toText(*grid.cellPitch);
     else
-        text << resolution;
-    if (gridOrigin) text << ",origin=" << vectorToText(*gridOrigin);
-    if (gridSize) text << ",size=" << vectorToText(*gridSize);
-    if (proportions != defaults.proportions) text << ",proportions=" << nameOf(PROPORTIONS_NAMES, proportions);
-    if (upAxis != defaults.upAxis) text << ",up=" << nameOf(UP_NAMES, upAxis);
-    if (method != defaults.method) text << ",method=" << nameOf(METHOD_NAMES, method);
-    if (target) text << ",target=" << nameOf(TARGET_NAMES, *target);
-    if (fboSize != defaults.fboSize) text << ",fbo=" << fboSize;
-    if (edgeLimit) text << ",edge=" << toText(*edgeLimit);
-    if (device != defaults.device) text << ",device=" << nameOf(DEVICE_NAMES, device);
-    if (palette) text << ",palette=" << *palette;
-    if (numColors) text << ",colors=" << *numColors;
-    if (dither) text << ",dither=on";
-    if (fill != defaults.fill) text << ",fill=" << nameOf(FILL_NAMES, fill);
-    if (shell != defaults.shell) text << ",shell=" << shell;
-    if (parts != defaults.parts) text << ",parts=" << nameOf(PARTS_NAMES, parts);
-    if (seed != defaults.seed) text << ",seed=" << seed;
-    if (effort != defaults.effort) text << ",effort=" << nameOf(EFFORT_NAMES, effort);
-    if (support) text << ",support=on";
-    if (look != defaults.look) text << ",look=" << nameOf(LOOK_NAMES, look);
-    if (drawing != defaults.drawing) text << ",drawing=" << nameOf(DRAWING_NAMES, drawing);
-    if (progress != defaults.progress) text << ",progress=" << toText(progress);
-    if (show != defaults.show) text << ",show=" << nameOf(SHOW_NAMES, show);
+        text << grid.resolution;
+    if (grid.origin) text << ",origin=" << vectorToText(*grid.origin);
+    if (grid.size) text << ",size=" << vectorToText(*grid.size);
+    if (grid.proportions != defaults.grid.proportions)
+        text << ",proportions=" << nameOf(PROPORTIONS_NAMES, grid.proportions);
+    if (grid.upAxis != defaults.grid.upAxis) text << ",up=" << nameOf(UP_NAMES, grid.upAxis);
+    if (voxelization.method != defaults.voxelization.method)
+        text << ",method=" << nameOf(METHOD_NAMES, voxelization.method);
+    if (voxelization.target) text << ",target=" << nameOf(TARGET_NAMES, *voxelization.target);
+    if (voxelization.fboSize != defaults.voxelization.fboSize) text << ",fbo=" << voxelization.fboSize;
+    if (voxelization.edgeLimit) text << ",edge=" << toText(*voxelization.edgeLimit);
+    if (voxelization.device != defaults.voxelization.device)
+        text << ",device=" << nameOf(DEVICE_NAMES, voxelization.device);
+    if (colors.palette) text << ",palette=" << *colors.palette;
+    if (colors.count) text << ",colors=" << *colors.count;
+    if (colors.dither) text << ",dither=on";
+    if (parts.fill != defaults.parts.fill) text << ",fill=" << nameOf(FILL_NAMES, parts.fill);
+    if (parts.shell != defaults.parts.shell) text << ",shell=" << parts.shell;
+    if (parts.set != defaults.parts.set) text << ",parts=" << nameOf(PARTS_NAMES, parts.set);
+    if (parts.seed != defaults.parts.seed) text << ",seed=" << parts.seed;
+    if (parts.effort != defaults.parts.effort) text << ",effort=" << nameOf(EFFORT_NAMES, parts.effort);
+    if (parts.support) text << ",support=on";
+    if (view.look != defaults.view.look) text << ",look=" << nameOf(LOOK_NAMES, view.look);
+    if (view.drawing != defaults.view.drawing) text << ",drawing=" << nameOf(DRAWING_NAMES, view.drawing);
+    if (view.progress != defaults.view.progress) text << ",progress=" << toText(view.progress);
+    if (view.show != defaults.view.show) text << ",show=" << nameOf(SHOW_NAMES, view.show);
     return text.str();
 }
 

@@ -67,7 +67,7 @@ enum class Drawing
 enum class Fill
 {
     SURFACE, //!< the covered cells
-    SHELL,   //!< and the interior cells within LegoSettings::shell cells of the outside
+    SHELL,   //!< and the interior cells within LegoSettings::Parts::shell cells of the outside
     SOLID    //!< and all interior cells
 };
 
@@ -155,61 +155,105 @@ struct OSGLEGO_EXPORT LegoSettings
     static constexpr unsigned int MAXIMUM_COLORS = 255;
     static constexpr unsigned int MAXIMUM_SHELL = 1024;
 
-    /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the default if
-     * there is a `cellPitch`. */
-    unsigned int resolution = 64;
-    /** The width of a cell in model units, MINIMUM_CELL to MAXIMUM_CELL; its height follows from the proportions.
-     * Unset: the resolution determines it. */
-    std::optional<double> cellPitch;
-    /** A corner of a cell in model units, each coordinate at most MAXIMUM_ORIGIN: the cells of all nodes with equal
-     * pitch, proportions, up axis and origin belong to one lattice. Needs a `cellPitch`. Unset: the model's origin. */
-    std::optional<glm::dvec3> gridOrigin;
-    /** The number of cells along the model's x, y and z, from `gridOrigin` on, which it needs: 1 to MAXIMUM_RESOLUTION,
-     * and to MAXIMUM_LAYERS along the up axis. Geometry outside is ignored. Unset: all cells that the model reaches. */
-    std::optional<glm::ivec3> gridSize;
-    Proportions proportions = Proportions::CUBE;
-    UpAxis upAxis = UpAxis::Z;
-    VoxelizationMethod method = VoxelizationMethod::EXACT;
-    /** Unset: the method's default; see getTarget(). */
-    std::optional<VoxelizationTarget> target;
-    /** Pixels along a side of a projected target, MINIMUM_FBO_SIZE to MAXIMUM_FBO_SIZE; other targets ignore it. */
-    unsigned int fboSize = 1024;
-    /** The longest edge that subdivision leaves, in cells, MINIMUM_EDGE_LIMIT to MAXIMUM_EDGE_LIMIT; unset: the
-     * method's default, see getEdgeLimit(). */
-    std::optional<double> edgeLimit;
-    /** Both devices find the same cells, except cells that a triangle merely grazes; colours may differ by rounding. */
-    Device device = Device::AUTO;
-    /** The colours of bricks: "none" (any colour), "ldraw" or the path of a file (see Palette::read()), without
-     * commas, brackets and surrounding spaces. Unset: see getPalette(). */
-    std::optional<std::string> palette;
-    /** The number of colours, 1 to MAXIMUM_COLORS: those of the palette that suit the source best. Unset: all. */
-    std::optional<unsigned int> numColors;
-    /** Whether colours between those of the palette are imitated by a pattern of cells. */
-    bool dither = false;
-    Fill fill = Fill::SURFACE;
-    /** The thickness of Fill::SHELL in cells, 1 to MAXIMUM_SHELL; 1 is the surface alone. */
-    unsigned int shell = 2;
-    /** Parts are laid on the CPU, and need VoxelizationMethod::EXACT and bricks or plates as cells. */
-    PartSet parts = PartSet::NONE;
-    /** The start of the layout's random numbers: equal seeds give equal parts of equal cells. A LegoNode whose source
-     * has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
-    std::uint32_t seed = 0;
-    Effort effort = Effort::NORMAL;
-    /** Whether a model of parts that would fall is laid again to stand and, if that does not suffice, gets columns. */
-    bool support = false;
-    // These do not affect which cells become bricks.
-    Look look = Look::FULL;
-    Drawing drawing = Drawing::AUTO;
-    /** The share of parts that is shown, 0 to 1, in the order of building (LegoNode::setBuildProgress()). */
-    double progress = 1.0;
-    Show show = Show::COLOR;
+    /** The lattice of cells. */
+    struct Grid
+    {
+        /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the default
+         * if there is a `cellPitch`. */
+        unsigned int resolution = 64;
+        /** The width of a cell in model units, MINIMUM_CELL to MAXIMUM_CELL; its height follows from the proportions.
+         * Unset: the resolution determines it. */
+        std::optional<double> cellPitch;
+        /** A corner of a cell in model units, each coordinate at most MAXIMUM_ORIGIN: the cells of all nodes with equal
+         * pitch, proportions, up axis and origin belong to one lattice. Needs a `cellPitch`. Unset: the model's origin.
+         */
+        std::optional<glm::dvec3> origin;
+        /** The number of cells along the model's x, y and z, from `origin` on, which it needs: 1 to MAXIMUM_RESOLUTION,
+         * and to MAXIMUM_LAYERS along the up axis. Geometry outside is ignored. Unset: all cells that the model
+         * reaches. */
+        std::optional<glm::ivec3> size;
+        Proportions proportions = Proportions::CUBE;
+        UpAxis upAxis = UpAxis::Z;
 
-    /** The target in effect: `target` if set, otherwise the method's default (points: projected, exact: addressed). */
+        bool operator==(const Grid&) const = default;
+    };
+
+    /** How covered cells are found. */
+    struct Voxelization
+    {
+        VoxelizationMethod method = VoxelizationMethod::EXACT;
+        /** Unset: the method's default; see getTarget(). */
+        std::optional<VoxelizationTarget> target;
+        /** Pixels along a side of a projected target, MINIMUM_FBO_SIZE to MAXIMUM_FBO_SIZE; other targets ignore it. */
+        unsigned int fboSize = 1024;
+        /** The longest edge that subdivision leaves, in cells, MINIMUM_EDGE_LIMIT to MAXIMUM_EDGE_LIMIT; unset: the
+         * method's default, see getEdgeLimit(). */
+        std::optional<double> edgeLimit;
+        /** Both devices find the same cells, except cells that a triangle merely grazes; colours may differ by
+         * rounding. */
+        Device device = Device::AUTO;
+
+        bool operator==(const Voxelization&) const = default;
+    };
+
+    /** The colours of bricks. */
+    struct Colors
+    {
+        /** "none" (any colour), "ldraw" or the path of a file (see Palette::read()), without commas, brackets and
+         * surrounding spaces. Unset: see getPalette(). */
+        std::optional<std::string> palette;
+        /** The number of colours, 1 to MAXIMUM_COLORS: those of the palette that suit the source best. Unset: all. */
+        std::optional<unsigned int> count;
+        /** Whether colours between those of the palette are imitated by a pattern of cells. */
+        bool dither = false;
+
+        bool operator==(const Colors&) const = default;
+    };
+
+    /** The cells that become bricks, and the parts that they are joined to. */
+    struct Parts
+    {
+        Fill fill = Fill::SURFACE;
+        /** The thickness of Fill::SHELL in cells, 1 to MAXIMUM_SHELL; 1 is the surface alone. */
+        unsigned int shell = 2;
+        /** Parts are laid on the CPU, and need VoxelizationMethod::EXACT and bricks or plates as cells. */
+        PartSet set = PartSet::NONE;
+        /** The start of the layout's random numbers: equal seeds give equal parts of equal cells. A LegoNode whose
+         * source has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
+        std::uint32_t seed = 0;
+        Effort effort = Effort::NORMAL;
+        /** Whether a model of parts that would fall is laid again to stand and, if that does not suffice, gets columns.
+         */
+        bool support = false;
+
+        bool operator==(const Parts&) const = default;
+    };
+
+    /** How bricks are shown; these settings do not affect which bricks there are. */
+    struct View
+    {
+        Look look = Look::FULL;
+        Drawing drawing = Drawing::AUTO;
+        /** The share of parts that is shown, 0 to 1, in the order of building (LegoNode::setBuildProgress()). */
+        double progress = 1.0;
+        Show show = Show::COLOR;
+
+        bool operator==(const View&) const = default;
+    };
+
+    Grid grid;
+    Voxelization voxelization;
+    Colors colors;
+    Parts parts;
+    View view;
+
+    /** The target in effect: `voxelization.target` if set, otherwise the method's default (points: projected, exact:
+     * addressed). */
     VoxelizationTarget getTarget() const;
-    /** The edge limit in effect, in cells: `edgeLimit` if set, otherwise the method's default (points: 1, as in the
-     * paper; exact: 2). */
+    /** The edge limit in effect, in cells: `voxelization.edgeLimit` if set, otherwise the method's default (points: 1,
+     * as in the paper; exact: 2). */
     double getEdgeLimit() const;
-    /** The palette in effect: `palette` if set, otherwise "ldraw" with parts and "none" without. */
+    /** The palette in effect: `colors.palette` if set, otherwise "ldraw" with parts and "none" without. */
     std::string getPalette() const;
     /** Whether cells are filled or joined to parts, which only the CPU does. */
     bool needsCpu() const;
@@ -235,8 +279,7 @@ struct OSGLEGO_EXPORT LegoSettings
      * cell. */
     std::string toString() const;
 
-    /** Whether a mesh gets the same bricks from both settings: they are equal except for the look, the
-     * drawing, the progress and the colours shown. */
+    /** Whether a mesh gets the same bricks from both settings: all groups but the view are equal. */
     bool givesSameBricks(const LegoSettings& other) const;
 
     bool operator==(const LegoSettings&) const = default;

@@ -151,8 +151,8 @@ BenchMesh createBenchMesh(const MeshSource& source, osg::Node& node, unsigned in
     BenchMesh mesh;
     mesh.name = source.name;
     mesh.node = &node;
-    mesh.settings.resolution = resolution;
-    mesh.settings.upAxis = source.upAxis;
+    mesh.settings.grid.resolution = resolution;
+    mesh.settings.grid.upAxis = source.upAxis;
     mesh.triangles = GridTriangles::create(*SceneTriangles::create(node), mesh.settings);
     return mesh;
 }

@@ -22,8 +22,8 @@ using PopDebugGroup = void GL_APIENTRY();
 
 BenchScene::BenchScene(const MeshSource& source, unsigned int resolution) : mesh(source)
 {
-    settings.resolution = resolution;
-    settings.upAxis = source.upAxis;
+    settings.grid.resolution = resolution;
+    settings.grid.upAxis = source.upAxis;
 }
 
 osg::ref_ptr<LegoNode> BenchScene::createLego() const
@@ -37,7 +37,7 @@ osg::ref_ptr<LegoNode> BenchScene::createLego() const
 void BenchScene::placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const
 {
     constexpr double FIELD_OF_VIEW = 30.0;
-    const bool isYUp = settings.upAxis == UpAxis::Y;
+    const bool isYUp = settings.grid.upAxis == UpAxis::Y;
     const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
     const osg::Vec3d front = isYUp ? osg::Vec3d(0, 0, 1) : osg::Vec3d(0, -1, 0);
     const double turn = osg::DegreesToRadians(azimuth);

@@ -121,7 +121,7 @@ ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
     viewer.show(*root, scene);
     viewer.timeFrame("first");
     ordered_json row{{"mesh", scene.mesh.name},
-                     {"resolution", scene.settings.resolution},
+                     {"resolution", scene.settings.grid.resolution},
                      {"device", options.device},
                      {"look", options.look},
                      {"parts", options.hasParts},

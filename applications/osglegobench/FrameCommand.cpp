@@ -42,8 +42,8 @@ public:
         _isBuffer(look == "buffer"), _viewer(size)
     {
         BenchScene reference = scene;
-        reference.settings.device = Device::GPU;
-        reference.settings.drawing = Drawing::TRIANGLES;
+        reference.settings.voxelization.device = Device::GPU;
+        reference.settings.view.drawing = Drawing::TRIANGLES;
         _ways = {createWay(reference, look), createWay(scene, look)};
         for (const osg::ref_ptr<osg::Group>& way : _ways)
             _root->addChild(way);
@@ -72,7 +72,7 @@ public:
 private:
     static osg::ref_ptr<osg::Group> createWay(BenchScene scene, const std::string& look)
     {
-        scene.settings.look = look == "plain" ? Look::PLAIN : Look::FULL;
+        scene.settings.view.look = look == "plain" ? Look::PLAIN : Look::FULL;
         osg::ref_ptr<LegoNode> lego = scene.createLego();
         if (look == "plain" || look == "full") return lego;
         osg::ref_ptr<AmbientOcclusionScene> occlusion = new AmbientOcclusionScene;
@@ -123,7 +123,7 @@ ordered_json compare(const osg::Image& a, const osg::Image& b)
 ordered_json compareWays(const BenchScene& scene, const std::string& view, const std::string& look,
                          const FrameOptions& options)
 {
-    fmt::print(stderr, "drawing {} at {} from {}, {}\n", scene.mesh.name, scene.settings.resolution, view, look);
+    fmt::print(stderr, "drawing {} at {} from {}, {}\n", scene.mesh.name, scene.settings.grid.resolution, view, look);
     FramePair pair(scene, look, options.getSize());
     std::array<osg::ref_ptr<osg::Image>, 2> pictures;
     std::array<std::vector<double>, 2> times;
@@ -135,7 +135,7 @@ ordered_json compareWays(const BenchScene& scene, const std::string& view, const
             if (run == 0) pictures[way] = pair.read();
         }
     return {{"mesh", scene.mesh.name},
-            {"resolution", scene.settings.resolution},
+            {"resolution", scene.settings.grid.resolution},
             {"view", view},
             {"look", look},
             {"referenceMilliseconds", createSpread(times[0])},

@@ -44,19 +44,19 @@ osg::ref_ptr<const BrickModel> paintAll(const BrickModel& model, const PaletteCo
 CaseCells findCells(const LayoutCase& layoutCase)
 {
     LegoSettings settings = layoutCase.settings;
-    settings.upAxis = layoutCase.mesh.upAxis;
-    settings.fill = Fill::SURFACE;
+    settings.grid.upAxis = layoutCase.mesh.upAxis;
+    settings.parts.fill = Fill::SURFACE;
     CaseCells cells;
     cells.model = legolizeOnCpu(*readMesh(layoutCase.mesh), settings);
     if (!cells.model) throw std::runtime_error("'" + layoutCase.mesh.path + "' can't be legolized");
-    if (!settings.palette)
+    if (!settings.colors.palette)
     {
         cells.colors.resize(1);
         cells.model = paintAll(*cells.model, cells.colors.front());
         return cells;
     }
     std::string error;
-    const osg::ref_ptr<const Palette> palette = Palette::read(*settings.palette, error);
+    const osg::ref_ptr<const Palette> palette = Palette::read(*settings.colors.palette, error);
     if (!palette) throw std::runtime_error(error);
     cells.colors.assign(palette->getColors().begin(), palette->getColors().end());
     return cells;
@@ -71,9 +71,10 @@ public:
         const osg::Timer_t start = osg::Timer::instance()->tick();
         FilledCells filled;
         std::string error;
-        if (!fillCells(*cells.model, settings.fill, settings.shell, filled, error)) throw std::runtime_error(error);
+        if (!fillCells(*cells.model, settings.parts.fill, settings.parts.shell, filled, error))
+            throw std::runtime_error(error);
         problem = createProblem(filled, cells.model->getGrid(), cells.colors);
-        parts = layOut(problem, {settings.effort, settings.seed, 1, {}, {}});
+        parts = layOut(problem, {settings.parts.effort, settings.parts.seed, 1, {}, {}});
         model = createModel(parts, cells.model->getGrid(), cells.colors);
         milliseconds = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     }
@@ -130,7 +131,7 @@ ordered_json createRow(const LayoutCase& layoutCase, const LayoutRun& run)
     const LayoutFigures figures = computeLayoutFigures(run.problem, run.parts);
     return {{"figure", layoutCase.figure},
             {"mesh", layoutCase.mesh.name},
-            {"resolution", layoutCase.settings.resolution},
+            {"resolution", layoutCase.settings.grid.resolution},
             {"cells", figures.cells},
             {"parts", figures.parts},
             {"stacked", figures.getStackedSeams()},
@@ -176,7 +177,7 @@ ordered_json measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs,
     row["milliseconds"] = createSpread(times);
     if (run.problem.isOfPlates)
         row["ofPlates"] = static_cast<double>(run.parts.size()) /
-                          static_cast<double>(countPlates(run.problem, layoutCase.settings.effort));
+                          static_cast<double>(countPlates(run.problem, layoutCase.settings.parts.effort));
     else if (layoutCase.goals.ratio)
     {
         std::set<int> layers;

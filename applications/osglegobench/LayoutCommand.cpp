@@ -39,10 +39,10 @@ MeshSource findAssimpMesh(const LayoutCommandOptions& options, const std::string
 LegoSettings createSettings(unsigned int resolution, Effort effort, Fill fill)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
-    settings.proportions = Proportions::BRICK;
-    settings.effort = effort;
-    settings.fill = fill;
+    settings.grid.resolution = resolution;
+    settings.grid.proportions = Proportions::BRICK;
+    settings.parts.effort = effort;
+    settings.parts.fill = fill;
     return settings;
 }
 
@@ -62,9 +62,9 @@ public:
     static std::vector<LayoutCase> createQuick()
     {
         LegoSettings colored = createSettings(16, Effort::NORMAL, Fill::SURFACE);
-        colored.palette = "ldraw";
+        colored.colors.palette = "ldraw";
         LegoSettings plates = createSettings(12, Effort::INSTANT, Fill::SOLID);
-        plates.proportions = Proportions::PLATE;
+        plates.grid.proportions = Proportions::PLATE;
         return {
             {"small", MeshSource(), createSettings(16, Effort::NORMAL, Fill::SOLID), {1.02, 0.06, ONE_SECOND, {}, {}}},
             {"colored", MeshSource(), colored, {1.02, 0.10, 2.0 * ONE_SECOND, {}, {}}},
@@ -94,7 +94,7 @@ private:
         add("shell", _bunny, createSettings(48, Effort::NORMAL, Fill::SHELL), {{}, {}, {}, 0.03, {}});
         add("shell", _duck, createSettings(48, Effort::NORMAL, Fill::SHELL), {{}, {}, {}, 0.03, {}});
         LegoSettings plates = createSettings(48, Effort::BEST, Fill::SOLID);
-        plates.proportions = Proportions::PLATE;
+        plates.grid.proportions = Proportions::PLATE;
         add("plates", _bunny, plates, {{}, {}, {}, {}, 0.6});
         add("medium", _bunny, createSettings(47, Effort::NORMAL, Fill::SOLID), {1.03, {}, ONE_SECOND, {}, {}});
         add("large", _bunny, createSettings(424, Effort::NORMAL, Fill::SURFACE), {1.06, {}, 10.0 * ONE_SECOND, {}, {}});
@@ -106,7 +106,7 @@ private:
         for (const MeshSource& mesh : {MeshSource(), _duck, _spider})
         {
             LegoSettings settings = createSettings(48, Effort::NORMAL, Fill::SURFACE);
-            settings.palette = "ldraw";
+            settings.colors.palette = "ldraw";
             add("colored", mesh, settings, {1.02, 0.10, 2.0 * ONE_SECOND, {}, {}});
         }
     }
@@ -192,9 +192,9 @@ void runLayout(const LayoutCommandOptions& options)
     ordered_json document = createDocument("layout");
     for (const LayoutCase& layoutCase : cases)
     {
-        fmt::print(stderr, "laying {} at {}, {}\n", layoutCase.mesh.name, layoutCase.settings.resolution,
+        fmt::print(stderr, "laying {} at {}, {}\n", layoutCase.mesh.name, layoutCase.settings.grid.resolution,
                    layoutCase.figure);
-        const unsigned int numRuns = layoutCase.settings.effort == Effort::INSTANT ? options.numRuns : 1;
+        const unsigned int numRuns = layoutCase.settings.parts.effort == Effort::INSTANT ? options.numRuns : 1;
         document["rows"].push_back(measureLayout(layoutCase, {numRuns, options.boundSeconds}, bounds));
     }
     if (!options.jsonFile.empty())

@@ -41,7 +41,7 @@ ordered_json compareWithRays(const BenchScene& scene, const char* quality, const
 {
     fmt::print(stderr, "casting rays at {}, {}\n", scene.mesh.name, quality);
     ordered_json row{{"mesh", scene.mesh.name},
-                     {"resolution", scene.settings.resolution},
+                     {"resolution", scene.settings.grid.resolution},
                      {"azimuth", scene.azimuth},
                      {"elevation", scene.elevation},
                      {"quality", quality}};
@@ -52,7 +52,7 @@ ordered_json compareWithRays(const BenchScene& scene, const char* quality, const
 /** The median times of drawing bricks and of each following pass, in milliseconds. */
 ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
 {
-    scene.settings.resolution = 128;
+    scene.settings.grid.resolution = 128;
     OcclusionView view(scene, SIZE);
     const AmbientOcclusionSettings settings = createSettings(quality);
     view.draw(settings); // legolizes and creates programs
@@ -67,7 +67,7 @@ ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
         all["denoise"].push_back(times.denoise);
         all["composite"].push_back(times.composite);
     }
-    ordered_json row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.resolution}, {"quality", quality}};
+    ordered_json row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.grid.resolution}, {"quality", quality}};
     for (const auto& [pass, times] : all)
         row["milliseconds"][pass] = createSpread(times)["median"];
     return row;

@@ -46,13 +46,13 @@ struct StabilityGoal
 osg::ref_ptr<const BrickModel> lay(const MeshSource& mesh, unsigned int resolution)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
-    settings.proportions = Proportions::BRICK;
-    settings.parts = PartSet::BRICKS;
-    settings.palette = "ldraw";
-    settings.numColors = 1;
-    settings.effort = Effort::INSTANT;
-    settings.upAxis = mesh.upAxis;
+    settings.grid.resolution = resolution;
+    settings.grid.proportions = Proportions::BRICK;
+    settings.parts.set = PartSet::BRICKS;
+    settings.colors.palette = "ldraw";
+    settings.colors.count = 1;
+    settings.parts.effort = Effort::INSTANT;
+    settings.grid.upAxis = mesh.upAxis;
     osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*readMesh(mesh), settings);
     if (!model) throw std::runtime_error("'" + mesh.path + "' can't be legolized");
     return model;

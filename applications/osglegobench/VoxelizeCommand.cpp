@@ -122,11 +122,11 @@ void runInTurns(std::vector<Entrant>& entrants, const BenchRuns& runs)
 ordered_json measure(const BenchMesh& mesh, const ContenderList& contenders, const VoxelizeOptions& options,
                      osg::GraphicsContext& context)
 {
-    fmt::print(stderr, "measuring {} at {}\n", mesh.name, mesh.settings.resolution);
+    fmt::print(stderr, "measuring {} at {}\n", mesh.name, mesh.settings.grid.resolution);
     const glm::ivec3& dimensions = mesh.triangles->getGrid().dimensions;
     ordered_json result{{"mesh", mesh.name},
                         {"triangles", mesh.triangles->getNumTriangles()},
-                        {"resolution", mesh.settings.resolution},
+                        {"resolution", mesh.settings.grid.resolution},
                         {"dimensions", {dimensions.x, dimensions.y, dimensions.z}}};
     std::vector<Entrant> entrants;
     for (const auto& contender : contenders)

@@ -127,7 +127,7 @@ void checkBound(const CaptureOptions& options)
             "--bound has no report to appear in; expected one or more of -o, --stats, --cells and --compare");
     const bool isKnown = options.settings || options.mesh.empty();
     const LegoSettings settings = options.settings.value_or(LegoSettings());
-    if (isKnown && (settings.parts == PartSet::NONE || settings.proportions != Proportions::BRICK))
+    if (isKnown && (settings.parts.set == PartSet::NONE || settings.grid.proportions != Proportions::BRICK))
         throw CLI::ValidationError(
             "--bound counts bricks; expected parts=bricks and proportions=brick among the settings of --legolize");
 }

@@ -171,7 +171,7 @@ void CaptureScene::addOcclusion()
 void CaptureScene::setOcclusion()
 {
     const bool hasGroup = Finder<AmbientOcclusionScene>(*_shown).getFound() != nullptr;
-    if (_lego->getSettings().look == Look::FULL && _options.hasOcclusion && !hasGroup)
+    if (_lego->getSettings().view.look == Look::FULL && _options.hasOcclusion && !hasGroup)
     {
         osg::ref_ptr<AmbientOcclusionScene> occlusion = new AmbientOcclusionScene;
         occlusion->setLightProbe(_lego->getLightProbe().get());
@@ -207,7 +207,7 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
     }
     const osg::Quat turn(osg::DegreesToRadians(_options.probe.turn), osg::Vec3d(0, 0, 1));
     const osg::Quat upright =
-        getSettings().upAxis == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
+        getSettings().grid.upAxis == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
     probe->setRotation(turn * upright);
     probe->setIntensity(_options.probe.intensity);
     return probe;
@@ -344,7 +344,7 @@ void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
     light->getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
     light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
     // The full look also has environment light.
-    const bool isFull = _lego && _lego->getSettings().look == Look::FULL;
+    const bool isFull = _lego && _lego->getSettings().view.look == Look::FULL;
     const float diffuse = isFull ? 1.0f : 0.7f;
     light->getLight()->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0f));
     light->getLight()->setSpecular(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
@@ -371,7 +371,7 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
     if (_lego && !bound.intersects(_lego->getBound())) bound.expandBy(_lego->getBound());
     const LegoSettings settings = getSettings();
     const double aspect = static_cast<double>(_options.width) / _options.height;
-    CaptureCamera place(_options.view, settings.upAxis, aspect);
+    CaptureCamera place(_options.view, settings.grid.upAxis, aspect);
     if (_options.view.distance > 0.0)
         place.moveToDistance(bound);
     else

@@ -42,9 +42,9 @@ osg::ref_ptr<const BrickModel> findSurface(const LegoNode& lego)
 {
     if (lego.getStoredBricks()) return nullptr;
     LegoSettings settings = lego.getSettings();
-    settings.palette = settings.getPalette();
-    settings.parts = PartSet::NONE;
-    settings.fill = Fill::SURFACE;
+    settings.colors.palette = settings.getPalette();
+    settings.parts.set = PartSet::NONE;
+    settings.parts.fill = Fill::SURFACE;
     osg::ref_ptr<osg::Group> source = new osg::Group;
     for (unsigned int index = 0; index < lego.getNumChildren(); ++index)
         source->addChild(const_cast<osg::Node*>(lego.getChild(index)));

@@ -197,7 +197,7 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
     osg::ref_ptr<GridTriangles> result = new GridTriangles;
     result->_grid = BrickGrid::fit(triangles.getBounds(), settings);
     if (result->_grid.getNumCells() == 0) return result;
-    const GridFrame frame(result->_grid, triangles.getBounds(), !settings.cellPitch);
+    const GridFrame frame(result->_grid, triangles.getBounds(), !settings.grid.cellPitch);
     result->_firstCell = frame.getFirstCell();
     for (const SceneBatch& batch : triangles.getBatches())
         appendBatches(frame, batch, settings.getEdgeLimit(), result->_batches);

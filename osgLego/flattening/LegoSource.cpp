@@ -11,7 +11,7 @@ osg::ref_ptr<LegoSource> LegoSource::create(const SceneTriangles& scene, const L
     osg::ref_ptr<LegoSource> source = new LegoSource;
     source->settings = settings;
     source->triangles = GridTriangles::create(scene, settings);
-    source->lookup = PaletteLookup(paletteOf(settings, *source->triangles, error), settings.dither);
+    source->lookup = PaletteLookup(paletteOf(settings, *source->triangles, error), settings.colors.dither);
     return error.empty() ? source : nullptr;
 }
 

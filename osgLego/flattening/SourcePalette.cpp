@@ -9,8 +9,8 @@ namespace osgLego
 osg::ref_ptr<const Palette> paletteOf(const LegoSettings& settings, const GridTriangles& triangles, std::string& error)
 {
     const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
-    if (!palette || !settings.numColors || *settings.numColors >= palette->getColors().size()) return palette;
-    return chooseColors(*palette, histogramOf(triangles), *settings.numColors);
+    if (!palette || !settings.colors.count || *settings.colors.count >= palette->getColors().size()) return palette;
+    return chooseColors(*palette, histogramOf(triangles), *settings.colors.count);
 }
 
 } // namespace osgLego

@@ -125,11 +125,12 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
     if (!_settings.needsCpu()) return colored;
 
     FilledCells filled;
-    if (isCancelled() || !fillCells(*colored, _settings.fill, _settings.shell, filled, _error)) return nullptr;
-    if (_settings.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
-        warnOfLeak(_settings.fill);
+    if (isCancelled() || !fillCells(*colored, _settings.parts.fill, _settings.parts.shell, filled, _error))
+        return nullptr;
+    if (_settings.parts.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
+        warnOfLeak(_settings.parts.fill);
     statistics.fill = stopwatch.lap();
-    if (_settings.parts == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
+    if (_settings.parts.set == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
     return lay(filled, cells.getGrid(), statistics);
 }
 
@@ -144,12 +145,14 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     layout->problem = createProblem(cells, grid, colors);
     const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
     if (isCancelled()) return nullptr;
-    const LayoutOptions options{
-        .effort = _settings.effort, .seed = _settings.seed, .isCancelled = _isCancelled, .progress = _progress};
+    const LayoutOptions options{.effort = _settings.parts.effort,
+                                .seed = _settings.parts.seed,
+                                .isCancelled = _isCancelled,
+                                .progress = _progress};
     layout->parts = layOut(layout->problem, options, isAlike ? _previous->parts : LaidParts());
     if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
-    if (_settings.support)
+    if (_settings.parts.support)
     {
         if (!support(options, *layout, statistics)) return nullptr;
         statistics.support->milliseconds = stopwatch.lap();

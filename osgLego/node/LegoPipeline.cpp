@@ -24,11 +24,11 @@ void LegoPipeline::setSettings(const LegoSettings& settings)
     osg::ref_ptr<const BrickModel> stored;
     {
         const std::lock_guard lock(_mutex);
-        const bool isShownAlike = settings.show == _request.settings.show;
+        const bool isShownAlike = settings.view.show == _request.settings.view.show;
         if (!settings.givesSameBricks(_request.settings) || !isShownAlike) _isDirty = true;
         if (!isShownAlike) stored = _storedBricks;
         _request.settings = settings;
-        _display.setLook(settings.look, settings.drawing);
+        _display.setLook(settings.view.look, settings.view.drawing);
         applyProgress();
     }
     if (stored) showStored(*stored);
@@ -37,7 +37,7 @@ void LegoPipeline::setSettings(const LegoSettings& settings)
 void LegoPipeline::setProgress(double progress)
 {
     const std::lock_guard lock(_mutex);
-    _request.settings.progress = progress;
+    _request.settings.view.progress = progress;
     applyProgress();
 }
 
@@ -45,7 +45,7 @@ void LegoPipeline::setProgress(double progress)
 void LegoPipeline::applyProgress()
 {
     BuildingState state = _store->getState();
-    state.progress = _request.settings.progress;
+    state.progress = _request.settings.view.progress;
     _store->setState(state);
 }
 
@@ -122,7 +122,7 @@ void LegoPipeline::showStored(const BrickModel& bricks)
         const std::lock_guard lock(_mutex);
         revision = _watch.drop();
         // The parts have their own colours until those for their load have been computed.
-        if (_request.settings.show == Show::LOAD && !bricks.getParts().empty()) revisionByLoad = _watch.drop();
+        if (_request.settings.view.show == Show::LOAD && !bricks.getParts().empty()) revisionByLoad = _watch.drop();
     }
     _cpuProducer->cancel();
     _gpuProducer->cancel();
@@ -201,8 +201,9 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
  * unknown, since any context can show bricks from the CPU. */
 BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsigned int contextID) const
 {
-    if (settings.device == Device::CPU || settings.needsCpu()) return *_cpuProducer;
-    if (settings.device == Device::GPU || settings.method != VoxelizationMethod::EXACT) return *_gpuProducer;
+    if (settings.voxelization.device == Device::CPU || settings.needsCpu()) return *_cpuProducer;
+    if (settings.voxelization.device == Device::GPU || settings.voxelization.method != VoxelizationMethod::EXACT)
+        return *_gpuProducer;
     if (GlRequirements::getRenderer(contextID) == Renderer::HARDWARE) return *_gpuProducer;
     return *_cpuProducer;
 }

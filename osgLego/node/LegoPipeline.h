@@ -37,7 +37,7 @@ public:
 
     void setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
-    /** Change LegoSettings::progress alone. */
+    /** Change LegoSettings::View::progress alone. */
     void setProgress(double progress);
     void setNumNewParts(std::size_t count);
     std::size_t getNumNewParts() const { return _store->getState().numNew; }

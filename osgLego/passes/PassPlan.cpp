@@ -26,7 +26,7 @@ VoxelFormat chooseFormat(const LegoSource& source)
 {
     constexpr std::size_t CELLS_PER_TRIANGLE = 16;
     constexpr double LOWEST_EDGE_LIMIT = 2.0; // the default of exact voxelization
-    if (source.settings.method == VoxelizationMethod::POINTS) return VoxelFormat::COLOR;
+    if (source.settings.voxelization.method == VoxelizationMethod::POINTS) return VoxelFormat::COLOR;
     const std::size_t numCells = source.triangles->getGrid().getNumCells();
     const bool isDense = numCells < CELLS_PER_TRIANGLE * source.triangles->getNumTriangles() ||
                          source.settings.getEdgeLimit() < LOWEST_EDGE_LIMIT;
@@ -41,9 +41,10 @@ PassPlan PassPlan::create(const LegoSource& source)
 {
     PassPlan plan;
     const LegoSettings& settings = source.settings;
-    plan.method = settings.method;
+    plan.method = settings.voxelization.method;
     plan.target = settings.getTarget();
-    if (plan.target == VoxelizationTarget::PROJECTED) plan.pictureSize = static_cast<int>(settings.fboSize);
+    if (plan.target == VoxelizationTarget::PROJECTED)
+        plan.pictureSize = static_cast<int>(settings.voxelization.fboSize);
     if (plan.method == VoxelizationMethod::EXACT) plan.cellsPerTriangle = cellsMetAtMost(settings.getEdgeLimit());
     plan.format = chooseFormat(source);
     plan.hasPalette = source.lookup.hasPalette();

@@ -73,7 +73,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
             error = work.error;
             if (!model) return std::nullopt;
-            const osg::ref_ptr<const BrickSet> bricks = createSet(source->revision, *model, source->settings.show,
+            const osg::ref_ptr<const BrickSet> bricks = createSet(source->revision, *model, source->settings.view.show,
                                                                   work.statistics, work.measureLayout, isCancelled);
             if (!bricks) return std::nullopt;
             return Made{bricks, std::move(layout)};

@@ -55,8 +55,8 @@ std::string join(const Entries& entries)
 osg::ref_ptr<osg::Node> createLegoNode(const std::string& name, const BrickModel& model)
 {
     LegoSettings settings;
-    settings.proportions = getCellPlates(model.getGrid()) == 1 ? Proportions::PLATE : Proportions::BRICK;
-    settings.parts = PartSet::BRICKS;
+    settings.grid.proportions = getCellPlates(model.getGrid()) == 1 ? Proportions::PLATE : Proportions::BRICK;
+    settings.parts.set = PartSet::BRICKS;
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->setName(name);
     lego->setStoredBricks(&model);

@@ -97,7 +97,7 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
     switch (occlusion)
     {
     case Occlusion::BY_LOOK:
-        if (lego.look == osgLego::Look::PLAIN) return std::nullopt;
+        if (lego.view.look == osgLego::Look::PLAIN) return std::nullopt;
         break;
     case Occlusion::OFF:
         return std::nullopt;

@@ -141,7 +141,7 @@ private:
             const std::string found = osgDB::findDataFile(settings.probe, options);
             probe = osgLego::LightProbe::read(found.empty() ? settings.probe : found, error);
         }
-        if (probe && settings.lego.upAxis == osgLego::UpAxis::Y)
+        if (probe && settings.lego.grid.upAxis == osgLego::UpAxis::Y)
             probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
         return probe;
     }
@@ -159,10 +159,7 @@ private:
         for (osgLego::LegoNode* lego : nodes)
         {
             osgLego::LegoSettings shown = lego->getSettings();
-            shown.look = settings.lego.look;
-            shown.drawing = settings.lego.drawing;
-            shown.progress = settings.lego.progress;
-            shown.show = settings.lego.show;
+            shown.view = settings.lego.view;
             lego->setSettings(shown);
             lego->setLightProbe(&probe);
         }

@@ -39,7 +39,7 @@ osg::ref_ptr<LegoNode> createLego(const osg::ref_ptr<osg::Node>& source = create
                                   unsigned int resolution = RESOLUTION)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
+    settings.grid.resolution = resolution;
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(source);
     return lego;
@@ -284,8 +284,8 @@ osg::ref_ptr<LegoNode> createPartsNode(double outline)
 {
     const osg::ref_ptr<LegoNode> lego = createLego(createRacingCar(), 32);
     LegoSettings settings = lego->getSettings();
-    settings.proportions = Proportions::BRICK;
-    settings.parts = PartSet::BRICKS;
+    settings.grid.proportions = Proportions::BRICK;
+    settings.parts.set = PartSet::BRICKS;
     lego->setSettings(settings);
     BrickAppearance appearance;
     appearance.outline = outline;

@@ -107,9 +107,9 @@ osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& dimensions,
 osg::ref_ptr<const BrickModel> createCar(Proportions proportions, UpAxis up)
 {
     LegoSettings settings;
-    settings.resolution = 16;
-    settings.proportions = proportions;
-    settings.upAxis = up;
+    settings.grid.resolution = 16;
+    settings.grid.proportions = proportions;
+    settings.grid.upAxis = up;
     return legolizeOnCpu(*createRacingCar(), settings);
 }
 

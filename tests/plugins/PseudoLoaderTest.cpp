@@ -105,7 +105,7 @@ TEST_F(PseudoLoader, OcclusionChoosesTheQualityOrTheNodeAloneInTheFullLook)
     osgDB::ReaderWriter::ReadResult off = read(name + ".(8,occlusion=off).legolize");
     const auto* lego = dynamic_cast<LegoNode*>(off.getNode());
     ASSERT_TRUE(lego);
-    EXPECT_EQ(lego->getSettings().look, Look::FULL);
+    EXPECT_EQ(lego->getSettings().view.look, Look::FULL);
 }
 
 TEST_F(PseudoLoader, SupportedOptionsDescribeEveryKey)

@@ -73,20 +73,20 @@ TEST_F(Serializer, SettingsSurviveIfTheirPaletteIsMissingAndAnObstacleNamesIt)
             LegoSettings settings;
             std::string error;
             ASSERT_TRUE(LegoSettings::parse("32,proportions=plate,parts=bricks,look=plain", settings, error)) << error;
-            settings.palette = pathOf(palette);
-            std::ofstream(*settings.palette)
+            settings.colors.palette = pathOf(palette);
+            std::ofstream(*settings.colors.palette)
                 << "code,name,rgb,edge,bricklink,bricks,plates\n4,Red,#B40000,#333333,5,11111111111,11111111111\n";
             osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
             ASSERT_EQ(lego->getSettings(), settings);
             lego->addChild(createSphere(6));
             ASSERT_TRUE(osgDB::writeNodeFile(*lego, pathOf(name)));
-            std::filesystem::remove(*settings.palette);
+            std::filesystem::remove(*settings.colors.palette);
             const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf(name));
             const auto* back = dynamic_cast<LegoNode*>(node.get());
             ASSERT_TRUE(back);
             EXPECT_EQ(back->getSettings(), settings);
             EXPECT_EQ(back->getNumChildren(), 1u);
-            EXPECT_NE(back->getObstacle().find(*settings.palette), std::string::npos) << back->getObstacle();
+            EXPECT_NE(back->getObstacle().find(*settings.colors.palette), std::string::npos) << back->getObstacle();
         }
 }
 

@@ -29,7 +29,7 @@ public:
         if (auto* lego = dynamic_cast<LegoNode*>(&group))
         {
             LegoSettings settings = lego->getSettings();
-            settings.device = Device::CPU;
+            settings.voxelization.device = Device::CPU;
             lego->setSettings(settings);
             lego->setWaiting(true);
         }

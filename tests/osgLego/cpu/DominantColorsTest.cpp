@@ -35,7 +35,7 @@ public:
     std::vector<Color> voxelize(CellColor rule, unsigned int numCells = 1) const
     {
         LegoSettings settings;
-        settings.resolution = numCells;
+        settings.grid.resolution = numCells;
         const osg::ref_ptr<const GridTriangles> triangles =
             GridTriangles::create(*SceneTriangles::create(*_geode), settings);
         const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*triangles, rule);
@@ -133,7 +133,7 @@ bool isMixed(const Color& color)
 TEST(DominantColors, ATextureIsRarelyMixed)
 {
     LegoSettings settings;
-    settings.resolution = 8;
+    settings.grid.resolution = 8;
     std::size_t numMixed = 0;
     std::size_t numMixedMeans = 0;
     for (const int numTexels : {7, 16, 61, 256, 1000})

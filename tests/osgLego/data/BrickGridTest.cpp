@@ -15,9 +15,9 @@ namespace
 LegoSettings settingsOf(unsigned int resolution, Proportions proportions = Proportions::CUBE, UpAxis up = UpAxis::Z)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
-    settings.proportions = proportions;
-    settings.upAxis = up;
+    settings.grid.resolution = resolution;
+    settings.grid.proportions = proportions;
+    settings.grid.upAxis = up;
     return settings;
 }
 

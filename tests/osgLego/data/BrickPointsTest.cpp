@@ -20,7 +20,7 @@ namespace
 osg::ref_ptr<const BrickModel> createModel(unsigned int resolution)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
+    settings.grid.resolution = resolution;
     return legolizeOnCpu(*test::createSphere(), settings);
 }
 

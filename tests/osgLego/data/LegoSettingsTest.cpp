@@ -27,46 +27,46 @@ std::string errorOf(const std::string& text)
 
 TEST(LegoSettings, ANumberAloneIsTheResolution)
 {
-    EXPECT_EQ(parsed("128").resolution, 128u);
+    EXPECT_EQ(parsed("128").grid.resolution, 128u);
 }
 
 TEST(LegoSettings, EveryKeyIsRead)
 {
     const LegoSettings settings =
         parsed("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
-    EXPECT_EQ(settings.resolution, 32u);
-    EXPECT_EQ(settings.proportions, Proportions::PLATE);
-    EXPECT_EQ(settings.upAxis, UpAxis::Y);
-    EXPECT_EQ(settings.method, VoxelizationMethod::POINTS);
+    EXPECT_EQ(settings.grid.resolution, 32u);
+    EXPECT_EQ(settings.grid.proportions, Proportions::PLATE);
+    EXPECT_EQ(settings.grid.upAxis, UpAxis::Y);
+    EXPECT_EQ(settings.voxelization.method, VoxelizationMethod::POINTS);
     EXPECT_EQ(settings.getTarget(), VoxelizationTarget::ADDRESSED);
-    EXPECT_EQ(settings.fboSize, 512u);
+    EXPECT_EQ(settings.voxelization.fboSize, 512u);
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
     const LegoSettings parts =
         parsed("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best,"
                "support=on,progress=0.25,show=load");
-    EXPECT_EQ(parts.palette, "a.csv");
-    EXPECT_EQ(parts.numColors, 6u);
-    EXPECT_TRUE(parts.dither);
-    EXPECT_EQ(parts.fill, Fill::SHELL);
-    EXPECT_EQ(parts.shell, 3u);
-    EXPECT_EQ(parts.parts, PartSet::BRICKS);
-    EXPECT_EQ(parts.seed, 7u);
-    EXPECT_EQ(parts.effort, Effort::BEST);
-    EXPECT_TRUE(parts.support);
-    EXPECT_EQ(parts.progress, 0.25);
-    EXPECT_EQ(parts.show, Show::LOAD);
+    EXPECT_EQ(parts.colors.palette, "a.csv");
+    EXPECT_EQ(parts.colors.count, 6u);
+    EXPECT_TRUE(parts.colors.dither);
+    EXPECT_EQ(parts.parts.fill, Fill::SHELL);
+    EXPECT_EQ(parts.parts.shell, 3u);
+    EXPECT_EQ(parts.parts.set, PartSet::BRICKS);
+    EXPECT_EQ(parts.parts.seed, 7u);
+    EXPECT_EQ(parts.parts.effort, Effort::BEST);
+    EXPECT_TRUE(parts.parts.support);
+    EXPECT_EQ(parts.view.progress, 0.25);
+    EXPECT_EQ(parts.view.show, Show::LOAD);
     const LegoSettings lattice = parsed("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
-    EXPECT_EQ(lattice.cellPitch, 0.25);
-    EXPECT_EQ(lattice.gridOrigin, glm::dvec3(-1.0, 2.5, 1e-3));
-    EXPECT_EQ(lattice.gridSize, glm::ivec3(3, 4, 50));
+    EXPECT_EQ(lattice.grid.cellPitch, 0.25);
+    EXPECT_EQ(lattice.grid.origin, glm::dvec3(-1.0, 2.5, 1e-3));
+    EXPECT_EQ(lattice.grid.size, glm::ivec3(3, 4, 50));
 }
 
 TEST(LegoSettings, PartsAreBricksInLdrawColorsUnlessTheTextSaysOtherwise)
 {
-    EXPECT_EQ(parsed("64,parts=bricks").proportions, Proportions::BRICK);
-    EXPECT_EQ(parsed("64,proportions=plate,parts=bricks").proportions, Proportions::PLATE);
-    EXPECT_EQ(parsed("64,parts=bricks,proportions=plate").proportions, Proportions::PLATE);
-    EXPECT_EQ(parsed("64,parts=none").proportions, Proportions::CUBE);
+    EXPECT_EQ(parsed("64,parts=bricks").grid.proportions, Proportions::BRICK);
+    EXPECT_EQ(parsed("64,proportions=plate,parts=bricks").grid.proportions, Proportions::PLATE);
+    EXPECT_EQ(parsed("64,parts=bricks,proportions=plate").grid.proportions, Proportions::PLATE);
+    EXPECT_EQ(parsed("64,parts=none").grid.proportions, Proportions::CUBE);
     EXPECT_EQ(parsed("64,parts=bricks").getPalette(), "ldraw");
     EXPECT_EQ(parsed("64,parts=bricks,palette=none").getPalette(), "none");
     EXPECT_EQ(parsed("64").getPalette(), "none");
@@ -112,7 +112,7 @@ TEST(LegoSettings, NamesOfPalettesRoundTripOrAreRefused)
     const auto withPalette = [](const std::string& name)
     {
         LegoSettings settings;
-        settings.palette = name;
+        settings.colors.palette = name;
         return settings;
     };
     for (const char* name : {"a b.csv", "/tmp/my  palette.csv", "a=b", "a\tb", "\"a\"", "up=y", "50%.csv", "a--b\\c"})
@@ -129,8 +129,8 @@ TEST(LegoSettings, NamesOfPalettesRoundTripOrAreRefused)
 
 TEST(LegoSettings, TheLookIsFullByDefault)
 {
-    EXPECT_EQ(parsed("64").look, Look::FULL);
-    EXPECT_EQ(parsed("64,look=plain").look, Look::PLAIN);
+    EXPECT_EQ(parsed("64").view.look, Look::FULL);
+    EXPECT_EQ(parsed("64,look=plain").view.look, Look::PLAIN);
     EXPECT_EQ(parsed("64,look=full").toString(), "64");
 }
 
@@ -200,8 +200,8 @@ TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
     for (const char* text : {"64,cell=1", "cell=1,64", "origin=0:0:0,64", "resolution=64,size=4:4:4"})
         EXPECT_EQ(errorOf(text), "a resolution can't be combined with cell, origin or size; expected either") << text;
     LegoSettings settings;
-    settings.resolution = 32;
-    settings.cellPitch = 1.0;
+    settings.grid.resolution = 32;
+    settings.grid.cellPitch = 1.0;
     EXPECT_EQ(settings.check(), "a resolution can't be combined with cell; expected either");
 }
 

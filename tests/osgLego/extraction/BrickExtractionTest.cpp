@@ -181,7 +181,7 @@ TEST_P(BrickExtraction, DrawsEveryVisibleBrickOnceBlockByBlock)
         for (std::size_t channel = 0; channel < 3; ++channel)
             ASSERT_NEAR(found[brick].color[channel], expected[brick].color[channel], 1) << brick;
     }
-    const bool isExact = settings.method == VoxelizationMethod::EXACT;
+    const bool isExact = settings.voxelization.method == VoxelizationMethod::EXACT;
     EXPECT_TRUE(!isExact || expected.size() == getVisible(*lego->getBricks()).size());
 }
 

@@ -520,7 +520,7 @@ TEST(SceneTriangles, ALegoNodeInASourceCountsAsItsBricks)
 {
     osg::ref_ptr<LegoNode> lego = new LegoNode;
     LegoSettings settings;
-    settings.resolution = 1;
+    settings.grid.resolution = 1;
     lego->setSettings(settings);
     lego->addChild(createUnitTriangle());
     EXPECT_EQ(SceneTriangles::create(*lego)->getNumTriangles(), 1u) << "the node itself is flattened to its source";

@@ -177,8 +177,8 @@ TEST(SourcePalette, IsTheBestChoiceForTheSource)
     geode->addDrawable(createRectangle(5, 4, 10, 0, {0.98f, 0.78f, 0.04f, 1}));
     geode->addDrawable(createRectangle(9, 1, 10, 0, {0.96f, 0.96f, 0.96f, 1}));
     LegoSettings settings;
-    settings.palette = "ldraw";
-    settings.numColors = 3;
+    settings.colors.palette = "ldraw";
+    settings.colors.count = 3;
     std::string error;
     const osg::ref_ptr<const GridTriangles> triangles = createTriangles(*geode, "20");
     const osg::ref_ptr<const Palette> palette = paletteOf(settings, *triangles, error);
@@ -187,14 +187,14 @@ TEST(SourcePalette, IsTheBestChoiceForTheSource)
     for (const PaletteColor& color : palette->getColors())
         names.insert(color.name);
     EXPECT_EQ(names, (std::set<std::string>{"Red", "Yellow", "White"}));
-    settings.numColors = 200;
+    settings.colors.count = 200;
     EXPECT_EQ(paletteOf(settings, *triangles, error)->getColors().size(), 33u);
-    settings.numColors.reset();
+    settings.colors.count.reset();
     EXPECT_EQ(paletteOf(settings, *triangles, error)->getColors().size(), 33u);
-    settings.palette = "none";
+    settings.colors.palette = "none";
     EXPECT_FALSE(paletteOf(settings, *triangles, error));
     EXPECT_EQ(error, "");
-    settings.palette = "missing.csv";
+    settings.colors.palette = "missing.csv";
     EXPECT_FALSE(paletteOf(settings, *triangles, error));
     EXPECT_EQ(error, "missing.csv: the palette can't be read: No such file or directory");
 }
@@ -202,8 +202,8 @@ TEST(SourcePalette, IsTheBestChoiceForTheSource)
 TEST(SourcePalette, IsTheSameOnEveryRun)
 {
     LegoSettings settings;
-    settings.palette = "ldraw";
-    settings.numColors = 6;
+    settings.colors.palette = "ldraw";
+    settings.colors.count = 6;
     std::string error;
     const auto choose = [&]
     {

@@ -25,7 +25,7 @@ using test::createTriangle;
 LegoSettings settingsOf(unsigned int resolution)
 {
     LegoSettings settings;
-    settings.resolution = resolution;
+    settings.grid.resolution = resolution;
     return settings;
 }
 

@@ -47,7 +47,7 @@ protected:
     void SetUp() override
     {
         LegoSettings settings;
-        settings.resolution = 8;
+        settings.grid.resolution = 8;
         _lego->setSettings(settings);
         _lego->addChild(createSphere(4));
     }
@@ -83,8 +83,8 @@ TEST_F(BrickFileWriterTest, TheNextCallbackGetsTheNodeForOsgsOwnFormatsAndBricks
 TEST_F(BrickFileWriterTest, AModelWhoseBricksCannotBeMadeIsNotWrittenAsItsMesh)
 {
     LegoSettings settings;
-    settings.resolution = 600;
-    settings.fill = Fill::SOLID;
+    settings.grid.resolution = 600;
+    settings.parts.fill = Fill::SOLID;
     _lego->setSettings(settings);
     for (const char* name : {"lego.obj", "lego.ldr", "lego.ive"})
     {

@@ -25,7 +25,7 @@ namespace
 osg::ref_ptr<LegoNode> createLego()
 {
     LegoSettings settings;
-    settings.resolution = 8;
+    settings.grid.resolution = 8;
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->setName("ball");
     lego->setNodeMask(0xf0);

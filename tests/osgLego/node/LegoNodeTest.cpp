@@ -287,7 +287,7 @@ TEST_P(LegoNodeTest, AnEmptyNodeDrawsNothing)
 TEST_P(LegoNodeTest, BadSettingsAreRefused)
 {
     LegoSettings settings;
-    settings.resolution = 0;
+    settings.grid.resolution = 0;
     EXPECT_FALSE(_lego->setSettings(settings));
     EXPECT_EQ(_lego->getSettings(), parseSettings("16"));
 }

@@ -96,7 +96,7 @@ TEST(PartialModel, ProgressIsASettingFromZeroToOne)
         EXPECT_FALSE(node->setBuildProgress(bad));
     EXPECT_EQ(node->getBuildProgress(), 0.25);
     LegoSettings settings;
-    settings.progress = 0.75;
+    settings.view.progress = 0.75;
     EXPECT_TRUE(node->setSettings(settings));
     EXPECT_EQ(node->getBuildProgress(), 0.75);
 }

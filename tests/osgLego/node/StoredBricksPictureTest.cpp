@@ -109,7 +109,7 @@ TEST_F(StoredBricksPicture, PartsHaveTheColorsOfTheirLoadIfTheSettingsAskForIt)
     };
     EXPECT_GT(countDifferent(*drawNext(), *expected, 1), 1000u);
     LegoSettings settings;
-    settings.show = Show::LOAD;
+    settings.view.show = Show::LOAD;
     red->setSettings(settings);
     EXPECT_EQ(countDifferent(*drawNext(), *expected, 1), 0u) << "the first frame";
     EXPECT_TRUE(red->isLegolized(_context->getState()->getContextID()));

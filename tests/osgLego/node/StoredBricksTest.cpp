@@ -22,7 +22,7 @@ class StoredBricksTest : public ::testing::Test
 protected:
     void SetUp() override
     {
-        _settings.resolution = 20;
+        _settings.grid.resolution = 20;
         _bricks = legolizeOnCpu(*createRacingCar(), _settings);
         _lego->setStoredBricks(_bricks);
     }
@@ -45,7 +45,7 @@ TEST_F(StoredBricksTest, TheNodeHasTheseBricksAndTheirBounds)
 TEST_F(StoredBricksTest, ChildrenAddedLaterAndSettingsDoNotChangeThem)
 {
     _lego->addChild(createSphere(4));
-    _settings.resolution = 5;
+    _settings.grid.resolution = 5;
     _lego->setSettings(_settings);
     _lego->dirty();
     EXPECT_EQ(_lego->getBricks(), _bricks);

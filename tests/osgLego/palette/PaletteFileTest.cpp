@@ -282,14 +282,14 @@ TEST_F(PaletteFile, SettingsNameTheirPalette)
     std::string error;
     EXPECT_FALSE(Palette::read(settings, error));
     EXPECT_EQ(error, "");
-    settings.palette = "ldraw";
+    settings.colors.palette = "ldraw";
     EXPECT_EQ(findPaletteError(settings), "");
     EXPECT_EQ(Palette::read(settings, error)->getColors().size(), 33u);
-    settings.palette = write("bad.csv", "x");
+    settings.colors.palette = write("bad.csv", "x");
     EXPECT_EQ(findPaletteError(settings),
               pathOf("bad.csv") + ", line 1: expected code,name,rgb,edge,bricklink,bricks,plates, found 'x'");
-    settings.palette.reset();
-    settings.parts = PartSet::BRICKS;
+    settings.colors.palette.reset();
+    settings.parts.set = PartSet::BRICKS;
     EXPECT_EQ(findPaletteError(settings), "");
 }
 

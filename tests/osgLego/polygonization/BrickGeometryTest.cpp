@@ -37,9 +37,9 @@ struct Measure
 osg::ref_ptr<const BrickModel> createModel(Proportions proportions, UpAxis up)
 {
     LegoSettings settings;
-    settings.resolution = 12;
-    settings.proportions = proportions;
-    settings.upAxis = up;
+    settings.grid.resolution = 12;
+    settings.grid.proportions = proportions;
+    settings.grid.upAxis = up;
     return legolizeOnCpu(*test::createSphere(), settings);
 }
 

@@ -18,7 +18,8 @@ namespace osgLego::test
 namespace
 {
 
-/** Compares bricks, drawn either way (LegoSettings::drawing), with the same bricks as plain triangles, drawn by OSG. */
+/** Compares bricks, drawn either way (LegoSettings::View::drawing), with the same bricks as plain triangles, drawn by
+ * OSG. */
 class Polygonization : public GlTest, public ::testing::WithParamInterface<const char*>
 {
 protected:

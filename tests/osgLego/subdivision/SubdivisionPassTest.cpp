@@ -44,7 +44,7 @@ protected:
         osg::ref_ptr<LegoSource> source = new LegoSource;
         source->revision = 1;
         source->settings = parseSettings("cell=1,method=points,target=addressed"); // fine triangles with colours
-        source->settings.edgeLimit = edgeLimit;
+        source->settings.voxelization.edgeLimit = edgeLimit;
         source->triangles = GridTriangles::create(*SceneTriangles::create(*toGeometry(triangles)), source->settings);
         ASSERT_EQ(source->triangles->getBatches().size(), 1u);
         _source = source->triangles->getBatches().front().vertices;

@@ -132,7 +132,8 @@ protected:
     osg::ref_ptr<const BrickModel> legolize(const std::string& grid) const
     {
         const LegoSettings settings = parseSettings(grid + GetParam().settings);
-        return settings.device == Device::CPU ? legolizeOnCpu(*_node, settings) : legolizeOnGpu(*_node, settings);
+        return settings.voxelization.device == Device::CPU ? legolizeOnCpu(*_node, settings)
+                                                           : legolizeOnGpu(*_node, settings);
     }
 
     osg::ref_ptr<osg::Node> _node;
@@ -298,8 +299,10 @@ TEST_F(LatticeTest, AHugeTriangleDoesNotMoveTheCellsOfAModel)
     for (const char* device : {",device=cpu", ",device=gpu"})
     {
         const LegoSettings settings = parseSettings(grid + device);
-        const auto legolize = [&](osg::Node& node)
-        { return settings.device == Device::CPU ? legolizeOnCpu(node, settings) : legolizeOnGpu(node, settings); };
+        const auto legolize = [&](osg::Node& node) {
+            return settings.voxelization.device == Device::CPU ? legolizeOnCpu(node, settings)
+                                                               : legolizeOnGpu(node, settings);
+        };
         const osg::ref_ptr<osg::Node> sphere = createSphere();
         osg::ref_ptr<osg::Group> both = new osg::Group;
         both->addChild(sphere);
