@@ -166,12 +166,12 @@ TEST_F(AmbientOcclusionSceneTest, BricksOccludeAndAreOccluded)
         EXPECT_GT(colorAt(*image, place).x(), 0.97);
     steps->addChild(createQuad({7, 0, -1}, {0, -6, 0}, {0, 0, 14}, WHITE));
     image = draw(*group, {{-3, -20, 6.5}, {6, 0, 6.5}}); // the quad seen from its side hides no brick
-    EXPECT_LT(colorAt(*image, {6.85, 0, 6.5}).x(), 0.75) << "bricks are occluded by what is none";
+    EXPECT_LT(colorAt(*image, {6.85, 0, 6.5}).x(), 0.75) << "other nodes occlude bricks";
     EXPECT_GT(colorAt(*image, {3.5, 0, 6.5}).x(), 0.97);
     steps->removeChild(1);
     steps->addChild(createQuad({-10, -6, 0}, {30, 0, 0}, {0, 6, 0}, WHITE));
     image = draw(*group, {{6, -14, 12}, {6, -1, 0}});
-    EXPECT_LT(colorAt(*image, {6, -0.15, 0}).x(), 0.75) << "bricks occlude what is none";
+    EXPECT_LT(colorAt(*image, {6, -0.15, 0}).x(), 0.75) << "bricks occlude other nodes";
     EXPECT_GT(colorAt(*image, {6, -5, 0}).x(), 0.95);
 }
 
@@ -687,7 +687,7 @@ TEST_F(AmbientOcclusionSceneTest, NormalsAreShownInTheEyesCoordinates)
         EXPECT_LT((normalAt({4.5, 0, 1.2}) - osg::Vec3d(0, -1, 0)).length(), 0.1) << show << ", a side";
         if (show[0] == 'b')
         {
-            EXPECT_LT((normalAt({13, 4, 0}) - osg::Vec3d(0, 0, 1)).length(), 0.1) << "of what is none of bricks";
+            EXPECT_LT((normalAt({13, 4, 0}) - osg::Vec3d(0, 0, 1)).length(), 0.1) << "of other nodes";
         }
     }
 }
