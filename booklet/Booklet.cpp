@@ -10,6 +10,7 @@
 #include "BookletRenderer.h"
 #include "BookletText.h"
 
+#include <common/LegolizeName.h>
 #include <common/PictureRenderer.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/Palette.h>
@@ -198,15 +199,9 @@ catch (const BookletFailure& failure)
 
 std::string nameBooklet(const std::string& modelFileName)
 {
-    const std::string loader = ".legolize";
     std::string name = modelFileName;
-    while (name.ends_with(loader))
-    {
-        name.resize(name.size() - loader.size());
-        const auto settings = name.ends_with(')') ? name.rfind(".(") : name.rfind('.');
-        if (settings == std::string::npos) break;
-        name.resize(settings);
-    }
+    for (LegolizeName parsed; LegolizeName::parse(name, parsed);)
+        name = parsed.fileName;
     name = osgDB::getStrippedName(name);
     return name.empty() ? "model" : name;
 }

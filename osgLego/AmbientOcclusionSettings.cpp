@@ -1,8 +1,8 @@
 #include <osgLego/AmbientOcclusionSettings.h>
 
-#include <osgLego/data/SettingsText.h>
+#include <osgLego/text/SettingValues.h>
+#include <osgLego/text/SettingsTable.h>
 
-#include <array>
 #include <cmath>
 
 namespace osgLego
@@ -11,51 +11,69 @@ namespace osgLego
 namespace
 {
 
-using Quality = AmbientOcclusionQuality;
-using Output = AmbientOcclusionOutput;
-
-constexpr std::array QUALITY_NAMES{SettingName<Quality>{"low", Quality::LOW},
-                                   SettingName<Quality>{"medium", Quality::MEDIUM},
-                                   SettingName<Quality>{"high", Quality::HIGH}};
-constexpr std::array OUTPUT_NAMES{
-    SettingName<Output>{"picture", Output::PICTURE}, SettingName<Output>{"occlusion", Output::OCCLUSION},
-    SettingName<Output>{"bent-normals", Output::BENT_NORMALS}, SettingName<Output>{"irradiance", Output::IRRADIANCE},
-    SettingName<Output>{"normals", Output::NORMALS}};
-constexpr std::array SWITCH_NAMES{SettingName<bool>{"on", true}, SettingName<bool>{"off", false}};
-constexpr std::string_view KEYS = "quality, radius, distant, show";
-constexpr std::string_view RADIUS = "a number above 0, in units of the world";
-
-std::string readSetting(std::string_view key, std::string_view value, AmbientOcclusionSettings& settings)
+/** Numbers above 0. */
+class Radius
 {
-    if (key == "quality") return readName(key, value, QUALITY_NAMES, settings.quality);
-    if (key == "radius") return readNumber(key, value, RADIUS, settings.radius.emplace());
-    if (key == "distant") return readName(key, value, SWITCH_NAMES, settings.distant);
-    if (key == "show") return readName(key, value, OUTPUT_NAMES, settings.output);
-    return unknownKey(key, KEYS);
+public:
+    std::string getForm() const { return "<number>"; }
+    std::string getValues() const { return "a number above 0, in units of the world"; }
+    std::string getExpected() const { return getValues(); }
+    bool read(std::string_view text, double& radius) const { return readNumber(text, radius); }
+    std::string write(double radius) const { return toText(radius); }
+    bool contains(double radius) const { return radius > 0.0 && std::isfinite(radius); }
+};
+
+/** All keys. A setting is added here, and as a member in the header. */
+const SettingsTable<AmbientOcclusionSettings>& getTable()
+{
+    using Settings = AmbientOcclusionSettings;
+    using Quality = AmbientOcclusionQuality;
+    using Output = AmbientOcclusionOutput;
+    static const SettingsTable<Settings> table = []
+    {
+        SettingsTable<Settings> created;
+        created.add("quality", &Settings::quality,
+                    Choice<Quality>{{"low", Quality::LOW}, {"medium", Quality::MEDIUM}, {"high", Quality::HIGH}},
+                    "the amount of work per pixel");
+        created.add("radius", &Settings::radius, Radius(), "the greatest distance of occluders",
+                    "2.5 widths of a brick");
+        created.add("distant", &Settings::distant, Switch(),
+                    "whether bricks farther away than the radius occlude; no effect with radius");
+        created.add("show", &Settings::output,
+                    Choice<Output>{{"picture", Output::PICTURE},
+                                   {"occlusion", Output::OCCLUSION},
+                                   {"bent-normals", Output::BENT_NORMALS},
+                                   {"irradiance", Output::IRRADIANCE},
+                                   {"normals", Output::NORMALS}},
+                    "the scene, or an intermediate result");
+        return created;
+    }();
+    return table;
 }
 
 } // namespace
 
 std::string AmbientOcclusionSettings::check() const
 {
-    if (radius && !(*radius > 0.0 && std::isfinite(*radius))) return badValue("radius", toText(*radius), RADIUS);
-    return {};
+    return getTable().check(*this);
+}
+
+const SettingDescriptions& AmbientOcclusionSettings::describe()
+{
+    return getTable().describe();
 }
 
 bool AmbientOcclusionSettings::parse(const std::string& text, AmbientOcclusionSettings& settings, std::string& error)
 {
+    const auto read = [](std::string_view key, std::string_view value, AmbientOcclusionSettings& changed)
+    { return getTable().read(key, value, changed); };
     return parseSettings(
-        text, [](std::string_view item) { return item.empty() ? "" : "quality"; }, "a quality (low, medium, high)",
-        KEYS, readSetting, settings, error);
+        text, describe(), [](std::string_view item) { return !item.empty(); }, read, settings, error);
 }
 
 std::string AmbientOcclusionSettings::toString() const
 {
-    std::string text(nameOf(QUALITY_NAMES, quality));
-    if (radius) text += ",radius=" + toText(*radius);
-    if (!distant) text += ",distant=off";
-    if (output != Output::PICTURE) text += ",show=" + std::string(nameOf(OUTPUT_NAMES, output));
-    return text;
+    return getTable().write(*this);
 }
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/Export.h>
+#include <osgLego/SettingDescription.h>
 
 #include <optional>
 #include <string>
@@ -35,12 +36,7 @@ enum class AmbientOcclusionOutput
  *     high
  *     low,radius=0.5,show=occlusion
  *
- * | key     | values                                                     | default          |
- * |---------|------------------------------------------------------------|------------------|
- * | quality | low, medium, high                                          | medium           |
- * | radius  | above 0, in world units                                    | 2.5 brick widths |
- * | distant | on, off                                                    | on               |
- * | show    | picture, occlusion, bent-normals, irradiance, normals      | picture          |
+ * describe() lists the keys.
  *
  * Every function may be called from any thread on an object that no other thread is changing.
  */
@@ -63,6 +59,9 @@ struct OSGLEGO_EXPORT AmbientOcclusionSettings
 
     /** The first error in these values and what is expected instead, in one sentence; empty if there is none. */
     std::string check() const;
+
+    /** All keys of the text form, in its order. */
+    static const SettingDescriptions& describe();
 
     /** Whether distant bricks occlude, given both settings. */
     bool hasDistant() const { return distant && !radius; }

@@ -72,13 +72,9 @@ public:
     LegoNode(const LegoNode& node, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgLego, LegoNode)
 
-    /** Change the settings. The next frame remakes the bricks, unless only the look or the drawing differs.
+    /** Change the settings. The next frame remakes the bricks, unless LegoSettings::givesSameBricks().
      * @return false, with a warning and no change, if LegoSettings::check() or Palette::read() reports an error. */
     bool setSettings(const LegoSettings& settings);
-    /** Change the settings to those of a file, even if their palette can't be read: stored bricks don't need it, and
-     * other bricks have getObstacle(), and the settings are still there when the file is written again.
-     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
-    bool setStoredSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
 
     /** Change the appearance of bricks in the full look. The bricks are not remade.
@@ -146,8 +142,7 @@ public:
      * Bricks stored in a node have every look, and are picked, bounded and exported like others. With Show::LOAD, parts
      * have their own colours until those for their load have been computed in the background; if setWaiting(), frames
      * wait for them instead. If there is not enough memory, a warning says so, and parts keep their colours. Changes of
-     * the settings other than the look, the drawing, the progress and the colours to show take effect only after
-     * setStoredBricks(nullptr).
+     * the settings other than LegoSettings::view take effect only after setStoredBricks(nullptr).
      *
      * Children of the node, even if they are added later, are updated and receive events. They are drawn only in
      * contexts that can't draw bricks, and the option "bake" does not save them. Without children, such a context draws
@@ -223,6 +218,13 @@ protected:
     ~LegoNode() override;
 
 private:
+    friend class LegoNodeSerializer; // in the plugin osgdb_serializers_osglego
+
+    /** Change the settings to those of a file, even if their palette can't be read: stored bricks don't need it, and
+     * other bricks have getObstacle(), and the settings are still there when the file is written again.
+     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
+    bool setStoredSettings(const LegoSettings& settings);
+
     void refresh() const;
     void cull(osg::NodeVisitor& visitor);
     void visitSource(osg::NodeVisitor& visitor);

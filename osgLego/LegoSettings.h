@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/Export.h>
+#include <osgLego/SettingDescription.h>
 
 #include <cstdint>
 #include <optional>
@@ -78,12 +79,12 @@ enum class PartSet
     BRICKS //!< real bricks of 1x1 to 2x8 studs, and plates in a grid of Proportions::PLATE
 };
 
-/** The time spent on a layout of parts. */
+/** The work spent on a layout of parts: limits of counts, not of time, so that layouts don't depend on the machine. */
 enum class Effort
 {
-    INSTANT, //!< fast enough for a source that moves
-    NORMAL,  //!< a second or two
-    BEST     //!< the fewest parts, however long that takes within half a minute
+    INSTANT, //!< little enough for a source that moves
+    NORMAL,  //!< enough for few parts
+    BEST     //!< the most, for the fewest parts
 };
 
 /** The colours in which parts are shown. */
@@ -104,32 +105,7 @@ enum class Show
  *     resolution=128,method=points,target=projected,fbo=1024
  *     cell=0.15,origin=0:0:0.5,size=64:64:32
  *
- * | key         | values                                     | default                             |
- * |-------------|--------------------------------------------|-------------------------------------|
- * | resolution  | 1 to 1024                                  | 64                                  |
- * | cell        | 1e-9 to 1e+12 model units, instead of a resolution | none                        |
- * | origin      | x:y:z in model units, with cell            | 0:0:0                               |
- * | size        | w:d:h in cells, with origin                | as large as the model               |
- * | proportions | cube, brick, plate                         | cube                                |
- * | up          | y, z                                       | z                                   |
- * | method      | points, exact                              | exact                               |
- * | target      | projected, addressed (exact: addressed)    | projected (points), addressed (exact) |
- * | fbo         | 16 to 8192, the side of a projected target | 1024                                |
- * | edge        | 0.0625 to 4                                | 1 (points), 2 (exact)               |
- * | device      | auto, gpu, cpu (points: auto, gpu)         | auto                                |
- * | palette     | none, ldraw, or a file (see Palette)       | none (parts: ldraw)                 |
- * | colors      | 1 to 255, the best of the palette          | all of the palette                  |
- * | dither      | off, on                                    | off                                 |
- * | fill        | surface, shell, solid                      | surface                             |
- * | shell       | 1 to 1024 cells                            | 2                                   |
- * | parts       | none, bricks                               | none                                |
- * | seed        | 0 to 4294967295                            | 0                                   |
- * | effort      | instant, normal, best                      | normal                              |
- * | support     | off, on                                    | off                                 |
- * | look        | plain, full                                | full                                |
- * | drawing     | auto, triangles, splats                    | auto                                |
- * | progress    | 0 to 1                                     | 1                                   |
- * | show        | color, load                                | color                               |
+ * describe() lists the keys, and docs/settings.md explains them.
  *
  * Parts need `proportions=brick` or `plate`: `parts=bricks` in a text without proportions selects `brick`.
  *
@@ -272,8 +248,8 @@ struct OSGLEGO_EXPORT LegoSettings
      * given twice, or a combination of values that check() rejects. */
     static bool parse(const std::string& text, LegoSettings& settings, std::string& error);
 
-    /** Whether the text form has a key of this name. */
-    static bool isKey(const std::string& name);
+    /** All keys of the text form, in its order. */
+    static const SettingDescriptions& describe();
 
     /** The shortest text that parse() turns into these values; it begins with the resolution, or with the pitch of a
      * cell. */

@@ -1,6 +1,7 @@
 #include "CaptureOptions.h"
 
 #include "ExitCode.h"
+#include "SettingsHelp.h"
 
 #include <cmath>
 #include <cstdio>
@@ -178,40 +179,16 @@ CLI::callback_t toCallback(const Reader& reader)
     };
 }
 
-const char* const FOOTER = R"(SETTINGS: a list of key=value; a number alone is the resolution
-  resolution   1 to 1024, cells along the longest side   (64)
-  cell         width of a cell in the mesh's units, instead of a resolution
-  origin       x:y:z, a corner of a cell in the mesh's units, with cell
-  size         w:d:h, cells along x, y and z from the origin on; the rest of the mesh is ignored
-  proportions  cube, brick, plate                        (cube)
-  up           y, z                                      (z)
-  method       points, exact                             (exact)
-  target       projected, addressed                      (points: projected, exact: addressed)
-  fbo          16 to 8192, side of a projected target    (1024)
-  edge         0.0625 to 4, longest edge left, in cells  (points: 1, exact: 2)
-  device       auto, gpu, cpu, which finds the bricks    (auto: cpu for exact where OpenGL is in software)
-  palette      none, ldraw, or a file of colours         (none; ldraw with parts)
-  colors       1 to 255, the best of the palette         (all)
-  dither       off, on                                   (off)
-  fill         surface, shell, solid                     (surface)
-  shell        1 to 1024, its thickness in cells         (2)
-  parts        none, bricks: real bricks and plates      (none)
-  seed         0 to 4294967295, gives another layout     (0)
-  effort       instant, normal, best                     (normal)
-  support      off, on: make parts stand that would fall (off)
-  look         plain, full                               (full)
-  drawing      auto, triangles, splats                   (auto: splats where OpenGL is in software)
-  progress     0 to 1, the share of parts that is shown, in the order of building (1)
-  show         color, load: parts in their colours, or in colours for the load on joints (color)
-
-OCCLUSION, in the full look: a list of key=value; a quality alone needs no key
-  quality      low, medium, high                         (medium)
-  radius       above 0, in the mesh's units              (2.5 bricks)
-  distant      on, off: occlusion by distant bricks      (on; off if a radius is given)
-  show         picture, occlusion, bent-normals, irradiance, normals
-
-Exit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be written,
-5 no GL that can make bricks.)";
+/** The help text below the options. */
+std::string createFooter()
+{
+    return "SETTINGS: a list of key=value; a number alone is the resolution\n" +
+           describeKeys(LegoSettings::describe()) +
+           "\nOCCLUSION, in the full look: a list of key=value; a quality alone needs no key\n" +
+           describeKeys(AmbientOcclusionSettings::describe()) +
+           "\nExit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be "
+           "written,\n5 no GL that can make bricks.";
+}
 
 } // namespace
 
@@ -223,7 +200,7 @@ bool CaptureOptions::needsContext() const
 std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
 {
     CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
-    app.footer(FOOTER);
+    app.footer(createFooter());
     app.add_option("MESH", options.mesh, "A file that OpenSceneGraph reads (the built-in racing car)");
     app.add_option("-O", options.readerOptions,
                    "Options for the reader of MESH, including .legolize, as osgviewer's -O")

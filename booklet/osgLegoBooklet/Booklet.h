@@ -68,7 +68,7 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
  * older file is unchanged and a new folder is removed.
  *
  * Preconditions:
- * 1. The node has parts (LegoSettings::parts), or its stored bricks have; those that it does not have yet are made
+ * 1. The node has parts (LegoSettings::Parts::set), or its stored bricks have; those that it does not have yet are made
  *    first.
  * 2. The context is realized, current in no thread, and provides OpenGL 4.0 or later, compatibility profile. Nothing
  * else uses it: the function closes it when it has drawn.

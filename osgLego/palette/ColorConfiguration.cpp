@@ -1,6 +1,6 @@
 #include <osgLego/palette/ColorConfiguration.h>
 
-#include <osgLego/data/SettingsText.h>
+#include <osgLego/text/SettingsText.h>
 #include <osgLego/palette/ColorText.h>
 #include <osgLego/palette/TextLines.h>
 

@@ -1,7 +1,7 @@
 #include <osgLego/palette/ColorTable.h>
 
 #include <osgLego/PartType.h>
-#include <osgLego/data/SettingsText.h>
+#include <osgLego/text/SettingsText.h>
 #include <osgLego/palette/ColorText.h>
 #include <osgLego/palette/TextLines.h>
 

@@ -1,6 +1,6 @@
 #include <osgLego/palette/TextLines.h>
 
-#include <osgLego/data/SettingsText.h>
+#include <osgLego/text/SettingsText.h>
 
 #include <algorithm>
 

@@ -1,90 +1,48 @@
 #include "LegolizeSettings.h"
 
-#include <algorithm>
-#include <array>
+#include <osgLego/text/SettingValues.h>
+#include <osgLego/text/SettingsTable.h>
+
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace
 {
 
 using Occlusion = LegolizeSettings::Occlusion;
-using Item = std::pair<std::string, std::string>;
 
-constexpr std::array<std::pair<std::string_view, Occlusion>, 4> OCCLUSION_NAMES{
-    {{"off", Occlusion::OFF}, {"low", Occlusion::LOW}, {"medium", Occlusion::MEDIUM}, {"high", Occlusion::HIGH}}};
-
-std::string trimmed(const std::string& text)
+/** Names of pictures. They are not quoted, and end at the next comma. */
+class PictureName
 {
-    constexpr const char* SPACE = " \t\r\n";
-    const auto begin = text.find_first_not_of(SPACE);
-    if (begin == std::string::npos) return {};
-    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
-}
-
-bool isOwnKey(const std::string& key)
-{
-    return key == "occlusion" || key == "distant" || key == "probe";
-}
-
-/** Take apart a list into the pairs whose keys are the loader's own, and a list of all other items, if there are any.
- */
-std::vector<Item> takeOwnItems(const std::string& text, std::optional<std::string>& others)
-{
-    std::vector<Item> own;
-    for (std::string::size_type begin = 0; begin <= text.size();)
+public:
+    std::string getForm() const { return "<file>"; }
+    std::string getValues() const { return "the name of a high dynamic range picture, without commas"; }
+    std::string getExpected() const { return getValues(); }
+    bool read(std::string_view text, std::string& name) const
     {
-        const auto end = std::min(text.find(',', begin), text.size());
-        const std::string item = text.substr(begin, end - begin);
-        const auto equals = item.find('=');
-        const std::string key = equals == std::string::npos ? std::string() : trimmed(item.substr(0, equals));
-        if (isOwnKey(key))
-            own.emplace_back(key, trimmed(item.substr(equals + 1)));
-        else
-            others = others ? *others + "," + item : item;
-        begin = end + 1;
+        name = text;
+        return true;
     }
-    return own;
-}
+    std::string write(const std::string& name) const { return name; }
+    bool contains(const std::string& name) const { return !name.empty(); }
+};
 
-bool readOcclusion(const std::string& value, Occlusion& occlusion)
+/** The keys beside those of LegoSettings. A setting is added here, and as a member in the header. */
+const osgLego::SettingsTable<LegolizeSettings>& getTable()
 {
-    for (const auto& [name, known] : OCCLUSION_NAMES)
-        if (name == value)
-        {
-            occlusion = known;
-            return true;
-        }
-    return false;
-}
-
-/** Read one of the loader's own items. @return an error message, empty if there is no error. */
-std::string readOwnItem(const Item& item, LegolizeSettings& settings)
-{
-    const auto& [key, value] = item;
-    if (key == "occlusion" && !readOcclusion(value, settings.occlusion))
-        return "bad value '" + value + "' for occlusion; expected off, low, medium or high";
-    if (key == "distant" && value != "on" && value != "off")
-        return "bad value '" + value + "' for distant; expected on or off";
-    if (key == "distant") settings.distant = value == "on";
-    if (key == "probe" && value.empty())
-        return "no value for probe; expected the name of a high dynamic range picture, without commas";
-    if (key == "probe") settings.probe = value;
-    return {};
-}
-
-/** Read the loader's own items. @return an error message, empty if there is no error. */
-std::string readOwnItems(const std::vector<Item>& items, LegolizeSettings& settings)
-{
-    for (std::size_t index = 0; index < items.size(); ++index)
+    static const osgLego::SettingsTable<LegolizeSettings> table = []
     {
-        for (std::size_t earlier = 0; earlier < index; ++earlier)
-            if (items[earlier].first == items[index].first) return "'" + items[index].first + "' is given twice";
-        std::string error = readOwnItem(items[index], settings);
-        if (!error.empty()) return error;
-    }
-    return {};
+        osgLego::SettingsTable<LegolizeSettings> created;
+        created.add("occlusion", &LegolizeSettings::occlusion,
+                    osgLego::Choice<Occlusion>{{"off", Occlusion::OFF},
+                                               {"low", Occlusion::LOW},
+                                               {"medium", Occlusion::MEDIUM},
+                                               {"high", Occlusion::HIGH}},
+                    "quality of ambient occlusion", "medium; off with look=plain");
+        created.add("distant", &LegolizeSettings::distant, osgLego::Switch(), "occlusion by distant bricks, too");
+        created.add("probe", &LegolizeSettings::probe, PictureName(), "environment light", "a built-in sky");
+        return created;
+    }();
+    return table;
 }
 
 } // namespace
@@ -94,11 +52,9 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
     using Quality = osgLego::AmbientOcclusionQuality;
     osgLego::AmbientOcclusionSettings result;
     result.distant = distant;
-    switch (occlusion)
+    const bool isPlain = lego.view.look == osgLego::Look::PLAIN;
+    switch (occlusion.value_or(isPlain ? Occlusion::OFF : Occlusion::MEDIUM))
     {
-    case Occlusion::BY_LOOK:
-        if (lego.view.look == osgLego::Look::PLAIN) return std::nullopt;
-        break;
     case Occlusion::OFF:
         return std::nullopt;
     case Occlusion::LOW:
@@ -117,24 +73,34 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
 bool LegolizeSettings::parse(const std::string& text, LegolizeSettings& settings, std::string& error)
 {
     LegolizeSettings wanted = settings;
-    std::optional<std::string> others;
-    const std::vector<Item> own = takeOwnItems(text, others);
-    if (const std::string wrong = readOwnItems(own, wanted); !wrong.empty())
+    std::string bricks; // the text for LegoSettings, which reads some of its keys together
+    const auto read = [&](std::string_view key, std::string_view value) -> std::string
+    {
+        if (osgLego::isSettingsKey(key, getTable().describe())) return getTable().read(key, value, wanted);
+        if (!osgLego::isSettingsKey(key, describe())) return osgLego::unknownKey(key, describe());
+        bricks.append(bricks.empty() ? "" : ",").append(key).append("=").append(value);
+        return {};
+    };
+    std::string wrong = osgLego::readSettings(text, describe(), osgLego::isWholeNumber, read);
+    if (wrong.empty()) wrong = getTable().check(wanted);
+    if (wrong.empty() && !bricks.empty()) osgLego::LegoSettings::parse(bricks, wanted.lego, wrong);
+    if (!wrong.empty())
     {
         error = wrong;
-        return false;
-    }
-    if (others && !osgLego::LegoSettings::parse(*others, wanted.lego, error))
-    {
-        // Such messages end with the keys of LegoSettings.
-        if (error.find("the keys are") != std::string::npos) error += ", occlusion, distant, probe";
         return false;
     }
     settings = wanted;
     return true;
 }
 
-bool LegolizeSettings::isKey(const std::string& name)
+const osgLego::SettingDescriptions& LegolizeSettings::describe()
 {
-    return isOwnKey(name) || osgLego::LegoSettings::isKey(name);
+    static const osgLego::SettingDescriptions all = []
+    {
+        osgLego::SettingDescriptions keys = osgLego::LegoSettings::describe();
+        const osgLego::SettingDescriptions& others = getTable().describe();
+        keys.insert(keys.end(), others.begin(), others.end());
+        return keys;
+    }();
+    return all;
 }

@@ -6,22 +6,12 @@
 #include <optional>
 #include <string>
 
-/** The settings of `.legolize`: the keys of osgLego::LegoSettings, and three more.
- *
- * | key       | values                 | default                                                    |
- * |-----------|------------------------|------------------------------------------------------------|
- * | occlusion | off, low, medium, high | medium; off with look=plain                                |
- * | distant   | on, off                | on                                                         |
- * | probe     | a picture's file name  | the built-in sky                                           |
- *
- * The file name is not quoted and ends at the next comma.
- */
+/** The settings of `.legolize`: those of osgLego::LegoSettings, of ambient occlusion and of the light. describe() lists
+ * the keys of their text form. */
 struct LegolizeSettings
 {
-    /** off, low, medium, high; unset: depends on the look. */
     enum class Occlusion
     {
-        BY_LOOK,
         OFF,
         LOW,
         MEDIUM,
@@ -29,9 +19,9 @@ struct LegolizeSettings
     };
 
     osgLego::LegoSettings lego;
-    Occlusion occlusion = Occlusion::BY_LOOK;
-    bool distant = true; //!< whether distant bricks occlude
-    std::string probe;   //!< empty: the built-in sky
+    std::optional<Occlusion> occlusion; //!< unset: MEDIUM in the full look, OFF in the plain one
+    bool distant = true;                //!< whether distant bricks occlude
+    std::optional<std::string> probe;   //!< the file name of a picture; unset: the built-in sky
 
     /** The settings of ambient occlusion; unset: no ambient occlusion. */
     std::optional<osgLego::AmbientOcclusionSettings> getOcclusion() const;
@@ -40,6 +30,6 @@ struct LegolizeSettings
      * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */
     static bool parse(const std::string& text, LegolizeSettings& settings, std::string& error);
 
-    /** Whether a name is a key. */
-    static bool isKey(const std::string& name);
+    /** All keys: those of osgLego::LegoSettings, and then the others. */
+    static const osgLego::SettingDescriptions& describe();
 };

@@ -1,6 +1,7 @@
-#include "LegolizeName.h"
+#include "LegolizeOptions.h"
 #include "LegolizeSettings.h"
 
+#include <common/LegolizeName.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
 #include <osgLego/AmbientOcclusionScene.h>
@@ -47,38 +48,11 @@ public:
     ReaderWriterLegolize()
     {
         supportsExtension("legolize", "Pseudo-loader that turns a model into bricks");
-        supportsOption("<number>", "the resolution: cells along the longest side, 1 to 1024");
-        supportsOption("resolution=<number>", "the same");
-        supportsOption("cell=<number>", "the width of a cell in the model's units, instead of a resolution");
-        supportsOption("origin=<x>:<y>:<z>", "a corner of a cell, in the model's units");
-        supportsOption("size=<w>:<d>:<h>",
-                       "cells along x, y and z from the origin on; the rest of the model is ignored");
-        supportsOption("proportions=cube|brick|plate", "the shape of a cell");
-        supportsOption("up=y|z", "the axis along which studs point");
-        supportsOption("method=points|exact", "the method of voxelization");
-        supportsOption("target=projected|addressed", "how pixels of the frame buffer object are assigned to cells");
-        supportsOption("fbo=<number>", "pixels along a side of a projected target, 16 to 8192");
-        supportsOption("edge=<number>", "the longest edge after subdivision, in cells, 0.0625 to 4");
-        supportsOption("device=auto|gpu|cpu", "whether the CPU or the GPU makes the bricks");
-        supportsOption("palette=none|ldraw|<file>",
-                       "the colours of bricks: any, LDraw's, or those of a .csv or .ldr file");
-        supportsOption("colors=<number>", "the number of colours, the best of the palette, 1 to 255");
-        supportsOption("dither=off|on", "whether a pattern of cells imitates colours between those of the palette");
-        supportsOption("fill=surface|shell|solid", "whether interior cells become bricks, too");
-        supportsOption("shell=<number>", "the thickness of a shell in cells, 1 to 1024");
-        supportsOption("parts=none|bricks", "whether cells are joined to real bricks and plates");
-        supportsOption("seed=<number>", "the start of random numbers for the layout of parts, 0 to 4294967295");
-        supportsOption("effort=instant|normal|best", "the time spent on the layout of parts");
-        supportsOption("drawing=auto|triangles|splats", "how bricks are rasterized");
-        supportsOption("support=off|on", "whether a model of parts is made to stand, on columns if need be");
-
-        supportsOption("progress=<number>", "the share of parts that is shown, in the order of building, 0 to 1");
-        supportsOption("show=color|load", "parts in their colours, or in colours for the load on their joints");
-        supportsOption("look=plain|full", "smooth bricks, or plastic with joints and relief");
-        supportsOption("occlusion=off|low|medium|high",
-                       "the quality of ambient occlusion; by default medium, or off with look=plain");
-        supportsOption("distant=on|off", "whether ambient occlusion includes distant bricks");
-        supportsOption("probe=<file>", "the environment light: a high dynamic range picture");
+        const osgLego::SettingDescription& first = LegolizeSettings::describe().front();
+        supportsOption(first.form, first.key + ": " + first.meaning + ", " + first.values);
+        for (const osgLego::SettingDescription& setting : LegolizeSettings::describe())
+            supportsOption(setting.key + "=" + setting.form,
+                           setting.meaning + ": " + setting.values + " (" + setting.defaultValue + ")");
     }
 
     const char* className() const override { return "legolize pseudo-loader"; }
@@ -90,8 +64,8 @@ public:
 
     ReadResult readNode(const std::string& name, const Options* options) const override
     {
-        LegolizeName parsed;
-        if (!LegolizeName::parse(name, parsed)) return ReadResult::FILE_NOT_HANDLED;
+        osgLego::LegolizeName parsed;
+        if (!osgLego::LegolizeName::parse(name, parsed)) return ReadResult::FILE_NOT_HANDLED;
 
         const LegolizeOptions own = LegolizeOptions::parse(options ? options->getOptionString() : std::string());
         LegolizeSettings settings;
@@ -125,7 +99,7 @@ private:
     static std::string findObstacle(const std::string& fileName, const std::string& name, const Options* options)
     {
         const std::string path = osgDB::findDataFile(fileName, options);
-        if (path.empty()) return LegolizeName::findLoneBracket(name);
+        if (path.empty()) return osgLego::LegolizeName::findLoneBracket(name);
         const std::string obstacle = osgLego::findObstacleToReading(path);
         return obstacle.empty() ? obstacle : "can't read '" + fileName + "': " + obstacle;
     }
@@ -136,14 +110,23 @@ private:
                                                        std::string& error)
     {
         osg::ref_ptr<osgLego::LightProbe> probe = new osgLego::LightProbe;
-        if (!settings.probe.empty())
+        if (settings.probe)
         {
-            const std::string found = osgDB::findDataFile(settings.probe, options);
-            probe = osgLego::LightProbe::read(found.empty() ? settings.probe : found, error);
+            const std::string found = osgDB::findDataFile(*settings.probe, options);
+            probe = osgLego::LightProbe::read(found.empty() ? *settings.probe : found, error);
         }
         if (probe && settings.lego.grid.upAxis == osgLego::UpAxis::Y)
             probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
         return probe;
+    }
+
+    /** The keys that also apply to bricks that a file has already. */
+    static std::string listViewKeys()
+    {
+        std::string list;
+        for (const osgLego::SettingDescription& setting : LegolizeSettings::describe())
+            if (setting.group == "view" || setting.group.empty()) list += (list.empty() ? "" : ", ") + setting.key;
+        return list;
     }
 
     /** Show a file that is bricks already, as the settings ask for. */
@@ -152,10 +135,8 @@ private:
                                  const osgLego::LightProbe& probe)
     {
         if (!settings.lego.givesSameBricks(osgLego::LegoSettings()))
-            return ReadResult(
-                "'" + fileName +
-                "' is in bricks already; expected no settings but look, drawing, progress, show, occlusion "
-                "and probe");
+            return ReadResult("'" + fileName + "' is in bricks already; expected no settings other than " +
+                              listViewKeys());
         for (osgLego::LegoNode* lego : nodes)
         {
             osgLego::LegoSettings shown = lego->getSettings();

@@ -11,6 +11,18 @@
 // OSG's own formats store a LegoNode's settings, as text, its appearance, its light and its source, from which the
 // bricks are made again after reading, or its stored bricks.
 
+namespace osgLego
+{
+
+/** Gives a node the settings of a file. */
+class LegoNodeSerializer
+{
+public:
+    static bool setSettings(LegoNode& node, const LegoSettings& settings) { return node.setStoredSettings(settings); }
+};
+
+} // namespace osgLego
+
 static bool checkSettings(const osgLego::LegoNode&)
 {
     return true;
@@ -21,7 +33,8 @@ static bool readSettings(osgDB::InputStream& stream, osgLego::LegoNode& node)
     const std::string text = readSettingsField(stream);
     osgLego::LegoSettings settings;
     std::string error;
-    if (osgLego::LegoSettings::parse(text, settings, error)) return node.setStoredSettings(settings);
+    if (osgLego::LegoSettings::parse(text, settings, error))
+        return osgLego::LegoNodeSerializer::setSettings(node, settings);
     OSG_WARN << "osgLego: in the settings of a LegoNode: " << error << std::endl;
     return false;
 }

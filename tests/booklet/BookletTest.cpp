@@ -149,6 +149,9 @@ TEST(BookletNameTest, NamesBookletsAfterTheModelAndNotItsSettings)
     EXPECT_EQ(nameBooklet("models/bunny.ply"), "bunny");
     EXPECT_EQ(nameBooklet("models/bunny.ply.64.legolize"), "bunny");
     EXPECT_EQ(nameBooklet("bunny.ply.(64,palette=/a/b.csv).legolize"), "bunny");
+    EXPECT_EQ(nameBooklet("bunny.ply.[64,edge=0.5].legolize"), "bunny");
+    EXPECT_EQ(nameBooklet("models.64/bunny.legolize"), "bunny");
+    EXPECT_EQ(nameBooklet("bunny.ply.8.LEGOLIZE.(16,up=y).legolize"), "bunny");
     EXPECT_EQ(nameBooklet("tower.mpd"), "tower");
 }
 

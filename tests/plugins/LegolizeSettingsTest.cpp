@@ -1,5 +1,7 @@
 #include <legolize/LegolizeSettings.h>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace
@@ -22,7 +24,7 @@ std::string errorOf(const std::string& text)
     std::string error;
     EXPECT_FALSE(LegolizeSettings::parse(text, settings, error)) << text;
     EXPECT_EQ(settings.probe, "before");
-    EXPECT_EQ(settings.occlusion, LegolizeSettings::Occlusion::BY_LOOK);
+    EXPECT_FALSE(settings.occlusion);
     EXPECT_EQ(settings.lego, osgLego::LegoSettings());
     return error;
 }
@@ -56,11 +58,27 @@ TEST(LegolizeSettings, OcclusionIsMediumInTheFullLookAndOffInThePlainOneUnlessIt
     EXPECT_EQ(parsed("look=plain,occlusion=low").getOcclusion()->quality, AmbientOcclusionQuality::LOW);
 }
 
+TEST(LegolizeSettings, DescribesTheKeysOfBricksAndThenItsOwn)
+{
+    const osgLego::SettingDescriptions& all = LegolizeSettings::describe();
+    const osgLego::SettingDescriptions& ofBricks = osgLego::LegoSettings::describe();
+    ASSERT_EQ(all.size(), ofBricks.size() + 3);
+    EXPECT_TRUE(std::equal(ofBricks.begin(), ofBricks.end(), all.begin()));
+    EXPECT_EQ(all.back().key, "probe");
+}
+
 TEST(LegolizeSettings, SaysWhatWasExpected)
 {
     EXPECT_EQ(errorOf("occlusion=best"), "bad value 'best' for occlusion; expected off, low, medium or high");
     EXPECT_EQ(errorOf("occlusion="), "bad value '' for occlusion; expected off, low, medium or high");
-    EXPECT_NE(errorOf("64,probe=").find("expected the name of a high dynamic range picture"), std::string::npos);
+    EXPECT_EQ(errorOf("64,probe="),
+              "bad value '' for probe; expected the name of a high dynamic range picture, without commas");
+    EXPECT_EQ(errorOf("distant=yes"), "bad value 'yes' for distant; expected off or on");
+    EXPECT_EQ(errorOf("64up=y,occlusion=low"), "a comma is missing before 'up=y' in '64up=y'; expected '64,up=y'");
+    EXPECT_EQ(errorOf("occlusion=low,8,up=ymethod=points"),
+              "a comma is missing before 'method=points' in 'up=ymethod=points'; expected 'up=y,method=points'");
+    EXPECT_EQ(errorOf("64occlusion=low"),
+              "a comma is missing before 'occlusion=low' in '64occlusion=low'; expected '64,occlusion=low'");
     EXPECT_EQ(errorOf("occlusion=low,64,occlusion=low"), "'occlusion' is given twice");
     EXPECT_NE(errorOf("occlusion=low,2000").find("'2000' for resolution"), std::string::npos);
     for (const char* text : {"colour=red", "64,probe=a.exr,nonsense", "probe=my,park.exr", "occlusion=low,"})

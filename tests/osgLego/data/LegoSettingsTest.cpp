@@ -1,5 +1,7 @@
 #include <osgLego/LegoSettings.h>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -150,13 +152,64 @@ TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
     }
 }
 
-TEST(LegoSettings, KnowsTheKeysOfItsTextForm)
+const SettingDescription& describe(const std::string& key)
 {
-    for (const char* key : {"resolution", "cell", "origin", "size", "proportions", "up", "method", "target", "fbo",
-                            "edge", "device", "look"})
-        EXPECT_TRUE(LegoSettings::isKey(key)) << key;
-    for (const char* other : {"", "res", "look ", "loo", "up, method", "noTexturesInIVEFile"})
-        EXPECT_FALSE(LegoSettings::isKey(other)) << other;
+    const SettingDescriptions& all = LegoSettings::describe();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& setting) { return setting.key == key; });
+    return found == all.end() ? all.front() : *found;
+}
+
+TEST(LegoSettings, DescribesEachKindOfValues)
+{
+    EXPECT_EQ(describe("resolution"), (SettingDescription{"resolution", "grid", "<number>", "1 to 1024", "64",
+                                                          "cells along the longest side of the model"}));
+    EXPECT_EQ(describe("proportions").form, "cube|brick|plate");
+    EXPECT_EQ(describe("proportions").values, "cube, brick, plate");
+    EXPECT_EQ(describe("proportions").defaultValue, "cube");
+    EXPECT_EQ(describe("size").form, "<w>:<d>:<h>");
+    EXPECT_EQ(describe("palette").form, "none|ldraw|<file>");
+    EXPECT_EQ(describe("dither").group, "colors");
+    EXPECT_EQ(describe("dither").defaultValue, "off");
+    EXPECT_EQ(describe("progress").values, "0 to 1");
+}
+
+/** A valid value other than the default. */
+std::string otherValue(const SettingDescription& setting)
+{
+    const std::string& values = setting.values;
+    if (values.find(':') != std::string::npos) return "1:2:3";
+    const auto to = values.find(" to ");
+    const std::string first = values.substr(0, values.find_first_of(", "));
+    if (first != setting.defaultValue) return first;
+    const auto second = to == std::string::npos ? first.size() + 2 : to + 4;
+    return values.substr(second, values.find_first_of(", ", second) - second);
+}
+
+TEST(LegoSettings, EveryKeyIsReadAndWrittenAndOnlyThoseOfTheViewKeepTheBricks)
+{
+    for (const SettingDescription& setting : LegoSettings::describe())
+    {
+        const std::string item = setting.key + "=" + otherValue(setting);
+        bool isRead = false;
+        // Some keys need others.
+        for (const char* base : {"", "parts=bricks", "method=points", "cell=1", "cell=1,origin=0:0:0"})
+        {
+            LegoSettings before;
+            std::string error;
+            ASSERT_TRUE(std::string(base).empty() || LegoSettings::parse(base, before, error)) << error;
+            LegoSettings after = before;
+            isRead = LegoSettings::parse(item, after, error);
+            if (!isRead) continue;
+            EXPECT_NE(after, before) << item;
+            EXPECT_NE(after.toString().find(setting.key == "resolution" ? otherValue(setting) : item),
+                      std::string::npos)
+                << after.toString();
+            EXPECT_EQ(parsed(after.toString()), after) << item;
+            EXPECT_EQ(after.givesSameBricks(before), setting.group == "view") << item;
+            break;
+        }
+        EXPECT_TRUE(isRead) << item;
+    }
 }
 
 TEST(LegoSettings, AbsentKeysKeepTheirValues)
@@ -181,7 +234,7 @@ TEST(LegoSettings, AResolutionReplacesCellsAndCellsReplaceAResolution)
 
 TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
 {
-    const std::string expectedCell = " for cell; expected a number of model units, 1e-9 to 1e+12";
+    const std::string expectedCell = " for cell; expected a number of model units, 1e-09 to 1e+12";
     for (const char* value : {"0", "nan", "inf", "-inf", "-1", "1e-19", "1e+19", "", "1 m", "0x10"})
         EXPECT_EQ(errorOf(std::string("cell=") + value), "bad value '" + std::string(value) + "'" + expectedCell);
     const std::string expectedOrigin = " for origin; expected x:y:z in model units, each -1e+18 to 1e+18";
@@ -207,9 +260,10 @@ TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
 
 TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
 {
-    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are resolution, cell, origin, size, "
-                                        "proportions, up, method, target, fbo, edge, device, palette, colors, dither, "
-                                        "fill, shell, parts, seed, effort, support, look, drawing, progress, show");
+    std::string keys;
+    for (const SettingDescription& setting : LegoSettings::describe())
+        keys += (keys.empty() ? "" : ", ") + setting.key;
+    EXPECT_EQ(errorOf("64,colour=red"), "unknown key 'colour'; the keys are " + keys);
     EXPECT_EQ(errorOf("0"), "bad value '0' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("1025"), "bad value '1025' for resolution; expected a whole number, 1 to 1024");
     EXPECT_EQ(errorOf("99999999999"), "bad value '99999999999' for resolution; expected a whole number, 1 to 1024");

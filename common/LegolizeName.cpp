@@ -1,20 +1,17 @@
-#include "LegolizeName.h"
+#include <common/LegolizeName.h>
 
-#include "LegolizeSettings.h"
+#include <osgLego/text/SettingsText.h>
 
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include <osgDB/FileNameUtils>
 
-namespace
+namespace osgLego
 {
 
-bool isNumber(std::string_view text)
+namespace
 {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
 
 bool isBracketed(std::string_view text)
 {
@@ -41,17 +38,6 @@ std::string::size_type findLastDot(std::string_view name)
     return std::string::npos;
 }
 
-bool isSettingsOption(std::string_view option)
-{
-    const std::string_view first = option.substr(0, option.find(','));
-    if (isNumber(first)) return true;
-    const auto equals = first.find('=');
-    if (equals == std::string_view::npos) return false;
-    // Digits before a key are a resolution without a comma; LegolizeSettings::parse reports the missing comma.
-    const auto begin = first.find_first_not_of("0123456789");
-    return LegolizeSettings::isKey(std::string(first.substr(begin, equals - begin)));
-}
-
 char closingOf(char bracket)
 {
     return bracket == '(' ? ')' : ']';
@@ -61,12 +47,6 @@ char closingOf(char bracket)
 std::string describe(const std::string& name, std::string::size_type place)
 {
     return std::string("'") + name[place] + "' as character " + std::to_string(place + 1) + " of '" + name + "'";
-}
-
-void append(std::string& list, const std::string& item, char separator)
-{
-    if (!list.empty()) list += separator;
-    list += item;
 }
 
 } // namespace
@@ -82,7 +62,7 @@ bool LegolizeName::parse(const std::string& name, LegolizeName& result)
     {
         const std::string part = result.fileName.substr(dot + 1);
         const bool isInBrackets = isBracketed(part);
-        if (isInBrackets || isNumber(part) || part.find('=') != std::string::npos)
+        if (isInBrackets || isWholeNumber(part) || part.find('=') != std::string::npos)
         {
             result.settings = isInBrackets ? part.substr(1, part.size() - 2) : part;
             result.fileName.erase(dot);
@@ -112,16 +92,4 @@ std::string LegolizeName::findLoneBracket(const std::string& name)
            "' before '.legolize'";
 }
 
-LegolizeOptions LegolizeOptions::parse(const std::string& options)
-{
-    LegolizeOptions result;
-    std::istringstream stream(options);
-    for (std::string option; stream >> option;)
-    {
-        if (isSettingsOption(option))
-            append(result.settings, option, ',');
-        else
-            append(result.rest, option, ' ');
-    }
-    return result;
-}
+} // namespace osgLego

@@ -1,5 +1,7 @@
-#include <osgLego/data/SettingsText.h>
+#include <osgLego/text/SettingsText.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 
 namespace osgLego
@@ -13,8 +15,16 @@ std::string quoted(std::string_view text)
     return "'" + std::string(text) + "'";
 }
 
+std::string listKeys(const SettingDescriptions& keys)
+{
+    std::string list = "the keys are";
+    for (const SettingDescription& setting : keys)
+        list += (&setting == &keys.front() ? " " : ", ") + setting.key;
+    return list;
+}
+
 /** Where a `key=value` begins behind another item, as in `64up=y`; 0 when there is none. */
-std::size_t findSecondItem(std::string_view item, std::string_view keys)
+std::size_t findSecondItem(std::string_view item, const SettingDescriptions& keys)
 {
     for (std::size_t place = 1; place < item.size(); ++place)
     {
@@ -35,6 +45,11 @@ std::string missingComma(std::string_view item, std::size_t second)
 
 } // namespace
 
+bool isWholeNumber(std::string_view text)
+{
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::string_view trimmed(std::string_view text)
 {
     constexpr std::string_view SPACE = " \t\r\n";
@@ -48,38 +63,33 @@ std::string badValue(std::string_view key, std::string_view value, std::string_v
     return "bad value '" + std::string(value) + "' for " + std::string(key) + "; expected " + std::string(expected);
 }
 
-bool isSettingsKey(std::string_view name, std::string_view keys)
+bool isSettingsKey(std::string_view name, const SettingDescriptions& keys)
 {
-    constexpr std::string_view SEPARATOR = ", ";
-    while (true)
-    {
-        const auto end = keys.find(SEPARATOR);
-        if (keys.substr(0, end) == name) return true;
-        if (end == std::string_view::npos) return false;
-        keys.remove_prefix(end + SEPARATOR.size());
-    }
+    return std::any_of(keys.begin(), keys.end(),
+                       [name](const SettingDescription& setting) { return setting.key == name; });
 }
 
-std::string unknownKey(std::string_view key, std::string_view keys)
+std::string unknownKey(std::string_view name, const SettingDescriptions& keys)
 {
-    return "unknown key '" + std::string(key) + "'; the keys are " + std::string(keys);
+    return "unknown key " + quoted(name) + "; " + listKeys(keys);
 }
 
-std::string readSettings(std::string_view text, const std::function<std::string_view(std::string_view item)>& bareKey,
-                         std::string_view whatIsBare, std::string_view keys,
+std::string readSettings(std::string_view text, const SettingDescriptions& keys,
+                         const std::function<bool(std::string_view item)>& isFirst,
                          const std::function<std::string(std::string_view key, std::string_view value)>& read)
 {
+    const SettingDescription& first = keys.front();
     std::set<std::string, std::less<>> seen;
     const auto readItem = [&](std::string_view item) -> std::string
     {
         const auto equals = item.find('=');
-        const bool isBare = equals == std::string_view::npos;
-        const std::string_view key = isBare ? bareKey(item) : trimmed(item.substr(0, equals));
-        if (isBare && key.empty())
-            return quoted(item) + " is neither " + std::string(whatIsBare) + " nor key=value; the keys are " +
-                   std::string(keys);
+        const bool hasKey = equals != std::string_view::npos;
+        if (!hasKey && !isFirst(item))
+            return quoted(item) + " is neither a " + first.key + " (" + first.values + ") nor key=value; " +
+                   listKeys(keys);
+        const std::string_view key = hasKey ? trimmed(item.substr(0, equals)) : std::string_view(first.key);
         if (seen.contains(key)) return quoted(key) + " is given twice";
-        std::string error = read(key, isBare ? item : trimmed(item.substr(equals + 1)));
+        std::string error = read(key, hasKey ? trimmed(item.substr(equals + 1)) : item);
         if (error.empty()) seen.emplace(key);
         return error;
     };
