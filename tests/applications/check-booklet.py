@@ -1,115 +1,46 @@
 #!/usr/bin/env python3
-"""Checks a booklet: its structure, that its steps add each part once, its pictures, and its downloads.
+"""Checks a booklet as its reader sees it: its structure, the visible quantities, letters and numbers, its pictures, and its
+downloads. The downloads are compared with each other and with the page by parsers of their own.
 
-Usage: check-booklet.py FILE.html FIRST_STEP LAST_STEP FILE.csv FILE.xml
-LAST_STEP may be "all". The files are those that the page's downloads must equal. Prints one line per failure, and "N steps, M submodels".
+Usage: check-booklet.py FILE.html FIRST_STEP LAST_STEP [MODEL.ldr]
+LAST_STEP may be "all". MODEL.ldr is the model, of parts without submodels, from which the booklet was made. Prints one line
+per failure, and "N steps, M submodels".
 """
-import base64
 import collections
-import html.parser
+import csv
+import io
 import re
-import struct
 import sys
+import xml.etree.ElementTree
 
-VOID = {"meta", "img", "br", "link", "input", "hr"}
+from booklet_page import Page, decode, size_of
+from ldraw_document import Document, describe_color, name_part
 
-
-class Page(html.parser.HTMLParser):
-    """The elements of a page, each as (tag, attributes, ids and classes of its ancestors)."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.elements, self.open, self.failures = [], [], []
-        self.feed(text)
-        self.close()
-        if self.open:
-            self.failures.append(f"not closed: {[tag for tag, _ in self.open]}")
-
-    def handle_starttag(self, tag, attributes):
-        attributes = dict(attributes)
-        self.elements.append((tag, attributes, [own for _, own in self.open]))
-        if tag not in VOID:
-            self.open.append((tag, attributes))
-
-    def handle_startendtag(self, tag, attributes):
-        self.elements.append((tag, dict(attributes), [own for _, own in self.open]))
-
-    def handle_endtag(self, tag):
-        if not self.open or self.open[-1][0] != tag:
-            self.failures.append(f"</{tag}> closes {self.open[-1][0] if self.open else 'nothing'}")
-        elif self.open:
-            self.open.pop()
+failures = []
 
 
-def size_of(data):
-    """The width and height of a JPEG or WebP picture, in pixels."""
-    if data[:4] == b"RIFF" and data[8:12] == b"WEBP":
-        kind = data[12:16]
-        if kind == b"VP8X":
-            return 1 + int.from_bytes(data[24:27], "little"), 1 + int.from_bytes(data[27:30], "little")
-        if kind == b"VP8L":
-            bits = int.from_bytes(data[21:25], "little")
-            return 1 + (bits & 0x3FFF), 1 + (bits >> 14 & 0x3FFF)
-        return struct.unpack("<HH", data[26:30])
-    if data[:2] != b"\xff\xd8":
-        raise ValueError("neither JPEG nor WebP")
-    place = 2
-    while data[place + 1] not in (0xC0, 0xC1, 0xC2):
-        place += 2 + int.from_bytes(data[place + 2:place + 4], "big")
-    height, width = struct.unpack(">HH", data[place + 5:place + 9])
-    return width, height
+def fail(text):
+    failures.append(text)
 
 
-def decode(link):
-    kind, text = link.removeprefix("data:").split(",", 1)
-    assert kind.endswith(";base64"), kind
-    return base64.b64decode(text, validate=True)
-
-
-def has_class(ancestors, name):
-    return any(name in own.get("class", "").split() for own in ancestors)
-
-
-def find_id(ancestors, beginning):
-    return next((own["id"] for own in reversed(ancestors) if own.get("id", "").startswith(beginning)), None)
-
-
-def read_parts(text):
-    """The quantity and the kind in a description such as "2 red bricks 2 x 4"."""
-    match = re.fullmatch(r"([\d,]+) (.+) (brick|plate)(s?) (\d x \d)", text)
-    assert match, f"not a description of parts: {text}"
-    number = int(match[1].replace(",", ""))
-    assert (number == 1) == (match[4] == ""), text
-    return number, f"{match[2]} {match[3]} {match[5]}"
-
-
-def count_parts(page, is_wanted):
-    counts = collections.Counter()
-    for tag, own, ancestors in page.elements:
-        if tag == "svg" and own.get("role") == "img" and is_wanted(own, ancestors):
-            number, kind = read_parts(own["aria-label"])
-            counts[kind] += number
-    return counts
-
-
-def check_structure(page, fail):
-    ids = [own["id"] for _, own, _ in page.elements if "id" in own]
+def check_structure(page):
+    ids = [own["id"] for own in page.elements if "id" in own]
     for name, number in collections.Counter(ids).items():
         if number > 1:
             fail(f"{number} elements have the id {name}")
-    for tag, own, _ in page.elements:
-        if tag == "html" and own.get("lang") != "en":
+    for own in page.elements:
+        if own.tag == "html" and own.get("lang") != "en":
             fail("the page has no language")
-        if tag == "img" and not own.get("alt", "").strip():
+        if own.tag == "img" and not own.get("alt", "").strip():
             fail("a picture has no alternative text")
-        if tag == "svg" and own.get("role") == "img" and not own.get("aria-label", "").strip():
+        if own.tag == "svg" and own.get("role") == "img" and not own.get("aria-label", "").strip():
             fail("a symbol has no label")
         link = own.get("href", "") or own.get("src", "")
         if link.startswith("#") and link[1:] not in ids:
             fail(f"the link {link} leads nowhere")
         if link and not link.startswith(("#", "data:")):
             fail(f"the page is not self-contained: {link}")
-    levels = [int(tag[1]) for tag, _, _ in page.elements if re.fullmatch(r"h\d", tag)]
+    levels = [int(own.tag[1]) for own in page.elements if re.fullmatch(r"h\d", own.tag)]
     if levels[0] != 1 or levels.count(1) != 1:
         fail(f"the headings begin with h{levels[0]}")
     for level, following in zip(levels, levels[1:]):
@@ -117,89 +48,212 @@ def check_structure(page, fail):
             fail(f"h{following} follows h{level}")
 
 
-def check_pictures(page, fail):
+def check_pictures(page):
     widths = collections.defaultdict(set)
-    for tag, own, ancestors in page.elements:
-        if tag not in ("img", "image"):
+    for own in page.elements:
+        if own.tag not in ("img", "image"):
             continue
         width, height = size_of(decode(own.get("src") or own["href"]))
-        density = 2 if tag == "img" else 1
+        density = 2 if own.tag == "img" else 1
         if abs(width / density - int(own["width"])) > 1 or abs(height / density - int(own["height"])) > 1:
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
-        if has_class(ancestors, "frame"):
-            widths[find_id(ancestors, "submodel-")].add(width)
+        if own.find_ancestor(lambda other: other.has_class("frame")):
+            chapter = own.find_ancestor(lambda other: other.get("id", "").startswith("submodel-"))
+            widths[chapter and chapter["id"]].add(width)
     for chapter, found in widths.items():
         if len(found) > 1:
             fail(f"steps of {chapter or 'the model'} have pictures of different widths: {sorted(found)}")
 
 
-def check_parts(page, fail):
-    """Each part is in one step, and each submodel's list has the parts of its own steps and submodels."""
-    whole = count_parts(page, lambda own, ancestors: has_class(ancestors, "parts"))
-    is_part = lambda ancestors: has_class(ancestors, "callout")
-    long_submodels = {find_id(ancestors, "submodel-") for _, own, ancestors in page.elements
-                      if "step" in own.get("class", "").split()}
-
-    def is_added(own, ancestors):
-        if not is_part(ancestors) or own["aria-label"].startswith("Submodel"):
-            return False
-        return has_class(ancestors, "step") or find_id(ancestors, "submodel-") not in long_submodels
-
-    added = count_parts(page, is_added)
-    for chapter in long_submodels - {None}:
-        inside = lambda own, ancestors: any(own_.get("id") == chapter for own_ in ancestors)
-        listed = count_parts(page, lambda own, ancestors: is_part(ancestors) and has_class(ancestors, "intro")
-                             and find_id(ancestors, "submodel-") == chapter)
-        steps = count_parts(page, lambda own, ancestors: is_added(own, ancestors) and inside(own, ancestors))
-        if listed != steps:
-            fail(f"{chapter} lists {listed} and its steps add {steps}")
-    return whole, added
+def read_quantity(text, where):
+    match = re.fullmatch(r"([\d,]+)×", text)
+    if not match:
+        fail(f"{where} shows '{text}' instead of a quantity")
+        return 0
+    return int(match[1].replace(",", ""))
 
 
-def check_downloads(page, expected, fail):
-    found = {own["download"].rsplit(".", 1)[1]: decode(own["href"]) for tag, own, _ in page.elements
-             if tag == "a" and "download" in own}
-    for name in expected:
-        kind = name.rsplit(".", 1)[1]
-        with open(name, "rb") as file:
-            if found.get(kind) != file.read():
-                fail(f"the download .{kind} differs from {name}")
+def check_label(label, number, kind, where):
+    """A description such as "2 red bricks 2 x 4" says as much as the reader sees."""
+    match = re.fullmatch(r"([\d,]+) (.+) (brick|plate)(s?) (\d x \d)", label)
+    if not match or int(match[1].replace(",", "")) != number or (number == 1) != (match[4] == ""):
+        fail(f"{where} shows {number} and is described as '{label}'")
+    elif kind and f"{match[2]} {match[3]} {match[5]}" != kind:
+        fail(f"{where} shows a {kind} and is described as '{label}'")
 
 
-def check_model(page, number, steps, fail):
-    """The .mpd has all parts, in steps as on the page."""
-    text = next(decode(own["href"]) for _, own, _ in page.elements if own.get("download", "").endswith(".mpd")).decode()
-    if sum(line.startswith("1 ") and line.endswith(".dat") for line in text.splitlines()) != number:
-        fail(f"the .mpd has other parts than the {number} of the model")
-    main = text.split("0 FILE ")[1].splitlines()
-    ends = sum(line.startswith(("0 STEP", "0 ROTSTEP")) and "END" not in line for line in main)
-    if steps and ends != steps:
-        fail(f"the .mpd has {ends} steps instead of {steps}")
+class Kinds:
+    """The parts list that a reader sees: for each symbol of a part, its number, its colour, and its quantity."""
+
+    def __init__(self, page):
+        self.parts, self.labels, self.quantities = {}, {}, collections.Counter()
+        for item in next(own for own in page.elements if own.tag == "ul" and own.has_class("parts")).children:
+            picture, details = item.children
+            symbol = picture.children[0]["href"]
+            text = details.get_text()
+            match = re.fullmatch(r"(\S+) (Brick|Plate) (\d) × (\d) (\S+) (.+?)((?: BrickLink \d+)?)((?: LDraw \d+.*)?)", text)
+            if not match:
+                fail(f"the parts list shows '{text}'")
+                continue
+            quantity = read_quantity(match[1], f"the parts list, {match[5]},")
+            color = re.match(r" LDraw (\d+)", match[8])
+            self.parts[symbol] = match[5], int(color[1]) if color else match[6]
+            self.quantities[self.parts[symbol]] += quantity
+            label = picture["aria-label"]
+            check_label(label, quantity, None, f"the parts list, {match[5]},")
+            self.labels[symbol] = re.sub(r"^[\d,]+ (.+ )(brick|plate)s? ", r"\1\2 ", label)
+            size = f"{match[2]} {match[3]} x {match[4]}"
+            if name_part(match[5]) != size:
+                fail(f"the parts list calls {match[5]} a {size}")
+            if color and f" BrickLink {describe_color(int(color[1]))[1]}" != match[7]:
+                fail(f"the parts list shows the colour {color[1]} of LDraw as '{match[7]}'")
+
+
+def read_callout(owner, kinds, where):
+    """The parts and the letters of submodels that a list shows."""
+    parts, letters = collections.Counter(), []
+    header = next(own for own in owner.children if own.tag == "header")
+    for item in next(own for own in header.children if own.has_class("callout")).children:
+        picture, label, text = item.children[0], item.children[0]["aria-label"], item.get_text()
+        symbol = picture.children[0]["href"]
+        if label.startswith("Submodel "):
+            letters.append(text)
+            if label != f"Submodel {text}" or symbol != f"#submodel-{text.lower()}-picture":
+                fail(f"{where} shows '{text}' with {symbol}, described as '{label}'")
+            continue
+        number = read_quantity(text, where)
+        parts[kinds.parts.get(symbol)] += number
+        check_label(label, number, kinds.labels.get(symbol), where)
+    return parts, letters
+
+
+def letters_of(index):
+    """A to Z, and then AA, AB and so on."""
+    letters = [chr(ord("A") + place) for place in range(26)]
+    return letters[index] if index < 26 else letters_of(index // 26 - 1) + letters[index % 26]
+
+
+def check_letters(page):
+    sections = [own for own in page.elements if own.tag == "section" and own.has_class("submodel")]
+    for index, section in enumerate(sections):
+        heading = next(own for own in page.elements if own.tag == "h3" and own.find_ancestor(lambda other: other is section))
+        if heading.get_text() != letters_of(index) or section["id"] != f"submodel-{letters_of(index).lower()}":
+            fail(f"submodel {index + 1} has the letter '{heading.get_text()}' and the id {section['id']}")
+
+
+def find_steps(section):
+    return [own for own in section.children if own.tag == "section" and own.has_class("step")]
+
+
+def check_step(step, name, written, kinds, document, is_first):
+    """A step of the page has the parts, submodels and the turn of a step of the .mpd. Returns its submodels' letters."""
+    header = next(own for own in step.children if own.tag == "header")
+    shown = next(own for own in header.children if own.tag == "h3").get_text()
+    if shown != name:
+        fail(f"step {name} shows the number '{shown}'")
+    parts, letters = read_callout(step, kinds, f"step {name}")
+    direct = collections.Counter((own.name, own.color) for own in written.references if own.name not in document.files)
+    attached = [own.name for own in written.references if own.name in document.files]
+    if parts != direct or len(letters) != len(attached):
+        fail(f"step {name} shows {parts} and submodels {letters}, and the .mpd places {direct} and {attached}")
+    # The first step begins upright, whatever its view is.
+    must_turn = written.changes_view and (not is_first or written.is_from_below)
+    if any(own.has_class("turn") for own in header.children) != must_turn:
+        fail(f"step {name} {'has no' if must_turn else 'has an'} arrow for turning, unlike the .mpd")
+    return list(zip(letters, attached))
+
+
+def check_chapter(page, section, letter, steps, kinds, document, first=1):
+    """The steps of the page are those of a file of the .mpd, and so are its submodels."""
+    for index, (step, written) in enumerate(zip(find_steps(section), steps)):
+        own_name = f"{letter}{first + index}"
+        for inner_letter, inner in check_step(step, own_name, written, kinds, document, first + index == 1):
+            inside = page.find_id(f"submodel-{inner_letter.lower()}")
+            if not inside:
+                fail(f"there is no submodel {inner_letter}")
+                continue
+            intro = next(own for own in inside.children if own.has_class("intro"))
+            listed, _ = read_callout(intro, kinds, f"submodel {inner_letter}")
+            if listed != document.count_parts(inner):
+                fail(f"submodel {inner_letter} lists {listed}, and the .mpd has {document.count_parts(inner)}")
+            steps_of_inner = document.files[inner]
+            # The picture of a finished submodel shows its only step.
+            if len(steps_of_inner) > 1 and len(find_steps(inside)) != len(steps_of_inner):
+                fail(f"submodel {inner_letter} has {len(find_steps(inside))} steps, and {len(steps_of_inner)} in the .mpd")
+            check_chapter(page, inside, inner_letter, steps_of_inner, kinds, document)
+
+
+def check_csv(text, parts):
+    """The table has a row for each part and colour, and the sums of its rows."""
+    rows = list(csv.DictReader(io.StringIO(text)))
+    total = rows.pop()
+    counts, masses = collections.Counter(), []
+    for row in rows:
+        color = int(row["ldraw_color"]) if row["ldraw_color"] else row["color_name"]
+        number, mass = int(row["quantity"]), float(row["mass"])
+        counts[row["part"], color] += number
+        masses.append(number * mass)
+        if row["name"] != name_part(row["part"]):
+            fail(f"the .csv calls {row['part']} a {row['name']}")
+        if (row["color_name"], row["bricklink_color"]) != describe_color(color):
+            fail(f"the .csv names the colour {color} {row['color_name']}, {row['bricklink_color']}")
+        if abs(float(row["total_mass"]) - number * mass) > 0.005 * (number + 1):
+            fail(f"{number} parts of {mass} g have {row['total_mass']} g in the .csv")
+    if counts != parts:
+        fail(f"the .csv has {counts} and the .mpd {parts}")
+    if total["part"] != "total" or int(total["quantity"]) != sum(parts.values()):
+        fail(f"the last row of the .csv is {total}")
+    if abs(float(total["total_mass"]) - sum(masses)) > 0.005 * (sum(parts.values()) + 1):
+        fail(f"the .csv adds {sum(masses):.2f} g up to {total['total_mass']}")
+
+
+def check_wanted_list(text, parts):
+    """The wanted list has BrickLink's colours, or remarks without them. BrickLink refuses a declaration of XML."""
+    if text.startswith("<?xml"):
+        fail("the .xml begins with a declaration")
+    counts, expected = collections.Counter(), collections.Counter()
+    for item in xml.etree.ElementTree.fromstring(text).findall("ITEM"):
+        if item.findtext("ITEMTYPE") != "P":
+            fail("an item of the .xml is not a part")
+        counts[item.findtext("ITEMID"), item.findtext("COLOR") or item.findtext("REMARKS")] += int(item.findtext("MINQTY"))
+    for (part, color), number in parts.items():
+        name, brick_link = describe_color(color)
+        expected[part, brick_link or name] += number
+    if counts != expected:
+        fail(f"the .xml has {counts}; expected {expected}")
 
 
 def main():
-    name, first, last, *expected = sys.argv[1:]
+    name, first, last, *models = sys.argv[1:]
     with open(name, encoding="utf-8") as file:
         page = Page(file.read())
-    failures = list(page.failures)
-    check_structure(page, failures.append)
-    check_pictures(page, failures.append)
-    whole, added = check_parts(page, failures.append)
-    steps = [own["id"] for _, own, _ in page.elements if re.fullmatch(r"step-\d+", own.get("id", ""))]
-    if steps != [f"step-{number}" for number in range(int(first), len(steps) + int(first))]:
-        failures.append(f"the steps are {steps}")
-    if last == "all":
-        if whole != added:
-            failures.append(f"the parts list has {whole} and the steps add {added}")
-    elif len(steps) != int(last) - int(first) + 1:
-        failures.append(f"there are {len(steps)} steps")
-    elif any(added[kind] > whole[kind] for kind in added):
-        failures.append(f"the parts list has {whole} and some steps add {added}")
-    check_downloads(page, expected, failures.append)
-    check_model(page, sum(whole.values()), len(steps) if last == "all" else None, failures.append)
+    failures.extend(page.failures)
+    check_structure(page)
+    check_pictures(page)
+    check_letters(page)
+    kinds = Kinds(page)
+    downloads = {own["download"].rsplit(".", 1)[1]: decode(own["href"]).decode() for own in page.elements
+                 if own.tag == "a" and "download" in own}
+    document = Document(downloads["mpd"])
+    parts = document.count_parts(document.main)
+    if kinds.quantities != parts:
+        fail(f"the parts list has {kinds.quantities} and the .mpd {parts}")
+    check_csv(downloads["csv"], parts)
+    check_wanted_list(downloads["xml"], parts)
+    for model in models:
+        with open(model, encoding="utf-8") as file:
+            original = Document(file.read())
+        if document.find_places(document.main) != original.find_places(original.main):
+            fail(f"the .mpd has other parts, colours or places than {model}")
+    section, written, begin = page.find_id("steps"), document.files[document.main], int(first)
+    steps = find_steps(section)
+    end = len(written) if last == "all" else int(last)
+    if len(steps) != end - begin + 1:
+        fail(f"there are {len(steps)} steps from {begin} to {end}")
+    check_chapter(page, section, "", written[begin - 1:end], kinds, document, begin)
     for failure in failures:
         print(failure)
-    submodels = [own["id"] for tag, own, _ in page.elements if tag == "section" and own.get("id", "").startswith("submodel-")]
+    submodels = [own for own in page.elements if own.tag == "section" and own.has_class("submodel")]
     print(f"{len(steps)} steps, {len(submodels)} submodels")
     return 1 if failures else 0
 
