@@ -103,6 +103,34 @@ TEST_F(BookletModelTest, NamesStepsAndSubmodelsInTheOrderOfBuilding)
     EXPECT_EQ(_model.getChapters()[1].steps[1].name, "A2");
 }
 
+TEST_F(BookletModelTest, NamesSubmodelsAfterZWithTwoLetters)
+{
+    // A submodel for each brick of a row.
+    constexpr std::uint32_t COUNT = 26 + 26 * 26 + 1;
+    std::vector<Part> parts;
+    std::vector<Submodel> submodels;
+    std::vector<BuildingStep> steps;
+    for (std::uint32_t index = 0; index < COUNT; ++index)
+    {
+        parts.push_back(createPart({static_cast<int>(index), 0, 0}, {1, 1, 1}, RED, 4));
+        submodels.push_back({{createStep({index})}});
+        steps.push_back(createStep({}, {index}));
+    }
+    const auto bricks =
+        BrickModel::createOfParts(test::createPartGrid({static_cast<int>(COUNT), 1, 1}, 1.2), std::move(parts));
+    const BookletModel model(*bricks, *BuildingPlan::create(COUNT, std::move(steps), std::move(submodels)), {});
+    const auto letterOf = [&model](std::size_t submodel) { return model.getChapters()[submodel + 1].letter; };
+    EXPECT_EQ(letterOf(0), "A");
+    EXPECT_EQ(letterOf(25), "Z");
+    EXPECT_EQ(letterOf(26), "AA");
+    EXPECT_EQ(letterOf(27), "AB");
+    EXPECT_EQ(letterOf(26 + 25), "AZ");
+    EXPECT_EQ(letterOf(26 + 26), "BA");
+    EXPECT_EQ(letterOf(26 + 26 * 26 - 1), "ZZ");
+    EXPECT_EQ(letterOf(26 + 26 * 26), "AAA");
+    EXPECT_EQ(model.getChapters()[27].steps[0].name, "AA1");
+}
+
 TEST_F(BookletModelTest, MarksStepsWhoseViewChanges)
 {
     const std::vector<BookletStep>& steps = _model.getMainChapter().steps;

@@ -1,0 +1,83 @@
+#include "BookletModels.h"
+
+#include <booklet/BookletCover.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+StabilityReport createReport(bool stands, bool isSafe, std::vector<std::uint32_t> falling = {})
+{
+    StabilityReport report;
+    report.stands = stands;
+    report.safe = isSafe;
+    report.falling = std::move(falling);
+    return report;
+}
+
+/** The warnings for a tower, all of whose steps are known. */
+Lines warningsOf(const std::optional<StabilityReport>& stability, const TowerSetting& setting = {},
+                 BuildingBase base = BuildingBase::TABLE)
+{
+    std::vector<BuildingStep> steps(1);
+    steps[0].parts = {0};
+    steps[0].isChecked = true;
+    return createWarnings(createTower(setting), stability, *BuildingPlan::create(1, steps), base);
+}
+
+} // namespace
+
+TEST(BookletCoverTest, AModelThatStandsSafelyHasNoWarnings)
+{
+    EXPECT_EQ(warningsOf(createReport(true, true)), Lines{});
+}
+
+TEST(BookletCoverTest, WarnsOfWornPartsIfAModelStandsButNotSafely)
+{
+    EXPECT_EQ(warningsOf(createReport(true, false)),
+              Lines{"This model stands, but parts that are worn may not hold it: handle it with care."});
+}
+
+TEST(BookletCoverTest, SaysWhereAModelFallsAndHowManyParts)
+{
+    EXPECT_EQ(warningsOf(createReport(false, false, {0, 1, 2})),
+              Lines{"This model does not stand on a table: 3 parts would fall. Support it from below, or make it with "
+                    "support=on."});
+    EXPECT_EQ(warningsOf(createReport(false, false, {4}), {}, BuildingBase::PLATE),
+              Lines{"This model does not stand on a base plate: 1 part would fall. Support it from below, or make it "
+                    "with support=on."});
+}
+
+TEST(BookletCoverTest, SaysIfItWasNotComputedWhetherAModelStands)
+{
+    EXPECT_EQ(warningsOf(std::nullopt),
+              Lines{"It was not computed whether this model stands, since it has so many parts."});
+}
+
+TEST(BookletCoverTest, CountsUnheldPartsAndFallingSteps)
+{
+    EXPECT_EQ(warningsOf(createReport(true, true), {.fallingSteps = {0, 1}}),
+              Lines{"After 2 steps the model, or a submodel, does not stand by itself: hold it there."});
+    EXPECT_EQ(warningsOf(createReport(true, true), {.unheldParts = {5}}),
+              Lines{"This model can't be built as it is: nothing holds 1 part when it is placed."});
+    EXPECT_EQ(warningsOf(createReport(true, true), {.unheldParts = {4, 5}}),
+              Lines{"This model can't be built as it is: nothing holds 2 parts when they are placed."});
+}
+
+TEST(BookletCoverTest, CountsStepsAfterWhichNothingIsKnown)
+{
+    std::vector<BuildingStep> steps(2);
+    steps[0].parts = {0};
+    steps[1].parts = {1};
+    EXPECT_EQ(
+        createWarnings(createTower(), createReport(true, true), *BuildingPlan::create(2, steps), BuildingBase::TABLE),
+        Lines{"Of 2 steps, it was not computed whether the model stands after them."});
+}
+
+} // namespace osgLego::test

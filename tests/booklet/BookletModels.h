@@ -1,0 +1,29 @@
+#pragma once
+
+#include <booklet/BookletModel.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace osgLego::test
+{
+
+/** What is unusual in a tower. */
+struct TowerSetting
+{
+    std::vector<std::size_t> fallingSteps{}; //!< of the model
+    std::vector<std::uint32_t> unheldParts{};
+    int turnsOfLastStep = 0;
+    bool isInnerUpsideDown = false; //!< whether the inner submodel is built upside down
+    bool hasTwoSubmodels = false; //!< whether the second step attaches the inner submodel itself, beside the outer one
+};
+
+/** The booklet of six bricks: two red ones of 2x4 on the ground, parts 0 and 1; on them a blue and a red one of 2x4,
+ * parts 2 and 3; and above them a blue one of 2x4 and a red one of 1x1, parts 4 and 5.
+ *
+ * The first step places parts 0 and 1. The second attaches submodel A, which consists of part 2 and of submodel B,
+ * part 3. The third places parts 4 and 5. */
+BookletModel createTower(const TowerSetting& setting = {});
+
+} // namespace osgLego::test

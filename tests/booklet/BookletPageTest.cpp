@@ -1,0 +1,184 @@
+#include "BookletModels.h"
+
+#include <booklet/BookletPage.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+/** Pictures without content, in which an arrow leads down to each submodel. */
+class FakePictures : public BookletPictureSource
+{
+public:
+    explicit FakePictures(const BookletModel& model) : _model(model) {}
+
+    BookletPicture drawKind(std::size_t kind) override { return create("kind " + std::to_string(kind)); }
+    BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
+    BookletPicture drawStep(std::size_t chapter, std::size_t step) override
+    {
+        BookletPicture picture = create("step " + std::to_string(chapter) + "-" + std::to_string(step));
+        for (std::size_t index = 0; index < _model.getChapters()[chapter].steps[step].submodels.size(); ++index)
+        {
+            const double x = 100.0 * static_cast<double>(index + 1);
+            picture.arrows.push_back({{x, 10.0}, {x, 70.0}, 10.0});
+        }
+        return picture;
+    }
+    double getAspect(std::size_t) const override { return 1.5; }
+
+private:
+    static BookletPicture create(const std::string& bytes)
+    {
+        BookletPicture picture;
+        picture.bytes = bytes;
+        picture.mediaType = "image/webp";
+        picture.width = 300;
+        picture.height = 200;
+        return picture;
+    }
+
+    const BookletModel& _model;
+};
+
+std::string write(const BookletModel& model, const Lines& warnings = {})
+{
+    BookletFacts facts;
+    facts.title = "Tower";
+    facts.warnings = warnings;
+    facts.endStep = model.getMainChapter().steps.size();
+    FakePictures pictures(model);
+    std::ostringstream stream;
+    BookletPage(model, facts, pictures, [](const std::string&) {}).write(stream);
+    return stream.str();
+}
+
+/** Replace everything from each `begin` to the following `end`. */
+void replaceAll(std::string& text, const std::string& begin, const std::string& end, const std::string& replacement)
+{
+    for (std::size_t place = 0; (place = text.find(begin, place)) != std::string::npos; place += replacement.size())
+        text.replace(place, text.find(end, place) + end.size() - place, replacement);
+}
+
+/** The words that a reader sees: without descriptions for screen readers, symbols, styles and scripts. */
+std::string toVisibleText(std::string html)
+{
+    for (const auto& [begin, end] :
+         {std::pair("<head>", "</head>"), std::pair("<script>", "</script>"),
+          std::pair("<svg class=\"symbols\"", "</svg>"), std::pair("<svg class=\"arrows\"", "</svg>"),
+          std::pair("<span class=\"hidden\">", "</span>"), std::pair("<h2 class=\"hidden\">", "</h2>")})
+        replaceAll(html, begin, end, "");
+    replaceAll(html, "<", ">", " ");
+    std::replace(html.begin(), html.end(), '\n', ' ');
+    html.erase(std::unique(html.begin(), html.end(), [](char a, char b) { return a == ' ' && b == ' '; }), html.end());
+    return html;
+}
+
+/** The part of a page from an element with an id up to the next element of the same name, or to the end. */
+std::string findElement(const std::string& html, const std::string& id)
+{
+    const auto place = html.find("id=\"" + id + "\"");
+    EXPECT_NE(place, std::string::npos) << id;
+    const auto begin = html.rfind('<', place);
+    return html.substr(begin, html.find("<section", place) - begin);
+}
+
+TEST(BookletPage, ShowsNumbersQuantitiesAndLettersInEachStep)
+{
+    const std::string html = write(createTower());
+    const auto textOf = [&html](const std::string& id) { return toVisibleText(findElement(html, id)); };
+    EXPECT_EQ(textOf("step-1"), " 1 2× ") << "two red bricks of 2x4";
+    EXPECT_EQ(textOf("step-2"), " 2 A ");
+    EXPECT_EQ(textOf("step-3"), " 3 1× 1× ") << "a red brick of 1x1 and a blue one of 2x4";
+    EXPECT_EQ(textOf("step-a1"), " A1 1× ");
+    EXPECT_EQ(textOf("step-a2"), " A2 B ");
+}
+
+TEST(BookletPage, ShowsThePartsOfSubmodelsBeforeTheirFirstStep)
+{
+    const std::string html = write(createTower());
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 1× 1× ");
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-b")), " B 1× ");
+}
+
+TEST(BookletPage, ListsTheQuantityOfEachKindAndAllThatIsNeededToOrderIt)
+{
+    const std::string text = toVisibleText(findElement(write(createTower()), "parts"));
+    EXPECT_NE(text.find("6 parts of 3 kinds"), std::string::npos) << text;
+    // In the order of sizes and then of LDraw's codes, with the numbers of BrickLink.
+    const auto one = text.find("1× Brick\u00a01\u202f×\u202f1 3005 Red BrickLink\u00a05 LDraw\u00a04");
+    const auto blue = text.find("2× Brick\u00a02\u202f×\u202f4 3001 Blue BrickLink\u00a07 LDraw\u00a01");
+    const auto red = text.find("3× Brick\u00a02\u202f×\u202f4 3001 Red BrickLink\u00a05 LDraw\u00a04");
+    EXPECT_LT(one, blue) << text;
+    EXPECT_LT(blue, red) << text;
+    EXPECT_NE(red, std::string::npos) << text;
+}
+
+TEST(BookletPage, DescribesForScreenReadersAsManyPartsAsItShows)
+{
+    const std::string step = findElement(write(createTower()), "step-1");
+    EXPECT_NE(step.find("aria-label=\"2 red bricks 2 x 4\""), std::string::npos) << step;
+    EXPECT_NE(step.find("Step 1 of 3: adds 2 red bricks 2 x 4\""), std::string::npos) << step;
+}
+
+TEST(BookletPage, ShowsThePictureOfEachStepInIt)
+{
+    const std::string html = write(createTower());
+    // "step 0-0", "step 0-2" and "step 1-1" in base64.
+    EXPECT_NE(findElement(html, "step-1").find("c3RlcCAwLTA="), std::string::npos);
+    EXPECT_NE(findElement(html, "step-3").find("c3RlcCAwLTI="), std::string::npos);
+    EXPECT_NE(findElement(html, "step-a2").find("c3RlcCAxLTE="), std::string::npos);
+}
+
+TEST(BookletPage, SaysWhenTheBuilderMustHoldTheModelAndWhichPartsNothingHolds)
+{
+    const BookletModel model = createTower({.fallingSteps = {0}, .unheldParts = {5}});
+    const std::string html = write(model);
+    const auto textOf = [&html](const std::string& id) { return toVisibleText(findElement(html, id)); };
+    EXPECT_EQ(textOf("step-1"), " 1 2× Hold the model after this step: it does not stand by itself yet. ");
+    EXPECT_EQ(textOf("step-2"), " 2 A ");
+    EXPECT_EQ(textOf("step-3"), " 3 1× 1× Nothing holds 1 part of this step. ");
+}
+
+TEST(BookletPage, ShowsWarningsOnTheCover)
+{
+    const std::string cover = findElement(write(createTower(), {"It is <heavy>.", "It falls."}), "cover");
+    EXPECT_NE(toVisibleText(cover).find("It is &lt;heavy&gt;. It falls."), std::string::npos) << cover;
+}
+
+TEST(BookletPage, TellsTheReaderToTurnTheModelBeforeStepsWithAnotherView)
+{
+    const std::string html = write(createTower({.turnsOfLastStep = 3, .isInnerUpsideDown = true}));
+    EXPECT_EQ(findElement(html, "step-1").find("class=\"turn\""), std::string::npos);
+    const std::string turned = findElement(html, "step-3");
+    EXPECT_NE(turned.find("aria-label=\"Turn the model\"><use href=\"#turn\"/>"), std::string::npos) << turned;
+    const std::string over = findElement(html, "step-b1");
+    EXPECT_NE(over.find("aria-label=\"Turn the model upside down\"><use href=\"#turn-over\"/>"), std::string::npos)
+        << over;
+}
+
+TEST(BookletPage, DrawsAnArrowToEachSubmodelWithItsLetterIfThereAreSeveral)
+{
+    const std::string one = findElement(write(createTower()), "step-2");
+    // A shaft as wide as the arrow and a head of three widths: from the tail at the top to the tip below.
+    EXPECT_NE(one.find("<path d=\"M95 10L95 50L85 50L100 70L115 50L105 50L105 10Z\"/></svg>"), std::string::npos)
+        << one;
+    const std::string two = findElement(write(createTower({.hasTwoSubmodels = true})), "step-2");
+    const auto first = two.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>");
+    const auto second = two.find("<text x=\"210\" y=\"30\" font-size=\"30\">B</text>");
+    EXPECT_LT(first, second) << two;
+    EXPECT_NE(second, std::string::npos) << two;
+}
+
+} // namespace
+
+} // namespace osgLego::test
