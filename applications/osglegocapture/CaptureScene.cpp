@@ -7,7 +7,9 @@
 #include <common/PictureTransparency.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
+#include <common/UprightTurn.h>
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include <osg/LightSource>
 #include <osg/Math>
 #include <osg/Timer>
+#include <osg/Transform>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/ReadFile>
@@ -86,6 +89,21 @@ osg::ref_ptr<osg::Node> readMesh(const CaptureOptions& options)
     throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "': " + explain(options.mesh, result));
 }
 
+osg::Matrixd computeToWorld(const osg::Node& node)
+{
+    const osg::NodePathList paths = node.getParentalNodePaths();
+    return paths.empty() ? osg::Matrixd() : osg::computeLocalToWorld(paths.front());
+}
+
+/** From a node's coordinates to those of the scene that it is in. */
+osg::BoundingSphere transformed(const osg::BoundingSphere& sphere, const osg::Node& node)
+{
+    const osg::Matrixd toWorld = computeToWorld(node);
+    const osg::Vec3d scale = toWorld.getScale();
+    return {osg::Vec3d(sphere.center()) * toWorld,
+            static_cast<float>(sphere.radius() * std::max({scale.x(), scale.y(), scale.z()}))};
+}
+
 double elapsed(osg::Timer_t start)
 {
     return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
@@ -120,9 +138,12 @@ void CaptureScene::prepare()
 
 void CaptureScene::unwrapSource()
 {
-    const osg::ref_ptr<LegoNode> lego = Finder<LegoNode>(*_source).getFound();
-    const auto* occlusion = dynamic_cast<AmbientOcclusionScene*>(_source.get());
-    if (!lego || (lego != _source && !(occlusion && occlusion->containsNode(lego)))) return;
+    osg::Node* inner = _source;
+    if (auto* occlusion = dynamic_cast<AmbientOcclusionScene*>(inner); occlusion && occlusion->getNumChildren() == 1)
+        inner = occlusion->getChild(0);
+    if (isUprightTurn(*inner)) inner = inner->asGroup()->getChild(0);
+    const osg::ref_ptr<LegoNode> lego = dynamic_cast<LegoNode*>(inner);
+    if (!lego) return;
     if (lego->getStoredBricks() && lego->getNumChildren() == 0)
         throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh +
                                                "' has stored bricks but no mesh; expected it without " +
@@ -206,8 +227,7 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
         if (!probe) throw CaptureError(EXIT_BAD_INPUT, error);
     }
     const osg::Quat turn(osg::DegreesToRadians(_options.probe.turn), osg::Vec3d(0, 0, 1));
-    const osg::Quat upright =
-        getSettings().grid.upAxis == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
+    const osg::Quat upright = getUpAxis() == UpAxis::Y ? osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)) : osg::Quat();
     probe->setRotation(turn * upright);
     probe->setIntensity(_options.probe.intensity);
     return probe;
@@ -366,12 +386,16 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
     // Placed according to the mesh, if there is one, not its bricks, so that pictures of both match.
     const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
     const bool hasMesh = isInSource && !_lego->getStoredBricks();
-    osg::BoundingSphere bound = hasMesh ? _lego->osg::Group::computeBound() : _source->getBound();
-    // A grid beside the mesh has no bricks, but is drawn.
-    if (_lego && !bound.intersects(_lego->getBound())) bound.expandBy(_lego->getBound());
+    osg::BoundingSphere bound = hasMesh ? transformed(_lego->osg::Group::computeBound(), *_lego) : _source->getBound();
+    if (_lego)
+    {
+        // A grid beside the mesh has no bricks, but is drawn.
+        const osg::BoundingSphere bricks = transformed(_lego->getBound(), *_lego);
+        if (!bound.intersects(bricks)) bound.expandBy(bricks);
+    }
     const LegoSettings settings = getSettings();
     const double aspect = static_cast<double>(_options.width) / _options.height;
-    CaptureCamera place(_options.view, settings.grid.upAxis, aspect);
+    CaptureCamera place(_options.view, getUpAxis(), aspect);
     if (_options.view.distance > 0.0)
         place.moveToDistance(bound);
     else
@@ -384,6 +408,15 @@ void CaptureScene::placeCamera(osg::Camera& camera) const
                                 reach.addSource(*_source, settings);
                         });
     place.apply(camera);
+}
+
+UpAxis CaptureScene::getUpAxis() const
+{
+    const UpAxis axis = getSettings().grid.upAxis;
+    // The pseudo-loader turns bricks with Y upwards, so that their studs point along Z in the scene.
+    const bool isTurned =
+        _lego && axis == UpAxis::Y && osg::Matrixd::transform3x3(osg::Vec3d(0, 1, 0), computeToWorld(*_lego)).z() > 0.5;
+    return isTurned ? UpAxis::Z : axis;
 }
 
 LegoSettings CaptureScene::getSettings() const

@@ -64,6 +64,8 @@ private:
     void timeFrame(osg::GraphicsContext& context);
     osg::ref_ptr<osg::Image> drawTransparent(const osg::Image& image);
     LegoSettings getSettings() const;
+    /** The axis of the scene along which studs point. */
+    UpAxis getUpAxis() const;
     [[noreturn]] void throwWithoutParts(const char* purpose) const;
 
     const CaptureOptions& _options;

@@ -4,6 +4,7 @@
 #include <common/LegolizeName.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
+#include <common/UprightTurn.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 #include <osgLego/Palette.h>
@@ -33,7 +34,8 @@ public:
 };
 
 /** The pseudo-loader `.legolize`: reads the file named before the extension and puts it under an osgLego::LegoNode.
- * This is put under an osgLego::AmbientOcclusionScene, unless `look=plain` or `occlusion=off` is given.
+ * This is put under an osgLego::AmbientOcclusionScene, unless `look=plain` or `occlusion=off` is given. With `up=y`, a
+ * transform between them turns the bricks upright.
  *
  *     osgviewer bunny.ply.legolize
  *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"
@@ -104,7 +106,7 @@ private:
         return obstacle.empty() ? obstacle : "can't read '" + fileName + "': " + obstacle;
     }
 
-    /** Read the environment light and turn it upright. @return null, with the reason in `error`, if its picture can't
+    /** Read the environment light. @return null, with the reason in `error`, if its picture can't
      * be used. */
     static osg::ref_ptr<osgLego::LightProbe> readProbe(const LegolizeSettings& settings, const Options* options,
                                                        std::string& error)
@@ -115,8 +117,6 @@ private:
             const std::string found = osgDB::findDataFile(*settings.probe, options);
             probe = osgLego::LightProbe::read(found.empty() ? *settings.probe : found, error);
         }
-        if (probe && settings.lego.grid.upAxis == osgLego::UpAxis::Y)
-            probe->setRotation(osg::Quat(-0.5 * osg::PI, osg::Vec3d(1, 0, 0)));
         return probe;
     }
 
@@ -156,6 +156,8 @@ private:
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
         if (const std::string obstacle = lego->getObstacle(); !obstacle.empty()) return ReadResult(obstacle);
         lego->setLightProbe(&probe);
+        if (settings.lego.grid.upAxis == osgLego::UpAxis::Y)
+            return addOcclusion(osgLego::turnUpright(*lego), settings, probe, name);
         return addOcclusion(lego, settings, probe, name);
     }
 
