@@ -121,4 +121,20 @@ Colors choosePartColors(const PartMap& map, const PartSizes& sizes)
     return colors;
 }
 
+LaidParts collectParts(const PartMap& map, const PartSizes& sizes)
+{
+    const CellLattice& lattice = map.getLattice();
+    const Colors colors = choosePartColors(map, sizes);
+    LaidParts parts;
+    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
+    {
+        if (!map.isAnchor(cell)) continue;
+        const auto index = static_cast<std::size_t>(cell);
+        const PartShape& shape = map.getShape(cell);
+        parts.push_back(
+            {lattice.getProblem().cells[index].place, {shape.width, shape.depth, shape.height}, colors[index]});
+    }
+    return parts;
+}
+
 } // namespace osgLego

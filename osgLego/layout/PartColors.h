@@ -13,4 +13,7 @@ namespace osgLego
  * @return the colours of anchors; other entries are meaningless. */
 std::vector<std::uint16_t> choosePartColors(const PartMap& map, const PartSizes& sizes);
 
+/** The parts of a layout of all cells, in these colours, sorted by z, y and x of their place. */
+LaidParts collectParts(const PartMap& map, const PartSizes& sizes);
+
 } // namespace osgLego

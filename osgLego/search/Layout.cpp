@@ -2,8 +2,8 @@
 
 #include <osgLego/layout/GreedyLayout.h>
 #include <osgLego/layout/KeptParts.h>
-#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/PartColors.h>
+#include <osgLego/search/BestLayout.h>
 #include <osgLego/search/ComponentJoiner.h>
 #include <osgLego/search/LayoutCosts.h>
 #include <osgLego/search/WindowSearch.h>
@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
+#include <vector>
 
 namespace osgLego
 {
@@ -37,64 +36,12 @@ constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
 constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
 constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
 
-LaidParts getParts(const PartMap& map, const PartSizes& sizes)
-{
-    const CellLattice& lattice = map.getLattice();
-    const std::vector<std::uint16_t> colors = choosePartColors(map, sizes);
-    LaidParts parts;
-    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
-    {
-        if (!map.isAnchor(cell)) continue;
-        const auto index = static_cast<std::size_t>(cell);
-        const PartShape& shape = map.getShape(cell);
-        parts.push_back(
-            {lattice.getProblem().cells[index].place, {shape.width, shape.depth, shape.height}, colors[index]});
-    }
-    return parts;
-}
-
 int getSeamCost(const LayoutProblem& problem)
 {
     constexpr std::size_t SMALL = 1000;
     const bool isSolid = problem.countInterior() > problem.cells.size() / 5;
     return isSolid && problem.cells.size() < SMALL ? LayoutCosts::HALF_SEAM_OF_SMALL_SOLID : LayoutCosts::HALF_SEAM;
 }
-
-/** The best of several layouts of the same cells. */
-class BestLayout
-{
-public:
-    BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
-
-    /** Keep a copy of a layout if it is the best so far. */
-    void add(const PartMap& map)
-    {
-        const std::int64_t cost = costOf(map);
-        if (_map && cost >= _cost) return;
-        _map.emplace(map);
-        _cost = cost;
-    }
-
-    /** Exchange a layout for the best one, if that is better. */
-    void restore(PartMap& map)
-    {
-        if (_map && _cost < costOf(map)) map.swap(*_map);
-    }
-
-private:
-    std::int64_t costOf(const PartMap& map) const
-    {
-        const LayoutFigures figures = computeLayoutFigures(map.getLattice().getProblem(), getParts(map, _sizes));
-        const auto times = [](std::size_t count, std::int64_t cost) { return static_cast<std::int64_t>(count) * cost; };
-        return times(figures.parts, LayoutCosts::PART) + times(figures.stackedLength, 2 * _seamCost) +
-               times(figures.components, LayoutCosts::COMPONENT) + times(figures.unavailable, LayoutCosts::UNMADE);
-    }
-
-    const PartSizes& _sizes;
-    int _seamCost;
-    std::optional<PartMap> _map;
-    std::int64_t _cost = 0;
-};
 
 /** Improve a layout of all cells.
  * @return false if it was cancelled. */
@@ -139,7 +86,7 @@ LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, con
     layGreedily(map, sizes);
     if (!improve(map, sizes, options, isActive) || isCancelled()) return {};
     if (options.progress) options.progress(1.0);
-    return getParts(map, sizes);
+    return collectParts(map, sizes);
 }
 
 } // namespace osgLego

@@ -38,8 +38,11 @@ public:
      * @return false if it was cancelled. */
     bool runRound(int seamCost, const Limits& limits);
 
-private:
+    /** The regions on which threads work at the same time in a phase of the next round. Each is farther from the others
+     * than its margins reach, in layers or in rows. @param layerPhase 0 or 1. @param rowPhase 0 or 1. */
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
+
+private:
     void findFixedComponents(const std::vector<LayoutRegion>& regions);
     void improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }

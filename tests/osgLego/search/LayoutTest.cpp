@@ -1,7 +1,9 @@
 #include "../layout/LaidModel.h"
 
+#include <osgLego/PartType.h>
 #include <osgLego/layout/PossibleComponents.h>
 #include <osgLego/search/Layout.h>
+#include <osgLego/search/LayoutCosts.h>
 
 #include <algorithm>
 #include <atomic>
@@ -67,6 +69,64 @@ LayoutProblem makeDome(int radius, int thickness)
 void expectValid(const LayoutProblem& problem, const LaidParts& parts)
 {
     EXPECT_EQ(LaidModel(problem, parts).findMistake(), "");
+}
+
+/** A row of cells in random colours, which have random sizes, with gaps. */
+LayoutProblem makeRandomRow(std::uint32_t seed)
+{
+    constexpr int NUM_COLORS = 3;
+    std::mt19937 random(seed);
+    std::vector<LayoutColor> colors(NUM_COLORS);
+    for (LayoutColor& color : colors)
+        color.bricks = static_cast<std::uint16_t>(random() & 0x7ff);
+    int left = 0;
+    int choice = 0;
+    const auto getColor = [&](int, int, int)
+    {
+        if (left-- == 0)
+        {
+            left = static_cast<int>(random() % 9);
+            choice = static_cast<int>(random() % (NUM_COLORS + 2));
+        }
+        if (choice == NUM_COLORS) return static_cast<int>(LayoutCell::ANY_COLOR);
+        return choice < NUM_COLORS ? choice : NO_CELL;
+    };
+    return makeCells({1 + static_cast<int>(random() % 30), 1, 1}, getColor, colors);
+}
+
+/** The cost of a part of a row: nothing connects it to another. ANY_COLOR stands for the colour that suits it best. */
+std::int64_t costInRow(const LayoutProblem& problem, int length, std::uint16_t color)
+{
+    const std::size_t size = findPartType(PartFamily::BRICK, 1, length)->getSizeIndex();
+    bool isMade = false;
+    for (std::size_t i = 0; i < problem.colors.size(); ++i)
+        if (color == LayoutCell::ANY_COLOR || color == i) isMade |= (problem.colors[i].bricks >> size & 1) != 0;
+    if (!isMade && length > 1) return 1'000'000'000;
+    return LayoutCosts::PART + LayoutCosts::COMPONENT + (isMade ? 0 : LayoutCosts::UNMADE);
+}
+
+/** The least cost of a row, from left to right: that of the best last part and of the row before it. */
+std::int64_t findLeastCostOfRow(const LayoutProblem& problem)
+{
+    const std::vector<LayoutCell>& cells = problem.cells;
+    std::vector<std::int64_t> least(cells.size() + 1, 1'000'000'000);
+    least[0] = 0;
+    for (std::size_t begin = 0; begin < cells.size(); ++begin)
+    {
+        std::uint16_t color = LayoutCell::ANY_COLOR;
+        for (std::size_t end = begin; end < cells.size() && end < begin + 8; ++end)
+        {
+            const bool isNext = cells[end].place[0] == cells[begin].place[0] + (end - begin);
+            const bool suits = color == LayoutCell::ANY_COLOR || cells[end].color == LayoutCell::ANY_COLOR ||
+                               cells[end].color == color;
+            if (!isNext || !suits) break;
+            if (color == LayoutCell::ANY_COLOR) color = cells[end].color;
+            const auto length = static_cast<int>(end - begin + 1);
+            if (!findPartType(PartFamily::BRICK, 1, length)) continue;
+            least[end + 1] = std::min(least[end + 1], least[begin] + costInRow(problem, length, color));
+        }
+    }
+    return least.back();
 }
 
 } // namespace
@@ -162,16 +222,20 @@ TEST(Layout, DoesNotDependOnTheNumberOfThreads)
 {
     for (const bool isOfPlates : {false, true})
     {
-        LayoutProblem problem = makeRandomCells({90, 80, 24}, 97, 5);
+        LayoutProblem problem = makeRandomCells({16, 16, 40}, 97, 5);
         problem.isOfPlates = isOfPlates;
         std::vector<LaidParts> layouts;
-        for (const std::size_t numThreads : {1, 2, 4})
+        for (const std::size_t numThreads : {1, 2, 4, 8})
         {
             const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism, numThreads);
-            layouts.push_back(layOut(problem, makeOptions(Effort::INSTANT, 7)));
+            LayoutOptions options = makeOptions(Effort::INSTANT, 7);
+            int numSteps = 0;
+            options.progress = [&](double) { ++numSteps; };
+            layouts.push_back(layOut(problem, options));
+            EXPECT_GT(numSteps, 1) << "there are no rounds of the search";
         }
-        EXPECT_EQ(layouts[0], layouts[1]);
-        EXPECT_EQ(layouts[0], layouts[2]);
+        for (std::size_t i = 1; i < layouts.size(); ++i)
+            EXPECT_TRUE(layouts[i] == layouts[0]) << i;
     }
 }
 
@@ -212,7 +276,7 @@ TEST(Layout, KeepsAllPartsOfThePreviousLayoutOfTheSameCells)
 
 TEST(Layout, ChangesOnlyPartsNearChangedCells)
 {
-    constexpr int REACH = 60; // cells: the neighbourhood, and windows that begin in it
+    constexpr int REACH = 50; // cells: the neighbourhood of 8, and up to 14 parts of a window that begins in it
     const LayoutProblem before = makeCells({200, 12, 4}, [](int, int, int) { return 0; });
     const LayoutProblem after = makeCells({200, 12, 4}, [](int x, int y, int) { return x < 3 && y < 3 ? NO_CELL : 0; });
     const LaidParts previous = layOut(before, {});
@@ -266,6 +330,20 @@ TEST(Layout, GivesInteriorPartsTheCommonestColorAroundInWhichTheyExist)
     for (const LaidPart& part : parts)
         EXPECT_TRUE(part.color == 1 || part.size == (std::array<std::uint8_t, 3>{1, 1, 1}));
     EXPECT_LT(parts.size(), problem.cells.size());
+}
+
+TEST(Layout, OfARowIsAsCheapAsDynamicProgrammingFinds)
+{
+    for (std::uint32_t seed = 0; seed < 400; ++seed)
+    {
+        const LayoutProblem problem = makeRandomRow(seed);
+        const LaidParts parts = layOut(problem, makeOptions(Effort::NORMAL, seed));
+        expectValid(problem, parts);
+        std::int64_t cost = 0;
+        for (const LaidPart& part : parts)
+            cost += costInRow(problem, part.size[0], part.color);
+        EXPECT_EQ(cost, findLeastCostOfRow(problem)) << "seed " << seed;
+    }
 }
 
 TEST(Layout, MakesABrickOfThreePlates)

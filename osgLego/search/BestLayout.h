@@ -1,0 +1,34 @@
+#pragma once
+
+#include <osgLego/layout/PartMap.h>
+#include <osgLego/layout/PartSizes.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace osgLego
+{
+
+/** The best of several layouts of the same cells: the one with the least cost of parts, stacked seams, components, and
+ * parts that were never made in their colour (LayoutCosts). */
+class BestLayout
+{
+public:
+    /** @param seamCost of half a unit of stacked seams. */
+    BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
+
+    /** Keep a copy of a layout if it is the best so far. */
+    void add(const PartMap& map);
+    /** Exchange a layout for the best one, if that is better. */
+    void restore(PartMap& map);
+
+private:
+    std::int64_t computeCost(const PartMap& map) const;
+
+    const PartSizes& _sizes;
+    int _seamCost;
+    std::optional<PartMap> _map;
+    std::int64_t _cost = 0;
+};
+
+} // namespace osgLego

@@ -1,0 +1,108 @@
+#include "../layout/LaidModel.h"
+
+#include <osgLego/layout/PartColors.h>
+#include <osgLego/search/BestLayout.h>
+#include <osgLego/search/LayoutCosts.h>
+
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Layers of cells in a row, covered by parts of given lengths. */
+class Rows
+{
+public:
+    explicit Rows(int length, int numLayers, const LayoutColor& color = {}) :
+        problem(makeCells({length, 1, numLayers}, [](int, int, int) { return 0; }, {color}))
+    {
+    }
+
+    PartMap lay(const std::vector<int>& lengths) const
+    {
+        PartMap map(lattice);
+        CellLattice::Index cell = 0;
+        for (const int length : lengths)
+        {
+            map.lay(cell, {static_cast<std::uint8_t>(length), 1, 1});
+            cell += length;
+        }
+        return map;
+    }
+
+    /** The parts that remain of two layouts. */
+    LaidParts findBetter(const std::vector<int>& first, const std::vector<int>& second) const
+    {
+        BestLayout best(sizes, LayoutCosts::HALF_SEAM);
+        best.add(lay(first));
+        PartMap map = lay(second);
+        best.restore(map);
+        return getParts(map);
+    }
+
+    /** Expect that a layout is better than another, whichever comes first. */
+    void expectBetter(const std::vector<int>& better, const std::vector<int>& worse) const
+    {
+        const LaidParts expected = getParts(lay(better));
+        EXPECT_EQ(findBetter(better, worse), expected);
+        EXPECT_EQ(findBetter(worse, better), expected);
+    }
+
+    LaidParts getParts(const PartMap& map) const { return collectParts(map, sizes); }
+
+    LayoutProblem problem;
+    CellLattice lattice{problem};
+    PartSizes sizes{problem};
+};
+
+} // namespace
+
+TEST(BestLayout, HasFewerParts)
+{
+    Rows(4, 1).expectBetter({4}, {2, 2});
+}
+
+TEST(BestLayout, HasFewerStackedSeams)
+{
+    // The long part below connects all.
+    Rows(6, 3).expectBetter({6, 2, 4, 4, 2}, {6, 2, 4, 2, 4});
+}
+
+TEST(BestLayout, HasFewerComponents)
+{
+    Rows(8, 2).expectBetter({4, 4, 2, 4, 2}, {4, 4, 4, 4});
+}
+
+TEST(BestLayout, HasFewerPartsThatWereNeverMade)
+{
+    const LayoutColor noSingle{0b1110, 0b1110};
+    Rows(5, 1, noSingle).expectBetter({2, 3}, {4, 1});
+}
+
+TEST(BestLayout, IsTheBestOfAll)
+{
+    const Rows rows(6, 1);
+    BestLayout best(rows.sizes, LayoutCosts::HALF_SEAM);
+    best.add(rows.lay({3, 2, 1}));
+    best.add(rows.lay({4, 2}));
+    best.add(rows.lay({1, 2, 1, 2}));
+    PartMap map = rows.lay({2, 2, 2});
+    best.restore(map);
+    EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay({4, 2})));
+}
+
+TEST(BestLayout, WithoutAnyLeavesTheLayout)
+{
+    const Rows rows(6, 1);
+    PartMap map = rows.lay({2, 2, 2});
+    BestLayout(rows.sizes, LayoutCosts::HALF_SEAM).restore(map);
+    EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay({2, 2, 2})));
+}
+
+} // namespace osgLego
