@@ -21,6 +21,9 @@ struct LegoSettings;
 struct PaletteColor
 {
     static constexpr std::uint16_t ALL_SIZES = (1u << 11) - 1;
+    /** LDraw's code of black, which LDConfig.ldr shows as a blue grey. The colour of the plastic, in
+     * data/ldraw-solid-colours.csv, takes the place of such definitions. */
+    static constexpr std::int32_t BLACK = 0;
 
     std::int32_t code = Part::NO_CODE;   //!< LDraw's
     std::string name;                    //!< such as "Dark_Turquoise"

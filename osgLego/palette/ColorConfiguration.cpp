@@ -1,8 +1,8 @@
 #include <osgLego/palette/ColorConfiguration.h>
 
-#include <osgLego/text/SettingsText.h>
 #include <osgLego/palette/ColorText.h>
 #include <osgLego/palette/TextLines.h>
+#include <osgLego/text/SettingsText.h>
 
 #include <algorithm>
 #include <array>
@@ -59,6 +59,7 @@ void copyFacts(std::span<const PaletteColor> known, PaletteColor& color)
     const auto isSame = [&](const PaletteColor& other) { return other.code == color.code; };
     const auto found = std::find_if(known.begin(), known.end(), isSame);
     if (found == known.end()) return;
+    if (color.code == PaletteColor::BLACK) color.color = found->color;
     color.brickLink = found->brickLink;
     color.bricks = found->bricks;
     color.plates = found->plates;

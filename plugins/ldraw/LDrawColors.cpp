@@ -14,7 +14,7 @@ LDrawColors::LDrawColors()
 void LDrawColors::add(const std::vector<LDrawColorDefinition>& definitions)
 {
     for (const LDrawColorDefinition& definition : definitions)
-        _colors[definition.code] = definition.color;
+        if (definition.code != PaletteColor::BLACK) _colors[definition.code] = definition.color;
 }
 
 std::int32_t LDrawColors::toDirect(const Color& color)

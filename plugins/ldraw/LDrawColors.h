@@ -22,7 +22,7 @@ public:
 
     LDrawColors();
 
-    /** Add definitions, which replace earlier ones. */
+    /** Add definitions, which replace earlier ones, except that of black: see PaletteColor::BLACK. */
     void add(const std::vector<LDrawColorDefinition>& definitions);
 
     static bool isDirect(std::int32_t value) { return value >= FIRST_DIRECT && value < 2 * FIRST_DIRECT; }

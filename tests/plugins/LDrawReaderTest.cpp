@@ -214,6 +214,17 @@ TEST_F(LDrawReaderTest, AColourThatIsNotKnownIsNamedOnce)
     EXPECT_EQ(_warnings, (std::vector<std::string>{"these colours are not known and are shown in grey: 9999"}));
 }
 
+TEST_F(LDrawReaderTest, BlackHasTheColourOfThePlasticWhateverTheLibrarySays)
+{
+    write("library/parts/4070.dat", "3 16 0 0 0 20 0 0 0 0 20\n");
+    write("library/LDConfig.ldr", "0 !COLOUR Black CODE 0 VALUE #1B2A34 EDGE #808080\n");
+    _hasLibrary = true;
+    const auto model = read("1 0 0 -24 0" + ALONG_X + "3005.dat\n");
+    ASSERT_TRUE(model) << _error;
+    EXPECT_EQ(model->getParts().at(0).colorCode, 0);
+    EXPECT_EQ(model->getParts().at(0).color, (std::array<std::uint8_t, 3>{0x21, 0x21, 0x21}));
+}
+
 TEST_F(LDrawReaderTest, UnknownPartsAreDrawnFromTheLibrary)
 {
     // A part of two triangles, one of them in a file of its own below s, in any case.

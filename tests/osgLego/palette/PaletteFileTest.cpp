@@ -195,6 +195,17 @@ TEST_F(PaletteFile, ReadsTheSolidColoursOfAConfiguration)
     EXPECT_EQ(colors[2].plates, PaletteColor::ALL_SIZES);
 }
 
+TEST_F(PaletteFile, BlackOfAConfigurationHasTheColourOfThePlastic)
+{
+    const osg::ref_ptr<const Palette> palette =
+        read("LDConfig.ldr", "0 !COLOUR Black CODE 0 VALUE #1B2A34 EDGE #808080\n"
+                             "0 !COLOUR Blue CODE 1 VALUE #1E5AA9 EDGE #333333\n");
+    ASSERT_TRUE(palette);
+    EXPECT_EQ(palette->getColors()[0].code, 0);
+    EXPECT_EQ(palette->getColors()[0].color, (Color{0x21, 0x21, 0x21}));
+    EXPECT_EQ(palette->getColors()[1].color, (Color{0x1e, 0x5a, 0xa9}));
+}
+
 TEST_F(PaletteFile, NamesTheBadLineOfAConfiguration)
 {
     const std::string head = "0 LDraw.org Configuration File\n0 !COLOUR Red CODE 4 VALUE #B40000 EDGE #333333\n";
