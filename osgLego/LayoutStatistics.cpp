@@ -43,8 +43,7 @@ std::string LayoutStatistics::toString() const
          << counted(numFloating, "part floats", "parts float") << ", and "
          << counted(numArticulationParts, "part holds", "parts hold") << " a piece together alone\n";
     text << "stacked seams: " << std::setprecision(1) << 100.0 * stackedSeams << " %, a length of " << stackedLength
-         << "; colour error: " << std::setprecision(3) << meanColorError << " on average, at most " << maximumColorError
-         << " in Oklab";
+         << "; colour error: " << meanColorError << " on average, at most " << maximumColorError << " in CIEDE2000";
     if (numUnavailable > 0)
         text << '\n'
              << counted(numUnavailable, "part has a size that was never made in its colour",

@@ -35,8 +35,9 @@ struct OSGLEGO_EXPORT LayoutStatistics
     std::size_t stackedLength = 0;  //!< the number of those joints, in cell widths
     std::size_t numColors = 0;      //!< different colours of parts
     std::size_t numUnavailable = 0; //!< parts of a size that was never made in their colour
-    double meanColorError = 0.0;    //!< the mean distance of visible cells from their surface's colour, in Oklab
-    double maximumColorError = 0.0;
+    /** The mean difference (CIEDE2000) between visible cells and the colour of their surface: 1 is just noticeable. */
+    double meanColorError = 0.0;
+    double maximumColorError = 0.0;           //!< the largest such difference
     std::optional<SupportStatistics> support; //!< unset unless LegoSettings::Parts::support is on
     double palette = 0.0;                     //!< the time taken to look up colours
     double fill = 0.0;                        //!< likewise to find interior cells

@@ -37,8 +37,8 @@ struct PaletteColor
 
 /** A list of colours in which models may be built, and the nearest of them for any colour.
  *
- * "Nearest" is the least distance in Oklab (Ottosson 2020), looked up in a table of 64 x 64 x 64 entries, which is the
- * same on the CPU and on the GPU.
+ * "Nearest" is the least colour difference CIEDE2000 (Sharma, Wu and Dalal 2005), looked up in a table of 64 x 64 x 64
+ * entries, which is the same on the CPU and on the GPU.
  *
  * Usage:
  *

@@ -4,7 +4,8 @@
 #include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/LayoutModel.h>
 #include <osgLego/model/SupportBuilder.h>
-#include <osgLego/palette/Oklab.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
 #include <osgLego/search/Layout.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include <span>
 #include <utility>
 
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <osg/Notify>
 #include <osg/Timer>
 
@@ -36,14 +37,14 @@ private:
     osg::Timer_t _start = osg::Timer::instance()->tick();
 };
 
-/** Give the cells the colours of a palette, and measure how far they are from their own. */
+/** Give the cells the colours of a palette, and measure the differences from their own. */
 osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLookup& lookup,
                                        LayoutStatistics& statistics)
 {
     const std::span<const PaletteColor> colors = lookup.getPalette()->getColors();
     std::vector<glm::dvec3> places;
     for (const PaletteColor& color : colors)
-        places.push_back(toOklab(color.color));
+        places.push_back(toCieLab(color.color));
     std::vector<Brick> bricks = cells.getBricks();
     std::size_t numVisible = 0;
     double sum = 0.0;
@@ -52,9 +53,9 @@ osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLoo
         const std::size_t index = lookup.find(brick.color, brick.cell);
         if (brick.openSides != 0)
         {
-            const double distance = glm::distance(places[index], toOklab(brick.color));
-            sum += distance;
-            statistics.maximumColorError = std::max(statistics.maximumColorError, distance);
+            const double error = ciede2000(places[index], toCieLab(brick.color));
+            sum += error;
+            statistics.maximumColorError = std::max(statistics.maximumColorError, error);
             ++numVisible;
         }
         brick.color = colors[index].color;

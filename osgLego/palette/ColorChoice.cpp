@@ -1,13 +1,15 @@
 #include <osgLego/palette/ColorChoice.h>
 
-#include <osgLego/palette/Oklab.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/SharedPalettes.h>
 
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace osgLego
 {
@@ -26,14 +28,14 @@ public:
         std::vector<glm::dvec3> places;
         places.reserve(shares.size());
         for (const ColorShare& share : shares)
-            places.push_back(toOklab(share.color));
+            places.push_back(toCieLab(share.color));
         for (std::size_t color = 0; color < _numColors; ++color)
         {
-            const glm::dvec3 place = toOklab(colors[color].color);
+            const glm::dvec3 place = toCieLab(colors[color].color);
             for (std::size_t point = 0; point < _numPoints; ++point)
             {
-                const glm::dvec3 difference = places[point] - place;
-                _errors[color * _numPoints + point] = shares[point].weight * glm::dot(difference, difference);
+                const double difference = ciede2000(places[point], place);
+                _errors[color * _numPoints + point] = shares[point].weight * difference * difference;
             }
         }
     }
@@ -145,7 +147,7 @@ private:
 
     std::size_t _numColors;
     std::size_t _numPoints;
-    std::vector<double> _errors; // for each colour, the weighted squared distance of each point
+    std::vector<double> _errors; // for each colour, the weighted squared difference of each point
     std::vector<bool> _isMedoid; // for each colour
     std::vector<Point> _points;
     std::vector<std::size_t> _medoids;
@@ -161,7 +163,7 @@ osg::ref_ptr<const Palette> chooseColors(const Palette& palette, const ColorHist
     for (const std::size_t color : MedoidSearch(colors, histogram.getShares()).find(count))
         chosen.push_back(colors[color]);
     std::string ignored; // there are at least one and fewer than before
-    return Palette::create(std::move(chosen), ignored);
+    return sharePalette(std::move(chosen), ignored);
 }
 
 } // namespace osgLego

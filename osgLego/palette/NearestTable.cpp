@@ -1,12 +1,14 @@
 #include <osgLego/palette/NearestTable.h>
 
-#include <osgLego/palette/Oklab.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -18,117 +20,124 @@ constexpr std::size_t SIDE = Palette::TABLE_SIDE;
 constexpr std::size_t NUM_ENTRIES = SIDE * SIDE * SIDE;
 constexpr std::size_t BLOCK_SIDE = 4;
 constexpr std::size_t BLOCKS = SIDE / BLOCK_SIDE; // along each channel
+constexpr std::size_t NUM_BLOCKS = BLOCKS * BLOCKS * BLOCKS;
+
+using Places = std::vector<glm::dvec3>; // of colours in CIELAB
+
+/** Call function(index) for each index below a number, on several threads. Static variables wait for tables, so the
+ * caller must not take up other tasks, which could need the same variables. */
+template <typename Function>
+void forEach(std::size_t count, const Function& function)
+{
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), count, function); });
+}
 
 /** A cube of entries: few colours of a palette are nearest to any of them. */
-struct Block
-{
-    std::size_t firstEntry = 0;
-    // A sphere around the entries in Oklab.
-    glm::vec3 center{0.0f};
-    float radius = 0.0f;
-
-    /** The first entry of a row of BLOCK_SIDE entries. @param row 0 to BLOCK_SIDE^2 - 1. */
-    std::size_t getRow(std::size_t row) const
-    {
-        return firstEntry + SIDE * (row % BLOCK_SIDE + SIDE * (row / BLOCK_SIDE));
-    }
-};
-
-/** The places of all entries in Oklab, which are the same for every palette. */
-class EntryPlaces
+class Block
 {
 public:
-    EntryPlaces() : _lightness(NUM_ENTRIES), _a(NUM_ENTRIES), _b(NUM_ENTRIES)
+    explicit Block(std::size_t index) :
+        _first(BLOCK_SIDE * (index % BLOCKS + SIDE * (index / BLOCKS % BLOCKS + SIDE * (index / BLOCKS / BLOCKS))))
     {
-        std::array<double, SIDE> linear{};
-        for (std::size_t step = 0; step < SIDE; ++step)
-            linear[step] = toLinear(static_cast<std::uint8_t>((2 * step + 1) * 256 / SIDE / 2));
-        for (std::size_t entry = 0; entry < NUM_ENTRIES; ++entry)
-        {
-            const glm::vec3 place =
-                linearToOklab({linear[entry % SIDE], linear[entry / SIDE % SIDE], linear[entry / SIDE / SIDE]});
-            _lightness[entry] = place.x;
-            _a[entry] = place.y;
-            _b[entry] = place.z;
-        }
-        for (std::size_t block = 0; block < _blocks.size(); ++block)
-            _blocks[block] = makeBlock(block);
     }
 
-    const std::array<Block, BLOCKS * BLOCKS * BLOCKS>& getBlocks() const { return _blocks; }
-
-    /** The squares of the distances of a row of entries to a place. */
-    std::array<float, BLOCK_SIDE> distancesTo(const glm::vec3& place, std::size_t firstEntry) const
+    /** @param red 0 to BLOCK_SIDE - 1, as the other two. */
+    std::size_t getEntry(std::size_t red, std::size_t green, std::size_t blue) const
     {
-        std::array<float, BLOCK_SIDE> result;
-        for (std::size_t step = 0; step < BLOCK_SIDE; ++step)
-        {
-            const float lightness = _lightness[firstEntry + step] - place.x;
-            const float a = _a[firstEntry + step] - place.y;
-            const float b = _b[firstEntry + step] - place.z;
-            result[step] = lightness * lightness + a * a + b * b;
-        }
-        return result;
+        return _first + red + SIDE * (green + SIDE * blue);
+    }
+
+    std::size_t getMiddle() const { return getEntry(BLOCK_SIDE / 2, BLOCK_SIDE / 2, BLOCK_SIDE / 2); }
+
+    template <typename Visit>
+    void forEachEntry(const Visit& visit) const
+    {
+        for (std::size_t blue = 0; blue < BLOCK_SIDE; ++blue)
+            for (std::size_t green = 0; green < BLOCK_SIDE; ++green)
+                for (std::size_t red = 0; red < BLOCK_SIDE; ++red)
+                    visit(getEntry(red, green, blue));
     }
 
 private:
-    Block makeBlock(std::size_t index) const
-    {
-        Block block;
-        block.firstEntry =
-            BLOCK_SIDE * (index % BLOCKS + SIDE * (index / BLOCKS % BLOCKS + SIDE * (index / BLOCKS / BLOCKS)));
-        const std::size_t middle = block.firstEntry + BLOCK_SIDE / 2 * (1 + SIDE + SIDE * SIDE);
-        block.center = {_lightness[middle], _a[middle], _b[middle]};
-        for (std::size_t row = 0; row < BLOCK_SIDE * BLOCK_SIDE; ++row)
-            for (const float distance : distancesTo(block.center, block.getRow(row)))
-                block.radius = std::max(block.radius, distance);
-        block.radius = std::sqrt(block.radius);
-        return block;
-    }
-
-    std::vector<float> _lightness;
-    std::vector<float> _a;
-    std::vector<float> _b;
-    std::array<Block, BLOCKS * BLOCKS * BLOCKS> _blocks;
+    std::size_t _first;
 };
 
-float squaredDistance(const glm::vec3& place, const glm::vec3& other)
+/** The places of the middles of all entries, which are the same for every palette. */
+class EntryPlaces
 {
-    const glm::vec3 difference = place - other;
-    return glm::dot(difference, difference);
-}
-
-/** The indices of the colours that can be nearest to an entry of a block, in ascending order. */
-void findCandidates(const Block& block, const std::vector<glm::vec3>& places, std::vector<std::uint8_t>& candidates)
-{
-    constexpr float ROUNDING = 1e-4f;
-    float nearest = std::numeric_limits<float>::max();
-    for (const glm::vec3& place : places)
-        nearest = std::min(nearest, squaredDistance(place, block.center));
-    const float limit = std::sqrt(nearest) + 2.0f * block.radius + ROUNDING;
-    candidates.clear();
-    for (std::size_t index = 0; index < places.size(); ++index)
-        if (squaredDistance(places[index], block.center) <= limit * limit)
-            candidates.push_back(static_cast<std::uint8_t>(index));
-}
-
-void fillRow(const EntryPlaces& entries, const std::vector<glm::vec3>& places, std::span<const std::uint8_t> candidates,
-             std::size_t firstEntry, std::vector<std::uint8_t>& table)
-{
-    std::array<float, BLOCK_SIDE> nearest;
-    nearest.fill(std::numeric_limits<float>::max());
-    std::array<std::int32_t, BLOCK_SIDE> indices{};
-    for (const std::uint8_t candidate : candidates)
+public:
+    EntryPlaces() : _places(NUM_ENTRIES), _radii(NUM_BLOCKS)
     {
-        const std::array<float, BLOCK_SIDE> distances = entries.distancesTo(places[candidate], firstEntry);
-        for (std::size_t step = 0; step < BLOCK_SIDE; ++step)
-        {
-            indices[step] = distances[step] < nearest[step] ? candidate : indices[step];
-            nearest[step] = std::min(nearest[step], distances[step]);
-        }
+        constexpr std::size_t WIDTH = 256 / SIDE;
+        const auto middleOf = [](std::size_t step) { return static_cast<std::uint8_t>(WIDTH * step + WIDTH / 2); };
+        forEach(NUM_ENTRIES,
+                [&](std::size_t entry) {
+                    _places[entry] = toCieLab(
+                        {middleOf(entry % SIDE), middleOf(entry / SIDE % SIDE), middleOf(entry / SIDE / SIDE)});
+                });
+        forEach(NUM_BLOCKS, [&](std::size_t block) { _radii[block] = findRadius(Block(block)); });
     }
-    for (std::size_t step = 0; step < BLOCK_SIDE; ++step)
-        table[firstEntry + step] = static_cast<std::uint8_t>(indices[step]);
+
+    const glm::dvec3& operator[](std::size_t entry) const { return _places[entry]; }
+
+    /** The difference between the middle entry of a block and the one that is farthest from it. */
+    double getRadius(std::size_t block) const { return _radii[block]; }
+
+private:
+    double findRadius(const Block& block) const
+    {
+        double radius = 0.0;
+        for (const std::size_t blue : {std::size_t(0), BLOCK_SIDE - 1})
+            for (const std::size_t green : {std::size_t(0), BLOCK_SIDE - 1})
+                for (const std::size_t red : {std::size_t(0), BLOCK_SIDE - 1})
+                    radius = std::max(radius,
+                                      ciede2000(_places[block.getMiddle()], _places[block.getEntry(red, green, blue)]));
+        return radius;
+    }
+
+    Places _places;
+    std::vector<double> _radii;
+};
+
+/** A colour that may be nearest to an entry of a block, and its difference from the middle entry. */
+struct Candidate
+{
+    double difference = 0.0;
+    std::uint8_t index = 0;
+
+    auto operator<=>(const Candidate&) const = default;
+};
+
+/** The candidates of a block, the nearest first. */
+std::vector<Candidate> findCandidates(const glm::dvec3& middle, double radius, const Places& colors)
+{
+    // Twice the radius would be enough if the triangle inequality held.
+    const double reach = 2.5 * radius;
+    std::vector<Candidate> candidates;
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t index = 0; index < colors.size(); ++index)
+    {
+        if (lightnessDifference(middle, colors[index]) > nearest + reach) continue;
+        const double difference = ciede2000(middle, colors[index]);
+        nearest = std::min(nearest, difference);
+        candidates.push_back({difference, static_cast<std::uint8_t>(index)});
+    }
+    std::erase_if(candidates, [&](const Candidate& candidate) { return candidate.difference > nearest + reach; });
+    std::sort(candidates.begin(), candidates.end());
+    return candidates;
+}
+
+std::uint8_t findNearest(const glm::dvec3& place, const std::vector<Candidate>& candidates, const Places& colors)
+{
+    if (candidates.size() == 1) return candidates.front().index;
+    Candidate nearest{std::numeric_limits<double>::max(), 0};
+    for (const Candidate& candidate : candidates)
+    {
+        const glm::dvec3& color = colors[candidate.index];
+        if (lightnessDifference(place, color) > nearest.difference) continue;
+        nearest = std::min(nearest, {ciede2000(place, color), candidate.index});
+    }
+    return nearest.index;
 }
 
 } // namespace
@@ -136,17 +145,19 @@ void fillRow(const EntryPlaces& entries, const std::vector<glm::vec3>& places, s
 std::vector<std::uint8_t> makeNearestTable(std::span<const PaletteColor> colors)
 {
     static const EntryPlaces entries;
-    std::vector<glm::vec3> places;
+    Places places;
     for (const PaletteColor& color : colors)
-        places.emplace_back(toOklab(color.color));
+        places.push_back(toCieLab(color.color));
     std::vector<std::uint8_t> table(NUM_ENTRIES);
-    std::vector<std::uint8_t> candidates;
-    for (const Block& block : entries.getBlocks())
-    {
-        findCandidates(block, places, candidates);
-        for (std::size_t row = 0; row < BLOCK_SIDE * BLOCK_SIDE; ++row)
-            fillRow(entries, places, candidates, block.getRow(row), table);
-    }
+    forEach(NUM_BLOCKS,
+            [&](std::size_t index)
+            {
+                const Block block(index);
+                const std::vector<Candidate> candidates =
+                    findCandidates(entries[block.getMiddle()], entries.getRadius(index), places);
+                block.forEachEntry([&](std::size_t entry)
+                                   { table[entry] = findNearest(entries[entry], candidates, places); });
+            });
     for (std::size_t index = colors.size(); index-- > 0;)
         table[tableEntryOf(colors[index].color)] = static_cast<std::uint8_t>(index);
     return table;

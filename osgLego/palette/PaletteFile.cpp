@@ -3,12 +3,12 @@
 #include <osgLego/palette/ColorConfiguration.h>
 #include <osgLego/palette/ColorTable.h>
 #include <osgLego/palette/KnownColors.h>
+#include <osgLego/palette/SharedPalettes.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <fstream>
-#include <mutex>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,33 +22,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t LARGEST_FILE = std::uintmax_t(4) << 20;
-
-/** The palettes that were created last, by their colours: tables are expensive to make. Files are read and parsed each
- * time, which is cheap; their sizes and times don't tell whether they have changed, since `cp -p` and `rsync -t` keep
- * times. */
-class PaletteCache
-{
-public:
-    /** @return null, with one sentence in `error`, for too many colours or none. */
-    osg::ref_ptr<const Palette> getOrCreate(std::vector<PaletteColor> colors, std::string& error)
-    {
-        const auto hasColors = [&](const osg::ref_ptr<const Palette>& palette)
-        { return std::ranges::equal(palette->getColors(), colors); };
-        const std::scoped_lock lock(_mutex);
-        const auto found = std::find_if(_palettes.begin(), _palettes.end(), hasColors);
-        if (found != _palettes.end()) return *found;
-        osg::ref_ptr<const Palette> palette = Palette::create(std::move(colors), error);
-        if (!palette) return nullptr;
-        constexpr std::size_t MOST_PALETTES = 16; // a palette takes a quarter of a megabyte
-        if (_palettes.size() >= MOST_PALETTES) _palettes.clear();
-        _palettes.push_back(palette);
-        return palette;
-    }
-
-private:
-    std::mutex _mutex;
-    std::vector<osg::ref_ptr<const Palette>> _palettes;
-};
 
 std::string lowerCaseExtension(const fs::path& path)
 {
@@ -95,7 +68,6 @@ std::string readText(const fs::path& path, std::string& text)
 
 osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& error)
 {
-    static PaletteCache cache;
     const std::string extension = lowerCaseExtension(path);
     if (extension != ".csv" && extension != ".ldr")
     {
@@ -110,7 +82,7 @@ osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& e
     std::vector<PaletteColor> colors =
         extension == ".csv" ? readColorTable(text, wrong) : readColorConfiguration(text, getKnownColors(), wrong);
     osg::ref_ptr<const Palette> palette;
-    if (wrong.empty()) palette = cache.getOrCreate(std::move(colors), wrong);
+    if (wrong.empty()) palette = sharePalette(std::move(colors), wrong);
     if (!wrong.empty()) error = path.string() + (wrong.starts_with("line ") ? ", " : ": ") + wrong;
     return palette;
 }

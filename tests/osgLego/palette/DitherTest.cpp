@@ -1,13 +1,16 @@
 #include <osgLego/Palette.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
 #include <osgLego/palette/Dither.h>
-#include <osgLego/palette/Oklab.h>
 
 #include <Palettes.h>
 
 #include <array>
 #include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -118,28 +121,73 @@ TEST(Dither, ColoursOfThePaletteStayPlain)
             ASSERT_EQ(palette->findDithered(palette->getColors()[index].color, cellOn(2, cell % 16, cell / 16)), index);
 }
 
+/** How well the cells of even surfaces show the colours of the surfaces. */
+struct Imitation
+{
+    double plainError = 0.0;     // of the nearest colours
+    double error = 0.0;          // of the means of the cells
+    double lightnessError = 0.0; // of these means, positive if they are too light
+};
+
+/** Imitate colours between two of a palette, on planes across all axes, and take the means over the surfaces. Light of
+ * neighbouring bricks adds up in the eye, so that means are those of linear light. */
+Imitation imitate(const Palette& palette, std::mt19937& engine, int numColors)
+{
+    Imitation imitation;
+    const auto colors = palette.getColors();
+    for (int number = 0; number < numColors; ++number)
+    {
+        const Color& first = colors[engine() % colors.size()].color;
+        const Color& second = colors[engine() % colors.size()].color;
+        const double share = std::uniform_real_distribution<double>(0.0, 1.0)(engine);
+        Color color{};
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            color[channel] = static_cast<std::uint8_t>(std::lround(std::lerp(first[channel], second[channel], share)));
+        const glm::dvec3 place = toCieLab(color);
+        glm::dvec3 sum(0.0);
+        for (int cell = 0; cell < 256; ++cell)
+        {
+            const Cell inPlane = cellOn(static_cast<std::size_t>(number % 3), cell % 16, cell / 16);
+            const Color& brick = colors[palette.findDithered(color, inPlane)].color;
+            sum += glm::dvec3(toLinear(brick[0]), toLinear(brick[1]), toLinear(brick[2]));
+        }
+        const glm::dvec3 mean = linearToCieLab(sum / 256.0);
+        imitation.plainError += ciede2000(place, toCieLab(colors[palette.findNearest(color)].color)) / numColors;
+        imitation.error += ciede2000(place, mean) / numColors;
+        imitation.lightnessError += (mean.x - place.x) / numColors;
+    }
+    return imitation;
+}
+
 TEST(Dither, TheMeanOfAnEvenSurfaceIsNearerToItsColourThanTheNearestColour)
 {
     std::string error;
-    const osg::ref_ptr<const Palette> palette = Palette::read("ldraw", error);
-    double plainError = 0.0;
-    double ditheredError = 0.0;
-    const std::array<Color, 6> between{Color{126, 126, 126}, {210, 60, 20},  {120, 60, 130},
-                                       {150, 150, 60},       {60, 110, 110}, {200, 205, 210}};
-    for (const Color& color : between)
-        for (std::size_t axis = 0; axis < 3; ++axis)
+    std::mt19937 engine(7);
+    const Imitation imitation = imitate(*Palette::read("ldraw", error), engine, 600);
+    EXPECT_LT(imitation.error, 0.6 * imitation.plainError);
+    EXPECT_NEAR(imitation.lightnessError, 0.0, 1.5);
+}
+
+TEST(Dither, TheMeanIsNearerWithPalettesOfAnySize)
+{
+    std::mt19937 engine(8);
+    for (const std::size_t count : {6, 16, 40, 120})
+    {
+        Imitation sum;
+        for (int round = 0; round < 4; ++round)
         {
-            const auto linearOf = [](const Color& from)
-            { return glm::dvec3(toLinear(from[0]), toLinear(from[1]), toLinear(from[2])); };
-            glm::dvec3 sum(0.0);
-            for (int cell = 0; cell < 256; ++cell)
-                sum += linearOf(
-                    palette->getColors()[palette->findDithered(color, cellOn(axis, cell % 16, cell / 16))].color);
-            const Color& nearest = palette->getColors()[palette->findNearest(color)].color;
-            plainError += glm::distance(toOklab(color), toOklab(nearest));
-            ditheredError += glm::distance(toOklab(color), linearToOklab(sum / 256.0));
+            std::vector<PaletteColor> colors(count);
+            for (PaletteColor& color : colors)
+                for (std::uint8_t& channel : color.color)
+                    channel = static_cast<std::uint8_t>(engine());
+            const Imitation imitation = imitate(*createPalette(colors), engine, 100);
+            sum.error += imitation.error;
+            sum.plainError += imitation.plainError;
+            sum.lightnessError += imitation.lightnessError / 4.0;
         }
-    EXPECT_LT(ditheredError, 0.5 * plainError);
+        EXPECT_LT(sum.error, 0.75 * sum.plainError) << count;
+        EXPECT_NEAR(sum.lightnessError, 0.0, 3.0) << count;
+    }
 }
 
 TEST(Dither, BlackAndWhiteImitateGrey)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** The colour difference CIEDE2000 of two colours in CIELAB, as Sharma, Wu and Dalal (2005) specify it: 0 for equal
+ * colours, about 1 for a difference that is just noticeable, 100 for black and white. Symmetric, but not a metric: the
+ * triangle inequality does not hold. May be called from any thread. */
+double ciede2000(const glm::dvec3& color, const glm::dvec3& other);
+
+/** A lower bound of ciede2000() that is fast to compute: the part of it that is due to lightness. */
+double lightnessDifference(const glm::dvec3& color, const glm::dvec3& other);
+
+} // namespace osgLego
