@@ -16,6 +16,8 @@ void addFrameCommand(CLI::App& app);
 void addDrawCommand(CLI::App& app);
 /** Error of ambient occlusion against rays, and the time of its passes. */
 void addOcclusionCommand(CLI::App& app);
+/** Colours that a palette gives to meshes, beside the best. Prints a table unless JSON goes to a file. */
+void addColorsCommand(CLI::App& app);
 /** Layouts of parts beside the least number of parts that is possible. Prints tables unless JSON goes to a file. */
 void addLayoutCommand(CLI::App& app);
 /** Times of computing stability, beside CLP. Prints a table unless JSON goes to a file. */

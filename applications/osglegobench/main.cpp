@@ -20,6 +20,7 @@ int run(int argc, char** argv)
     addFrameCommand(app);
     addDrawCommand(app);
     addOcclusionCommand(app);
+    addColorsCommand(app);
     addLayoutCommand(app);
     addStabilityCommand(app);
     addBuildingCommand(app);

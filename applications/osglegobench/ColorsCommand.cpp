@@ -1,0 +1,190 @@
+#include "BenchEnvironment.h"
+#include "BenchOptions.h"
+#include "Commands.h"
+
+#include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/cpu/DominantColors.h>
+#include <osgLego/flattening/LegoSource.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+using nlohmann::ordered_json;
+using Color = std::array<std::uint8_t, 3>;
+
+struct ColorsCommandOptions : BenchOptions
+{
+    std::string palette = "ldraw";
+    unsigned int numColors = Palette::MAXIMUM_COLORS;
+};
+
+double chromaOf(const glm::dvec3& place)
+{
+    return std::hypot(place.y, place.z);
+}
+
+/** Compares the colours that a palette gives with the best ones, by CIEDE2000. */
+class ColorComparison
+{
+public:
+    explicit ColorComparison(const Palette& palette) : _palette(palette)
+    {
+        for (const PaletteColor& color : palette.getColors())
+            _places.push_back(toCieLab(color.color));
+    }
+
+    void add(const Color& color)
+    {
+        const glm::dvec3 place = toCieLab(color);
+        const glm::dvec3& chosen = _places[_palette.findNearest(color)];
+        double best = ciede2000(place, _places.front());
+        for (const glm::dvec3& other : _places)
+            best = std::min(best, ciede2000(place, other));
+        const double error = ciede2000(place, chosen);
+        ++_count;
+        _error += error;
+        _excess += error - best;
+        _numWorse += error - best > NOTICEABLE ? 1 : 0;
+        _numNeutral += chromaOf(place) <= NEUTRAL ? 1 : 0;
+        _numChromatic += chromaOf(place) <= NEUTRAL && chromaOf(chosen) > CHROMATIC ? 1 : 0;
+    }
+
+    ordered_json toJson(const std::string& name) const
+    {
+        ordered_json row{{"colorsOf", name},
+                         {"count", _count},
+                         {"palette", _palette.getColors().size()},
+                         {"error", mean(_error, _count)},
+                         {"excess", mean(_excess, _count)},
+                         {"worse", mean(_numWorse, _count)},
+                         {"neutral", _numNeutral}};
+        if (_numNeutral > 0) row["chromatic"] = mean(_numChromatic, _numNeutral);
+        const auto addGoal = [&](const char* figure, double goal)
+        {
+            if (row.contains(figure))
+                row["goals"].push_back(
+                    {{"what", figure}, {"figure", row[figure]}, {"goal", goal}, {"reached", row[figure] <= goal}});
+        };
+        addGoal("excess", 0.3);
+        addGoal("worse", 0.02);
+        addGoal("chromatic", 0.01);
+        return row;
+    }
+
+private:
+    static constexpr double NOTICEABLE = 5.0; // an excess that is seen at a glance
+    static constexpr double NEUTRAL = 5.0;    // the largest chroma of nearly neutral colours
+    static constexpr double CHROMATIC = 10.0; // the least chroma of colours that have a clear hue
+
+    template <typename Sum>
+    static double mean(Sum sum, std::size_t count)
+    {
+        return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
+    }
+
+    const Palette& _palette;
+    std::vector<glm::dvec3> _places;
+    std::size_t _count = 0;
+    double _error = 0.0;
+    double _excess = 0.0;
+    std::size_t _numWorse = 0;
+    std::size_t _numNeutral = 0;
+    std::size_t _numChromatic = 0;
+};
+
+LegoSettings createSettings(const ColorsCommandOptions& options)
+{
+    LegoSettings settings;
+    settings.colors.palette = options.palette;
+    settings.colors.count = options.numColors;
+    return settings;
+}
+
+/** The colours of the visible cells of a mesh. */
+ordered_json compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSettings settings)
+{
+    settings.grid.resolution = resolution;
+    settings.grid.upAxis = mesh.upAxis;
+    const osg::ref_ptr<osg::Node> node = readMesh(mesh);
+    std::string error;
+    const osg::ref_ptr<LegoSource> source = LegoSource::create(*SceneTriangles::create(*node), settings, error);
+    if (!source) throw std::runtime_error(error);
+    ColorComparison comparison(*source->lookup.getPalette());
+    const osg::ref_ptr<const BrickModel> cells = voxelizeOnCpu(*source->triangles, CellColor::DOMINANT);
+    for (const Brick& brick : cells->getBricks())
+        if (brick.openSides != 0) comparison.add(brick.color);
+    return comparison.toJson(fmt::format("{} {}", mesh.name, resolution));
+}
+
+/** Colours spread evenly over sRGB. */
+ordered_json compareGrid(const Palette& palette)
+{
+    ColorComparison comparison(palette);
+    for (int red = 0; red < 256; red += 5)
+        for (int green = 0; green < 256; green += 5)
+            for (int blue = 0; blue < 256; blue += 5)
+                comparison.add({static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
+                                static_cast<std::uint8_t>(blue)});
+    return comparison.toJson("grid");
+}
+
+void printRows(const ordered_json& rows)
+{
+    fmt::print("| colours of | number | palette | error | excess over the best | worse by more than 5 | neutral "
+               "| chromatic of these | verdict |\n|---|---|---|---|---|---|---|---|---|\n");
+    for (const ordered_json& row : rows)
+    {
+        const auto isReached = [](const ordered_json& goal) { return goal["reached"].get<bool>(); };
+        fmt::print("| {} | {} | {} | {:.2f} | {:.3f} | {:.2f} % | {} | {} | {} |\n", row["colorsOf"].get<std::string>(),
+                   row["count"].get<int>(), row["palette"].get<int>(), row["error"].get<double>(),
+                   row["excess"].get<double>(), 100.0 * row["worse"].get<double>(), row["neutral"].get<int>(),
+                   row.contains("chromatic") ? fmt::format("{:.2f} %", 100.0 * row["chromatic"].get<double>()) : "-",
+                   std::all_of(row["goals"].begin(), row["goals"].end(), isReached) ? "reached" : "MISSED");
+    }
+}
+
+void runColors(const ColorsCommandOptions& options)
+{
+    const std::vector<MeshSource> meshes = options.getMeshes();
+    const LegoSettings settings = createSettings(options);
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
+    if (!palette) throw std::runtime_error(error);
+    ordered_json document = createDocument("colors");
+    document["rows"].push_back(compareGrid(*palette));
+    for (const MeshSource& mesh : meshes)
+        for (const unsigned int resolution : options.getResolutions({24}, {48}))
+            document["rows"].push_back(compareMesh(mesh, resolution, settings));
+    if (!options.jsonFile.empty()) return options.write(document);
+    printRows(document["rows"]);
+}
+
+} // namespace
+
+void addColorsCommand(CLI::App& app)
+{
+    CLI::App* command = app.add_subcommand(
+        "colors", "Differences (CIEDE2000) between colours and those that a palette gives them, and their excess over "
+                  "the best of the palette, with verdicts");
+    const auto options = std::make_shared<ColorsCommandOptions>();
+    options->addTo(*command, "48");
+    command->add_option("--palette", options->palette, "ldraw, or a .csv or .ldr file (ldraw)")->type_name("PALETTE");
+    command->add_option("--colors", options->numColors, "Only this number of its colours, chosen for each mesh (all)")
+        ->check(CLI::Range(1u, static_cast<unsigned int>(Palette::MAXIMUM_COLORS)))
+        ->type_name("N");
+    command->callback([options] { runColors(*options); });
+}
+
+} // namespace osgLego
