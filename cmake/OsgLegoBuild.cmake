@@ -31,7 +31,12 @@ target_compile_options(osgLegoOptions INTERFACE
     -Wzero-as-null-pointer-constant
     # GCC 12 gives false warnings if its own std::string is in a precompiled header (bugs 105329 and 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow>
+    # Part of Clang's -Wconversion, but not of GCC's.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
     $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
+if(OSGLEGO_SCALAR)
+    target_compile_definitions(osgLegoOptions INTERFACE OSGLEGO_SCALAR)
+endif()
 if(OSGLEGO_SANITIZE)
     target_compile_options(osgLegoOptions INTERFACE
         -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow

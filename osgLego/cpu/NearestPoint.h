@@ -1,8 +1,9 @@
 #pragma once
 
+#include "Simd.h"
+
 #include <array>
 #include <cstddef>
-#include <experimental/simd>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -24,7 +25,7 @@ class NearestPoint
 {
 public:
     static constexpr std::size_t NUM_LANES = 4;
-    using Lanes = std::experimental::fixed_size_simd<double, NUM_LANES>;
+    using Lanes = DoubleLanes<NUM_LANES>;
 
     /** Barycentric coordinates of points for the second and third corner; that for the first is 1 - b - c. */
     struct Shares
@@ -79,10 +80,7 @@ public:
     }
 
 private:
-    static Lanes clamped(const Lanes& lanes)
-    {
-        return std::experimental::min(std::experimental::max(lanes, Lanes(0.0)), Lanes(1.0));
-    }
+    static Lanes clamped(const Lanes& lanes) { return min(max(lanes, Lanes(0.0)), Lanes(1.0)); }
 
     static double inverse(double value) { return value > 0.0 ? 1.0 / value : 0.0; }
 
