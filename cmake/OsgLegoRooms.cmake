@@ -4,12 +4,13 @@
 
 set_property(GLOBAL PROPERTY OSGLEGO_ROOMS "")
 
-# osglego_add_room(NAME [PUBLIC CLASS...] [USES ROOM...] [LINKS TARGET...])
+# osglego_add_room(NAME [PLAIN] [PUBLIC CLASS...] [USES ROOM...] [LINKS TARGET...])
+#   PLAIN   the room includes few of OSG's headers: it needs the small precompiled header
 #   PUBLIC  the classes of the room whose headers are public; their files are in osgLego/, all others in osgLego/NAME/
 #   USES    the rooms whose headers it may include
 #   LINKS   targets of other projects to link
 function(osglego_add_room name)
-    cmake_parse_arguments(PARSE_ARGV 1 ROOM "" "" "PUBLIC;USES;LINKS")
+    cmake_parse_arguments(PARSE_ARGV 1 ROOM "PLAIN" "" "PUBLIC;USES;LINKS")
     set(folder ${PROJECT_SOURCE_DIR}/osgLego)
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/${name}/*.cpp)
     foreach(class IN LISTS ROOM_PUBLIC)
@@ -22,7 +23,11 @@ function(osglego_add_room name)
         set(scope PUBLIC)
         add_library(${target} STATIC ${sources})
         target_link_libraries(${target} PRIVATE osgLegoOptions)
-        osglego_precompile(${target})
+        if(ROOM_PLAIN)
+            osglego_precompile(${target} PLAIN)
+        else()
+            osglego_precompile(${target})
+        endif()
     else()
         set(scope INTERFACE)
         add_library(${target} INTERFACE)

@@ -33,7 +33,7 @@ std::string findProcessor()
     return "unknown";
 }
 
-nlohmann::ordered_json describeMachine()
+JsonValue describeMachine()
 {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     return {{"processor", findProcessor()},
@@ -53,15 +53,15 @@ osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width, int height)
     return context;
 }
 
-nlohmann::ordered_json createDocument(const std::string& benchmark)
+JsonValue createDocument(const std::string& benchmark)
 {
     return {{"benchmark", benchmark}, {"environment", describeMachine()}};
 }
 
-nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context)
+JsonValue createDocument(const std::string& benchmark, osg::GraphicsContext& context)
 {
     context.makeCurrent();
-    nlohmann::ordered_json environment{{"renderer", getGlText(GL_RENDERER)}, {"version", getGlText(GL_VERSION)}};
+    JsonValue environment{{"renderer", getGlText(GL_RENDERER)}, {"version", getGlText(GL_VERSION)}};
     environment.update(describeMachine());
     return {{"benchmark", benchmark}, {"environment", environment}};
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <common/JsonValue.h>
+
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <osg/GraphicsContext>
 #include <osg/ref_ptr>
 
@@ -15,11 +16,11 @@ osg::ref_ptr<osg::GraphicsContext> createBenchContext(int width = 16, int height
 
 /** Create a document of figures that contains the name of the benchmark and the environment: processor, threads,
  * commit, date. */
-nlohmann::ordered_json createDocument(const std::string& benchmark);
+JsonValue createDocument(const std::string& benchmark);
 
 /** The same for a benchmark that uses GL: the environment also contains the renderer and the version of GL.
  * @param context is made current. */
-nlohmann::ordered_json createDocument(const std::string& benchmark, osg::GraphicsContext& context);
+JsonValue createDocument(const std::string& benchmark, osg::GraphicsContext& context);
 
 /** Whether the renderer of the current context runs on the processor. */
 bool isSoftwareRenderer();

@@ -12,20 +12,15 @@
 namespace osgLego
 {
 
-void BenchOptions::addTo(CLI::App& command, const std::string& usualResolutions)
+void BenchOptions::addTo(BenchCommand& command, const std::string& usualResolutions)
 {
-    command
-        .add_option("--mesh", meshes, "PATH or NAME=PATH, followed by ',up=y' if y is up; or 'car', which is built in")
-        ->type_name("MESH...");
-    command.add_option("--models", models, "Folder of the meshes used without --mesh (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
-    command.add_option("--resolution", resolutions, "Cells along the longest side (" + usualResolutions + ")")
-        ->delimiter(',')
-        ->check(CLI::Range(1u, LegoSettings::MAXIMUM_RESOLUTION))
-        ->type_name("N,...");
-    command.add_flag("--quick", isQuick, "A short run that checks that everything works: the car at low resolutions");
-    command.add_option("--json", jsonFile, "Write the figures there (standard output)")->type_name("FILE");
+    command.addTexts("--mesh", meshes, "PATH or NAME=PATH, followed by ',up=y' if y is up; or 'car', which is built in",
+                     "MESH...");
+    command.addFolder("--models", models, "Folder of the meshes used without --mesh (build/models)");
+    command.addNumbers("--resolution", resolutions, "Cells along the longest side (" + usualResolutions + ")", 1,
+                       LegoSettings::MAXIMUM_RESOLUTION);
+    command.addFlag("--quick", isQuick, "A short run that checks that everything works: the car at low resolutions");
+    command.addText("--json", jsonFile, "Write the figures there (standard output)", "FILE");
 }
 
 void BenchOptions::checkFile() const
@@ -59,9 +54,9 @@ std::vector<unsigned int> BenchOptions::getResolutions(const std::vector<unsigne
     return isQuick ? quick : usual;
 }
 
-void BenchOptions::write(const nlohmann::ordered_json& document) const
+void BenchOptions::write(const JsonValue& document) const
 {
-    const std::string text = document.dump(4) + '\n';
+    const std::string text = document.toString(4) + '\n';
     if (jsonFile.empty())
     {
         fmt::print("{}", text);
@@ -78,11 +73,11 @@ void BenchOptions::write(const nlohmann::ordered_json& document) const
     if (!why.empty()) throw std::runtime_error("can't write '" + jsonFile + "': " + why);
 }
 
-void BenchRuns::addTo(CLI::App& command)
+void BenchRuns::addTo(BenchCommand& command)
 {
-    command.add_option("--runs", numRuns, fmt::format("Timed runs ({})", numRuns))->check(CLI::Range(1u, 10000u));
-    command.add_option("--warm-up", numWarmUps, fmt::format("Runs before these, not counted ({})", numWarmUps))
-        ->check(CLI::Range(0u, 10000u));
+    command.addNumber("--runs", numRuns, fmt::format("Timed runs ({})", numRuns), 1u, 10000u);
+    command.addNumber("--warm-up", numWarmUps, fmt::format("Runs before these, not counted ({})", numWarmUps), 0u,
+                      10000u);
 }
 
 } // namespace osgLego

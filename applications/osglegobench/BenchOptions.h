@@ -1,12 +1,12 @@
 #pragma once
 
+#include "BenchCommand.h"
 #include "BenchMeshes.h"
+
+#include <common/JsonValue.h>
 
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -21,7 +21,7 @@ struct BenchOptions
     std::string jsonFile;
 
     /** @param usualResolutions the default resolutions, for --help. */
-    void addTo(CLI::App& command, const std::string& usualResolutions);
+    void addTo(BenchCommand& command, const std::string& usualResolutions);
 
     /** All meshes to measure. Throws std::runtime_error, also if the file can't be written, before hours of work. */
     std::vector<MeshSource> getMeshes() const;
@@ -32,7 +32,7 @@ struct BenchOptions
                                              const std::vector<unsigned int>& usual) const;
 
     /** Write a document to --json (an atomic write) or to standard output. Throws std::runtime_error. */
-    void write(const nlohmann::ordered_json& document) const;
+    void write(const JsonValue& document) const;
 
 private:
     void checkFile() const;
@@ -45,7 +45,7 @@ struct BenchRuns
     unsigned int numWarmUps = 2; //!< runs before these, which are not counted
 
     /** Add --runs and --warm-up. */
-    void addTo(CLI::App& command);
+    void addTo(BenchCommand& command);
 };
 
 } // namespace osgLego

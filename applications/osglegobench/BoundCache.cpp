@@ -7,6 +7,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -53,9 +55,11 @@ BoundCache::BoundCache(std::string fileName) : _fileName(std::move(fileName))
 {
     if (_fileName.empty() || !std::filesystem::exists(_fileName)) return;
     std::ifstream file(_fileName);
-    _entries = nlohmann::ordered_json::parse(file, nullptr, false);
-    if (!_entries.is_object())
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::optional<JsonValue> entries = JsonValue::parse(text);
+    if (!entries || !entries->isObject())
         throw std::runtime_error("'" + _fileName + "' has no bounds; expected a file that --bounds has written");
+    _entries = *entries;
 }
 
 std::vector<LayerBound> BoundCache::getBounds(const LayoutProblem& problem, const std::vector<int>& layers,
@@ -75,8 +79,8 @@ std::vector<LayerBound> BoundCache::getBounds(const LayoutProblem& problem, cons
     std::vector<LayerBound> bounds;
     for (const int layer : layers)
     {
-        const auto& entry = _entries[computeHash(problem, layer, seconds)];
-        bounds.push_back({layer, entry.at(0), entry.at(1)});
+        const std::vector<JsonValue>& entry = _entries[computeHash(problem, layer, seconds)].getElements();
+        bounds.push_back({layer, static_cast<std::size_t>(entry.at(0).toInteger()), entry.at(1).toBoolean()});
     }
     return bounds;
 }
@@ -84,7 +88,7 @@ std::vector<LayerBound> BoundCache::getBounds(const LayoutProblem& problem, cons
 void BoundCache::compute(const LayoutProblem& problem, const std::vector<int>& layers, double seconds)
 {
     for (const LayerBound& bound : boundLayers(problem, layers, {seconds, {}}))
-        _entries[computeHash(problem, bound.z, seconds)] = {bound.parts, bound.isOptimum};
+        _entries[computeHash(problem, bound.z, seconds)] = JsonValue::createArray({bound.parts, bound.isOptimum});
     write();
 }
 
@@ -95,7 +99,7 @@ void BoundCache::write() const
                                               [this](const std::string& temporaryName)
                                               {
                                                   std::ofstream file(temporaryName, std::ios::binary);
-                                                  file << _entries.dump() << '\n';
+                                                  file << _entries.toString() << '\n';
                                                   file.close();
                                                   return file ? std::string() : std::string(std::strerror(errno));
                                               });

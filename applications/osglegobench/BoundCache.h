@@ -2,12 +2,11 @@
 
 #include <osgLego/layout/LayoutProblem.h>
 
+#include <common/JsonValue.h>
 #include <common/LayoutBound.h>
 
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -30,7 +29,7 @@ private:
     void write() const;
 
     std::string _fileName;
-    nlohmann::ordered_json _entries = nlohmann::ordered_json::object(); //!< parts and isOptimum of layers, by hash
+    JsonValue _entries = JsonValue::createObject(); //!< parts and isOptimum of layers, by hash
 };
 
 } // namespace osgLego

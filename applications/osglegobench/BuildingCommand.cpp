@@ -22,7 +22,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
 using Parts = std::vector<std::uint32_t>;
 
 // The order that is compared with the plan: layer by layer, in steps of this many parts.
@@ -147,7 +146,7 @@ std::size_t countFalling(const std::vector<BuildingStep>& steps)
         std::count_if(steps.begin(), steps.end(), [](const BuildingStep& step) { return !step.stands; }));
 }
 
-ordered_json measure(const BuildingCase& buildingCase, unsigned int numRuns)
+JsonValue measure(const BuildingCase& buildingCase, unsigned int numRuns)
 {
     const osg::ref_ptr<const BrickModel> model = lay(buildingCase);
     std::vector<double> orderTimes;
@@ -193,20 +192,20 @@ ordered_json measure(const BuildingCase& buildingCase, unsigned int numRuns)
             {"stabilityMilliseconds", createSpread(stabilityTimes)}};
 }
 
-void printRows(const ordered_json& rows)
+void printRows(const JsonValue& rows)
 {
     fmt::print(
         "| model | parts, not placeable | layer by layer: steps that float | planned: steps that float | that fall "
         "| submodels | their steps that fall | unchecked | ms | with stability, ms |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const ordered_json& row : rows)
+    for (const JsonValue& row : rows.getElements())
         fmt::print("| {} {} | {}, {} | {} of {} | {} of {} | {} | {} | {} of {} | {} | {:.0f} | {:.0f} |\n",
-                   row["mesh"].get<std::string>(), row["settings"].get<std::string>(), row["parts"].get<int>(),
-                   row["unheld"].get<int>(), row["floatingLayerSteps"].get<int>(), row["layerSteps"].get<int>(),
-                   row["floatingSteps"].get<int>(), row["steps"].get<int>(), row["fallingSteps"].get<int>(),
-                   row["submodels"].get<int>(), row["fallingSubmodelSteps"].get<int>(), row["submodelSteps"].get<int>(),
-                   row["uncheckedSteps"].get<int>(), row["milliseconds"]["median"].get<double>(),
-                   row["stabilityMilliseconds"]["median"].get<double>());
+                   row["mesh"].toText(), row["settings"].toText(), row["parts"].toInteger(), row["unheld"].toInteger(),
+                   row["floatingLayerSteps"].toInteger(), row["layerSteps"].toInteger(),
+                   row["floatingSteps"].toInteger(), row["steps"].toInteger(), row["fallingSteps"].toInteger(),
+                   row["submodels"].toInteger(), row["fallingSubmodelSteps"].toInteger(),
+                   row["submodelSteps"].toInteger(), row["uncheckedSteps"].toInteger(),
+                   row["milliseconds"]["median"].toNumber(), row["stabilityMilliseconds"]["median"].toNumber());
 }
 
 void runBuilding(const BuildingCommandOptions& options)
@@ -219,11 +218,11 @@ void runBuilding(const BuildingCommandOptions& options)
                                     {bunny, "32,parts=bricks,colors=1"},
                                     {bunny, "32,parts=bricks,proportions=plate,colors=1"}};
     if (options.isQuick) cases.resize(1);
-    ordered_json document = createDocument("building");
+    JsonValue document = createDocument("building");
     for (const BuildingCase& buildingCase : cases)
     {
         fmt::print(stderr, "planning {}, {}\n", buildingCase.mesh.name, buildingCase.settings);
-        document["rows"].push_back(measure(buildingCase, options.isQuick ? 1 : options.numRuns));
+        document["rows"].append(measure(buildingCase, options.isQuick ? 1 : options.numRuns));
     }
     if (!options.jsonFile.empty()) return options.write(document);
     printRows(document["rows"]);
@@ -231,20 +230,18 @@ void runBuilding(const BuildingCommandOptions& options)
 
 } // namespace
 
-void addBuildingCommand(CLI::App& app)
+void addBuildingCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "building",
         "Building orders beside the order layer by layer: steps with floating parts, submodels, and the time");
     const auto options = std::make_shared<BuildingCommandOptions>();
-    command->add_option("--models", options->models, "The folder of the bunny")->capture_default_str();
-    command->add_option("--runs", options->numRuns, "The number of runs")
-        ->check(CLI::Range(1u, 100u))
-        ->capture_default_str();
-    command->add_flag("--quick", options->isQuick, "A short run that checks that everything works");
-    command->add_option("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)")
-        ->type_name("FILE");
-    command->callback([options] { runBuilding(*options); });
+    command.addFolder("--models", options->models, "Folder of bunny.ply (build/models)");
+    command.addNumber("--runs", options->numRuns, "Timed runs (3)", 1u, 100u);
+    command.addFlag("--quick", options->isQuick, "A short run that checks that everything works");
+    command.addText("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)",
+                    "FILE");
+    command.setRun([options] { runBuilding(*options); });
 }
 
 } // namespace osgLego

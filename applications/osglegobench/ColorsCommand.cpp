@@ -9,6 +9,7 @@
 #include <osgLego/palette/ColorDifference.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -21,7 +22,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
 using Color = std::array<std::uint8_t, 3>;
 
 struct ColorsCommandOptions : BenchOptions
@@ -61,21 +61,23 @@ public:
         _numChromatic += chromaOf(place) <= NEUTRAL && chromaOf(chosen) > CHROMATIC ? 1 : 0;
     }
 
-    ordered_json toJson(const std::string& name) const
+    JsonValue toJson(const std::string& name) const
     {
-        ordered_json row{{"colorsOf", name},
-                         {"count", _count},
-                         {"palette", _palette.getColors().size()},
-                         {"error", mean(_error, _count)},
-                         {"excess", mean(_excess, _count)},
-                         {"worse", mean(_numWorse, _count)},
-                         {"neutral", _numNeutral}};
+        JsonValue row{{"colorsOf", name},
+                      {"count", _count},
+                      {"palette", _palette.getColors().size()},
+                      {"error", mean(_error, _count)},
+                      {"excess", mean(_excess, _count)},
+                      {"worse", mean(_numWorse, _count)},
+                      {"neutral", _numNeutral}};
         if (_numNeutral > 0) row["chromatic"] = mean(_numChromatic, _numNeutral);
         const auto addGoal = [&](const char* figure, double goal)
         {
             if (row.contains(figure))
-                row["goals"].push_back(
-                    {{"what", figure}, {"figure", row[figure]}, {"goal", goal}, {"reached", row[figure] <= goal}});
+                row["goals"].append({{"what", figure},
+                                     {"figure", row[figure]},
+                                     {"goal", goal},
+                                     {"reached", row[figure].toNumber() <= goal}});
         };
         addGoal("excess", 0.3);
         addGoal("worse", 0.02);
@@ -113,7 +115,7 @@ LegoSettings createSettings(const ColorsCommandOptions& options)
 }
 
 /** The colours of the visible cells of a mesh. */
-ordered_json compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSettings settings)
+JsonValue compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSettings settings)
 {
     settings.grid.resolution = resolution;
     settings.grid.upAxis = mesh.upAxis;
@@ -129,7 +131,7 @@ ordered_json compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSe
 }
 
 /** Colours spread evenly over sRGB. */
-ordered_json compareGrid(const Palette& palette)
+JsonValue compareGrid(const Palette& palette)
 {
     ColorComparison comparison(palette);
     for (int red = 0; red < 256; red += 5)
@@ -140,18 +142,18 @@ ordered_json compareGrid(const Palette& palette)
     return comparison.toJson("grid");
 }
 
-void printRows(const ordered_json& rows)
+void printRows(const JsonValue& rows)
 {
     fmt::print("| colours of | number | palette | error | excess over the best | worse by more than 5 | neutral "
                "| chromatic of these | verdict |\n|---|---|---|---|---|---|---|---|---|\n");
-    for (const ordered_json& row : rows)
+    for (const JsonValue& row : rows.getElements())
     {
-        const auto isReached = [](const ordered_json& goal) { return goal["reached"].get<bool>(); };
-        fmt::print("| {} | {} | {} | {:.2f} | {:.3f} | {:.2f} % | {} | {} | {} |\n", row["colorsOf"].get<std::string>(),
-                   row["count"].get<int>(), row["palette"].get<int>(), row["error"].get<double>(),
-                   row["excess"].get<double>(), 100.0 * row["worse"].get<double>(), row["neutral"].get<int>(),
-                   row.contains("chromatic") ? fmt::format("{:.2f} %", 100.0 * row["chromatic"].get<double>()) : "-",
-                   std::all_of(row["goals"].begin(), row["goals"].end(), isReached) ? "reached" : "MISSED");
+        const auto isReached = [](const JsonValue& goal) { return goal["reached"].toBoolean(); };
+        fmt::print("| {} | {} | {} | {:.2f} | {:.3f} | {:.2f} % | {} | {} | {} |\n", row["colorsOf"].toText(),
+                   row["count"].toInteger(), row["palette"].toInteger(), row["error"].toNumber(),
+                   row["excess"].toNumber(), 100.0 * row["worse"].toNumber(), row["neutral"].toInteger(),
+                   row.contains("chromatic") ? fmt::format("{:.2f} %", 100.0 * row["chromatic"].toNumber()) : "-",
+                   std::ranges::all_of(row["goals"].getElements(), isReached) ? "reached" : "MISSED");
     }
 }
 
@@ -162,29 +164,28 @@ void runColors(const ColorsCommandOptions& options)
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
     if (!palette) throw std::runtime_error(error);
-    ordered_json document = createDocument("colors");
-    document["rows"].push_back(compareGrid(*palette));
+    JsonValue document = createDocument("colors");
+    document["rows"].append(compareGrid(*palette));
     for (const MeshSource& mesh : meshes)
         for (const unsigned int resolution : options.getResolutions({24}, {48}))
-            document["rows"].push_back(compareMesh(mesh, resolution, settings));
+            document["rows"].append(compareMesh(mesh, resolution, settings));
     if (!options.jsonFile.empty()) return options.write(document);
     printRows(document["rows"]);
 }
 
 } // namespace
 
-void addColorsCommand(CLI::App& app)
+void addColorsCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "colors", "Differences (CIEDE2000) between colours and those that a palette gives them, and their excess over "
                   "the best of the palette, with verdicts");
     const auto options = std::make_shared<ColorsCommandOptions>();
-    options->addTo(*command, "48");
-    command->add_option("--palette", options->palette, "ldraw, or a .csv or .ldr file (ldraw)")->type_name("PALETTE");
-    command->add_option("--colors", options->numColors, "Only this number of its colours, chosen for each mesh (all)")
-        ->check(CLI::Range(1u, static_cast<unsigned int>(Palette::MAXIMUM_COLORS)))
-        ->type_name("N");
-    command->callback([options] { runColors(*options); });
+    options->addTo(command, "48");
+    command.addText("--palette", options->palette, "ldraw, or a .csv or .ldr file (ldraw)", "PALETTE");
+    command.addNumber("--colors", options->numColors, "Only this number of its colours, chosen for each mesh (all)", 1u,
+                      static_cast<unsigned int>(Palette::MAXIMUM_COLORS));
+    command.setRun([options] { runColors(*options); });
 }
 
 } // namespace osgLego

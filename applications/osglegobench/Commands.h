@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "BenchCommand.h"
 
 namespace osgLego
 {
@@ -9,20 +9,20 @@ namespace osgLego
 // std::runtime_error if it fails.
 
 /** Time, exactness and colours of contenders, on meshes at several resolutions. */
-void addVoxelizeCommand(CLI::App& app);
+void addVoxelizeCommand(BenchCommandLine& commands);
 /** Time and picture of a frame, compared with the reference that draws every face and every stud. */
-void addFrameCommand(CLI::App& app);
+void addFrameCommand(BenchCommandLine& commands);
 /** Memory, times and counts of frames of one scene. */
-void addDrawCommand(CLI::App& app);
+void addDrawCommand(BenchCommandLine& commands);
 /** Error of ambient occlusion against rays, and the time of its passes. */
-void addOcclusionCommand(CLI::App& app);
+void addOcclusionCommand(BenchCommandLine& commands);
 /** Colours that a palette gives to meshes, beside the best. Prints a table unless JSON goes to a file. */
-void addColorsCommand(CLI::App& app);
+void addColorsCommand(BenchCommandLine& commands);
 /** Layouts of parts beside the least number of parts that is possible. Prints tables unless JSON goes to a file. */
-void addLayoutCommand(CLI::App& app);
+void addLayoutCommand(BenchCommandLine& commands);
 /** Times of computing stability, beside CLP. Prints a table unless JSON goes to a file. */
-void addStabilityCommand(CLI::App& app);
+void addStabilityCommand(BenchCommandLine& commands);
 /** Building orders beside the order layer by layer. Prints a table unless JSON goes to a file. */
-void addBuildingCommand(CLI::App& app);
+void addBuildingCommand(BenchCommandLine& commands);
 
 } // namespace osgLego

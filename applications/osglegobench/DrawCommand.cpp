@@ -21,8 +21,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
-
 struct DrawOptions : BenchOptions
 {
     std::string look = "full"; // "none": an osg::Box instead of bricks
@@ -48,7 +46,7 @@ struct DrawOptions : BenchOptions
 /** Draw the same frame repeatedly.
  * @param lego null if there are no bricks.
  * @param isDirtied whether the source is legolized again in each frame. */
-ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFrames, bool isDirtied)
+JsonValue drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFrames, bool isDirtied)
 {
     const auto countLegolizations = [&]
     { return lego ? lego->getStatistics(viewer.getContextID()).numLegolizations : 0; };
@@ -68,7 +66,7 @@ ordered_json drawFrames(FrameViewer& viewer, LegoNode* lego, unsigned int numFra
 }
 
 /** Draw the whole model and, in turns with it, the model as its building progresses from no part to all parts. */
-ordered_json drawProgress(FrameViewer& viewer, LegoNode& lego, unsigned int numFrames)
+JsonValue drawProgress(FrameViewer& viewer, LegoNode& lego, unsigned int numFrames)
 {
     constexpr unsigned int NUM_TENTHS = 10;
     std::vector<double> whole;
@@ -88,9 +86,9 @@ ordered_json drawProgress(FrameViewer& viewer, LegoNode& lego, unsigned int numF
         tenths[NUM_TENTHS * frame / numFrames].push_back(partial.back());
         lego.setBuildProgress(1.0);
     }
-    ordered_json row{{"whole", createSpread(whole)}, {"partial", createSpread(partial)}};
+    JsonValue row{{"whole", createSpread(whole)}, {"partial", createSpread(partial)}};
     for (const std::vector<double>& times : tenths)
-        if (!times.empty()) row["medianByTenth"].push_back(createSpread(times)["median"]);
+        if (!times.empty()) row["medianByTenth"].append(createSpread(times)["median"]);
     return row;
 }
 
@@ -109,7 +107,7 @@ osg::ref_ptr<osg::Node> createBox()
 }
 
 /** Measure the peak memory after the first frame, then times and counts of frames. */
-ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
+JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
 {
     constexpr double MEBIBYTE = 1024.0 * 1024.0;
     constexpr unsigned int NUM_FRAMES_BEFORE = 20; // more than idle passes are kept
@@ -120,17 +118,17 @@ ordered_json measure(const DrawOptions& options, FrameViewer& viewer)
     root->addChild(drawn);
     viewer.show(*root, scene);
     viewer.timeFrame("first");
-    ordered_json row{{"mesh", scene.mesh.name},
-                     {"resolution", scene.settings.grid.resolution},
-                     {"device", options.device},
-                     {"look", options.look},
-                     {"parts", options.hasParts},
-                     {"drawnBy", lego ? findDrawing(options) : "triangles"},
-                     {"occlusion", options.hasOcclusion},
-                     {"frames", options.numFrames},
-                     {"mebibytes",
-                      {{"resident", readPeakMemory()},
-                       {"largestBlock", static_cast<double>(AllocationCount::getLargestBlock()) / MEBIBYTE}}}};
+    JsonValue row{{"mesh", scene.mesh.name},
+                  {"resolution", scene.settings.grid.resolution},
+                  {"device", options.device},
+                  {"look", options.look},
+                  {"parts", options.hasParts},
+                  {"drawnBy", lego ? findDrawing(options) : "triangles"},
+                  {"occlusion", options.hasOcclusion},
+                  {"frames", options.numFrames},
+                  {"mebibytes",
+                   {{"resident", readPeakMemory()},
+                    {"largestBlock", static_cast<double>(AllocationCount::getLargestBlock()) / MEBIBYTE}}}};
     if (lego)
     {
         checkBricks(*lego, viewer);
@@ -152,35 +150,33 @@ void runDraw(const DrawOptions& options)
 {
     options.getMesh(); // reports bad options before there is a context
     FrameViewer viewer(options.getSize());
-    ordered_json document = createDocument("draw", viewer.getContext());
+    JsonValue document = createDocument("draw", viewer.getContext());
     document["width"] = options.getSize().x;
     document["height"] = options.getSize().y;
-    document["rows"].push_back(measure(options, viewer));
+    document["rows"].append(measure(options, viewer));
     options.write(document);
 }
 
 } // namespace
 
-void addDrawCommand(CLI::App& app)
+void addDrawCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "draw",
         "Frames of one scene: peak memory after the first; then times, legolizations and allocations of frames "
         "in which nothing has changed, of frames of the model partly built, and of frames in which the bricks are "
         "made anew");
     const auto options = std::make_shared<DrawOptions>();
-    options->addTo(*command, "64");
-    command->add_option("--look", options->look, "plain, full, or none: a box without bricks (full)")
-        ->check(CLI::IsMember({"plain", "full", "none"}));
-    command->add_option("--device", options->device, "Device that finds the bricks: auto, gpu, cpu (auto)")
-        ->check(CLI::IsMember({"auto", "gpu", "cpu"}));
-    command->add_option("--drawing", options->drawing, "auto, triangles, splats (auto)")
-        ->check(CLI::IsMember({"auto", "triangles", "splats"}));
-    command->add_flag("--parts", options->hasParts, "Join cells to real bricks");
-    command->add_flag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
-    command->add_option("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)")
-        ->check(CLI::Range(0u, 10000u));
-    command->callback([options] { runDraw(*options); });
+    options->addTo(command, "64");
+    command.addChoice("--look", options->look, "plain, full, or none: a box without bricks (full)",
+                      {"plain", "full", "none"});
+    command.addChoice("--device", options->device, "Device that finds the bricks: auto, gpu, cpu (auto)",
+                      {"auto", "gpu", "cpu"});
+    command.addChoice("--drawing", options->drawing, "auto, triangles, splats (auto)", {"auto", "triangles", "splats"});
+    command.addFlag("--parts", options->hasParts, "Join cells to real bricks");
+    command.addFlag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
+    command.addNumber("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)", 0u, 10000u);
+    command.setRun([options] { runDraw(*options); });
 }
 
 } // namespace osgLego

@@ -21,8 +21,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
-
 struct FrameOptions : BenchOptions
 {
     BenchRuns runs{5, 0};
@@ -89,7 +87,7 @@ private:
 
 /** The difference of two pictures in levels of 255. They count as equal if nobody could see it: the mean is less than
  * one level, and at most one in a hundred of the pixels covered by bricks differs by more than two. */
-ordered_json compare(const osg::Image& a, const osg::Image& b)
+JsonValue compare(const osg::Image& a, const osg::Image& b)
 {
     int largest = 0;
     double squares = 0.0;
@@ -120,8 +118,8 @@ ordered_json compare(const osg::Image& a, const osg::Image& b)
 }
 
 /** Draw frames alternately with both. */
-ordered_json compareWays(const BenchScene& scene, const std::string& view, const std::string& look,
-                         const FrameOptions& options)
+JsonValue compareWays(const BenchScene& scene, const std::string& view, const std::string& look,
+                      const FrameOptions& options)
 {
     fmt::print(stderr, "drawing {} at {} from {}, {}\n", scene.mesh.name, scene.settings.grid.resolution, view, look);
     FramePair pair(scene, look, options.getSize());
@@ -164,27 +162,27 @@ std::vector<std::pair<std::string, BenchScene>> createViews(const MeshSource& so
 void runFrame(const FrameOptions& options)
 {
     const MeshSource source = options.getMesh();
-    ordered_json document = createDocument("frame", *createBenchContext());
+    JsonValue document = createDocument("frame", *createBenchContext());
     document["width"] = options.getSize().x;
     document["height"] = options.getSize().y;
     document["frames"] = options.runs.numRuns;
     for (const unsigned int resolution : options.getResolutions({16}, {64, 128, 256}))
         for (const auto& [view, scene] : createViews(source, resolution))
             for (const char* look : LOOKS)
-                document["rows"].push_back(compareWays(scene, view, look, options));
+                document["rows"].append(compareWays(scene, view, look, options));
     options.write(document);
 }
 
 } // namespace
 
-void addFrameCommand(CLI::App& app)
+void addFrameCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "frame", "Drawing: the time of a frame, and its picture, beside a reference that draws every face and stud");
     const auto options = std::make_shared<FrameOptions>();
-    options->addTo(*command, "64,128,256");
-    options->runs.addTo(*command);
-    command->callback([options] { runFrame(*options); });
+    options->addTo(command, "64,128,256");
+    options->runs.addTo(command);
+    command.setRun([options] { runFrame(*options); });
 }
 
 } // namespace osgLego

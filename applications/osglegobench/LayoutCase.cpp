@@ -20,8 +20,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
-
 // The bounds of larger models would take hours.
 constexpr std::size_t MAXIMUM_BOUND_CELLS = 100000;
 constexpr std::size_t NUM_SAMPLED_LAYERS = 12;
@@ -98,7 +96,7 @@ std::vector<int> chooseLayers(const LayoutProblem& problem)
     return sample;
 }
 
-void addBound(ordered_json& row, const LayoutRun& run, const std::vector<LayerBound>& bounds, std::size_t numLayers)
+void addBound(JsonValue& row, const LayoutRun& run, const std::vector<LayerBound>& bounds, std::size_t numLayers)
 {
     std::size_t sum = 0;
     std::size_t numParts = 0;
@@ -126,7 +124,7 @@ std::size_t countPlates(LayoutProblem problem, Effort effort)
     return layOut(problem, {effort, 0, 1, {}, {}}).size();
 }
 
-ordered_json createRow(const LayoutCase& layoutCase, const LayoutRun& run)
+JsonValue createRow(const LayoutCase& layoutCase, const LayoutRun& run)
 {
     const LayoutFigures figures = computeLayoutFigures(run.problem, run.parts);
     return {{"figure", layoutCase.figure},
@@ -145,25 +143,25 @@ ordered_json createRow(const LayoutCase& layoutCase, const LayoutRun& run)
             {"unavailable", figures.unavailable}};
 }
 
-void addGoal(ordered_json& row, const std::string& what, double figure, const std::optional<double>& goal)
+void addGoal(JsonValue& row, const std::string& what, double figure, const std::optional<double>& goal)
 {
     if (!goal) return;
-    row["goals"].push_back({{"what", what}, {"figure", figure}, {"goal", *goal}, {"reached", figure <= *goal}});
+    row["goals"].append({{"what", what}, {"figure", figure}, {"goal", *goal}, {"reached", figure <= *goal}});
 }
 
-void addGoals(ordered_json& row, const LayoutGoals& goals)
+void addGoals(JsonValue& row, const LayoutGoals& goals)
 {
-    addGoal(row, "parts / bound", row.value("ratio", 0.0), goals.ratio);
-    addGoal(row, "parts / plates alone", row.value("ofPlates", 0.0), goals.ofPlates);
-    addGoal(row, "stacked", row["stacked"], goals.stacked);
-    addGoal(row, "articulation", row["articulation"], goals.articulation);
-    addGoal(row, "milliseconds", row["milliseconds"]["median"], goals.milliseconds);
-    addGoal(row, "components", row["components"], row["componentsPossible"].get<double>());
+    addGoal(row, "parts / bound", row["ratio"].toNumber(), goals.ratio);
+    addGoal(row, "parts / plates alone", row["ofPlates"].toNumber(), goals.ofPlates);
+    addGoal(row, "stacked", row["stacked"].toNumber(), goals.stacked);
+    addGoal(row, "articulation", row["articulation"].toNumber(), goals.articulation);
+    addGoal(row, "milliseconds", row["milliseconds"]["median"].toNumber(), goals.milliseconds);
+    addGoal(row, "components", row["components"].toNumber(), row["componentsPossible"].toNumber());
 }
 
 } // namespace
 
-ordered_json measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs, BoundCache& bounds)
+JsonValue measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs, BoundCache& bounds)
 {
     const CaseCells cells = findCells(layoutCase);
     std::vector<double> times;
@@ -173,7 +171,7 @@ ordered_json measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs,
         times.push_back(LayoutRun(cells, layoutCase.settings).milliseconds);
     if (const std::string error = findLayoutError(run.problem, run.parts); !error.empty())
         throw std::runtime_error("the layout of '" + layoutCase.mesh.name + "' is wrong: " + error);
-    ordered_json row = createRow(layoutCase, run);
+    JsonValue row = createRow(layoutCase, run);
     row["milliseconds"] = createSpread(times);
     if (run.problem.isOfPlates)
         row["ofPlates"] = static_cast<double>(run.parts.size()) /

@@ -3,12 +3,11 @@
 #include "BenchMeshes.h"
 #include "BoundCache.h"
 
+#include <common/JsonValue.h>
 #include <osgLego/LegoSettings.h>
 
 #include <optional>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -40,6 +39,6 @@ struct LayoutRuns
 };
 
 /** Lay a model, and compare it with its bound and its goals. Throws std::runtime_error, also if the layout is wrong. */
-nlohmann::ordered_json measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs, BoundCache& bounds);
+JsonValue measureLayout(const LayoutCase& layoutCase, const LayoutRuns& runs, BoundCache& bounds);
 
 } // namespace osgLego

@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "LayoutCase.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -14,8 +15,6 @@ namespace osgLego
 
 namespace
 {
-
-using nlohmann::ordered_json;
 
 struct LayoutCommandOptions : BenchOptions
 {
@@ -134,53 +133,53 @@ std::vector<LayoutCase> selectCases(const LayoutCommandOptions& options)
     return selected;
 }
 
-std::string formatRatio(const ordered_json& row)
+std::string formatRatio(const JsonValue& row)
 {
-    if (row.contains("ofPlates")) return fmt::format("{:.3f} of plates", row["ofPlates"].get<double>());
+    if (row.contains("ofPlates")) return fmt::format("{:.3f} of plates", row["ofPlates"].toNumber());
     if (!row.contains("ratio")) return "-";
-    const ordered_json& bound = row["bound"];
-    std::string text = fmt::format("{:.3f}", row["ratio"].get<double>());
-    if (bound["layers"] != bound["allLayers"])
-        text += fmt::format(", {} of {} layers", bound["layers"].get<int>(), bound["allLayers"].get<int>());
-    if (const int rest = bound["layers"].get<int>() - bound["optimalLayers"].get<int>(); rest > 0)
+    const JsonValue& bound = row["bound"];
+    std::string text = fmt::format("{:.3f}", row["ratio"].toNumber());
+    if (bound["layers"].toInteger() != bound["allLayers"].toInteger())
+        text += fmt::format(", {} of {} layers", bound["layers"].toInteger(), bound["allLayers"].toInteger());
+    if (const std::int64_t rest = bound["layers"].toInteger() - bound["optimalLayers"].toInteger(); rest > 0)
         text += fmt::format(", {} not proved", rest);
     return text;
 }
 
-void printRow(const ordered_json& row)
+void printRow(const JsonValue& row)
 {
     fmt::print("| {} | {} {} | {} | {} | {} | {:.1f} % ({:.1f} %) | {} of {} | {:.1f} % | {} | {} | {} | {:.0f} |\n",
-               row["figure"].get<std::string>(), row["mesh"].get<std::string>(), row["resolution"].get<int>(),
-               row["cells"].get<int>(), row["parts"].get<int>(), formatRatio(row), 100.0 * row["stacked"].get<double>(),
-               100.0 * row["stackedAtBorders"].get<double>(), row["components"].get<int>(),
-               row["componentsPossible"].get<int>(), 100.0 * row["articulation"].get<double>(),
-               row["floating"].get<int>(), row["colors"].get<int>(), row["unavailable"].get<int>(),
-               row["milliseconds"]["median"].get<double>());
+               row["figure"].toText(), row["mesh"].toText(), row["resolution"].toInteger(), row["cells"].toInteger(),
+               row["parts"].toInteger(), formatRatio(row), 100.0 * row["stacked"].toNumber(),
+               100.0 * row["stackedAtBorders"].toNumber(), row["components"].toInteger(),
+               row["componentsPossible"].toInteger(), 100.0 * row["articulation"].toNumber(),
+               row["floating"].toInteger(), row["colors"].toInteger(), row["unavailable"].toInteger(),
+               row["milliseconds"]["median"].toNumber());
 }
 
-void printRows(const ordered_json& rows)
+void printRows(const JsonValue& rows)
 {
     fmt::print(
         "| figure | model | cells | parts | parts / bound | stacked (at borders) | components, possible "
         "| articulation | floating | colours | never made | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const ordered_json& row : rows)
+    for (const JsonValue& row : rows.getElements())
         printRow(row);
 }
 
-void printGoals(const ordered_json& rows)
+void printGoals(const JsonValue& rows)
 {
     fmt::print("\n| figure | model | compared | measured | goal | verdict |\n|---|---|---|---|---|---|\n");
     std::size_t numGoals = 0;
     std::size_t numMissed = 0;
-    for (const ordered_json& row : rows)
-        for (const ordered_json& goal : row["goals"])
+    for (const JsonValue& row : rows.getElements())
+        for (const JsonValue& goal : row["goals"].getElements())
         {
-            const bool isReached = goal["reached"];
+            const bool isReached = goal["reached"].toBoolean();
             ++numGoals;
             numMissed += isReached ? 0 : 1;
-            fmt::print("| {} | {} {} | {} | {:.4g} | at most {:.4g} | {} |\n", row["figure"].get<std::string>(),
-                       row["mesh"].get<std::string>(), row["resolution"].get<int>(), goal["what"].get<std::string>(),
-                       goal["figure"].get<double>(), goal["goal"].get<double>(), isReached ? "reached" : "MISSED");
+            fmt::print("| {} | {} {} | {} | {:.4g} | at most {:.4g} | {} |\n", row["figure"].toText(),
+                       row["mesh"].toText(), row["resolution"].toInteger(), goal["what"].toText(),
+                       goal["figure"].toNumber(), goal["goal"].toNumber(), isReached ? "reached" : "MISSED");
         }
     fmt::print("\n{} goals, {} of them missed\n", numGoals, numMissed);
 }
@@ -189,13 +188,13 @@ void runLayout(const LayoutCommandOptions& options)
 {
     const std::vector<LayoutCase> cases = selectCases(options);
     BoundCache bounds(options.boundsFile);
-    ordered_json document = createDocument("layout");
+    JsonValue document = createDocument("layout");
     for (const LayoutCase& layoutCase : cases)
     {
         fmt::print(stderr, "laying {} at {}, {}\n", layoutCase.mesh.name, layoutCase.settings.grid.resolution,
                    layoutCase.figure);
         const unsigned int numRuns = layoutCase.settings.parts.effort == Effort::INSTANT ? options.numRuns : 1;
-        document["rows"].push_back(measureLayout(layoutCase, {numRuns, options.boundSeconds}, bounds));
+        document["rows"].append(measureLayout(layoutCase, {numRuns, options.boundSeconds}, bounds));
     }
     if (!options.jsonFile.empty())
     {
@@ -208,36 +207,27 @@ void runLayout(const LayoutCommandOptions& options)
 
 } // namespace
 
-void addLayoutCommand(CLI::App& app)
+void addLayoutCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "layout",
         "Layouts of parts: their number beside the least possible, joints, components, and the time, with verdicts");
     const auto options = std::make_shared<LayoutCommandOptions>();
-    command->add_option("--models", options->models, "Folder of bunny.ply (build/models)")
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--assimp", options->assimp, "Folder of Debian's assimp-testmodels (" + options->assimp + ")")
-        ->type_name("FOLDER");
-    command->add_option("--figure", options->figures, "Only these figures, such as small,solid (all)")
-        ->delimiter(',')
-        ->type_name("NAME,...");
-    command
-        ->add_option("--bounds", options->boundsFile,
-                     "Keep the least numbers of parts there, which take minutes to compute (computed each time)")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--bound-seconds", options->boundSeconds,
-            "The time for each connected region of a layer, after which its bound is that of a linear program (60)")
-        ->check(CLI::Range(0.0, 86400.0))
-        ->type_name("SECONDS");
-    command->add_option("--runs", options->numRuns, "Timed runs of layouts with effort=instant (5)")
-        ->check(CLI::Range(1u, 10000u));
-    command->add_flag("--quick", options->isQuick, "A short run that checks that everything works");
-    command->add_option("--json", options->jsonFile, "Write the figures there as JSON (tables on standard output)")
-        ->type_name("FILE");
-    command->callback([options] { runLayout(*options); });
+    command.addFolder("--models", options->models, "Folder of bunny.ply (build/models)");
+    command.addText("--assimp", options->assimp, "Folder of Debian's assimp-testmodels (" + options->assimp + ")",
+                    "FOLDER");
+    command.addNames("--figure", options->figures, "Only these figures, such as small,solid (all)");
+    command.addText("--bounds", options->boundsFile,
+                    "Keep the least numbers of parts there, which take minutes to compute (computed each time)",
+                    "FILE");
+    command.addNumber("--bound-seconds", options->boundSeconds,
+                      "The seconds for each connected region of a layer, after which its bound is that of a linear "
+                      "program (60)",
+                      0.0, 86400.0);
+    command.addNumber("--runs", options->numRuns, "Timed runs of layouts with effort=instant (5)", 1u, 10000u);
+    command.addFlag("--quick", options->isQuick, "A short run that checks that everything works");
+    command.addText("--json", options->jsonFile, "Write the figures there as JSON (tables on standard output)", "FILE");
+    command.setRun([options] { runLayout(*options); });
 }
 
 } // namespace osgLego

@@ -17,8 +17,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
-
 struct OcclusionOptions : BenchOptions
 {
     int numRays = 512;
@@ -37,20 +35,20 @@ AmbientOcclusionSettings createSettings(const char* quality)
     return settings;
 }
 
-ordered_json compareWithRays(const BenchScene& scene, const char* quality, const OcclusionOptions& options)
+JsonValue compareWithRays(const BenchScene& scene, const char* quality, const OcclusionOptions& options)
 {
     fmt::print(stderr, "casting rays at {}, {}\n", scene.mesh.name, quality);
-    ordered_json row{{"mesh", scene.mesh.name},
-                     {"resolution", scene.settings.grid.resolution},
-                     {"azimuth", scene.azimuth},
-                     {"elevation", scene.elevation},
-                     {"quality", quality}};
+    JsonValue row{{"mesh", scene.mesh.name},
+                  {"resolution", scene.settings.grid.resolution},
+                  {"azimuth", scene.azimuth},
+                  {"elevation", scene.elevation},
+                  {"quality", quality}};
     row.update(OcclusionView(scene, SIZE).compare(createSettings(quality), options.numRays, options.stride));
     return row;
 }
 
 /** The median times of drawing bricks and of each following pass, in milliseconds. */
-ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
+JsonValue timePasses(BenchScene scene, const char* quality, int numFrames)
 {
     scene.settings.grid.resolution = 128;
     OcclusionView view(scene, SIZE);
@@ -67,7 +65,7 @@ ordered_json timePasses(BenchScene scene, const char* quality, int numFrames)
         all["denoise"].push_back(times.denoise);
         all["composite"].push_back(times.composite);
     }
-    ordered_json row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.grid.resolution}, {"quality", quality}};
+    JsonValue row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.grid.resolution}, {"quality", quality}};
     for (const auto& [pass, times] : all)
         row["milliseconds"][pass] = createSpread(times)["median"];
     return row;
@@ -92,30 +90,29 @@ std::vector<BenchScene> createScenes(const OcclusionOptions& options)
 void runOcclusion(const OcclusionOptions& options)
 {
     const std::vector<BenchScene> scenes = createScenes(options);
-    ordered_json document = createDocument("occlusion", *createBenchContext());
+    JsonValue document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
     for (const BenchScene& scene : scenes)
         for (const char* quality : QUALITIES)
-            document["errors"].push_back(compareWithRays(scene, quality, options));
+            document["errors"].append(compareWithRays(scene, quality, options));
     for (const char* quality : QUALITIES)
-        if (options.numFrames > 0) document["times"].push_back(timePasses(scenes.front(), quality, options.numFrames));
+        if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options.numFrames));
     options.write(document);
 }
 
 } // namespace
 
-void addOcclusionCommand(CLI::App& app)
+void addOcclusionCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "occlusion", "Ambient occlusion: its error against rays cast at the bricks, and the time of each pass");
     const auto options = std::make_shared<OcclusionOptions>();
-    options->addTo(*command, "fixed");
-    command->add_option("--rays", options->numRays, "Rays per pixel (512)")->check(CLI::Range(1, 65536));
-    command->add_option("--stride", options->stride, "Compare every nth pixel along both axes (3)")
-        ->check(CLI::Range(1, 100));
-    command->add_option("--frames", options->numFrames, "Timed frames; 0: none (5)")->check(CLI::Range(0, 1000));
-    command->callback([options] { runOcclusion(*options); });
+    options->addTo(command, "fixed");
+    command.addNumber("--rays", options->numRays, "Rays per pixel (512)", 1, 65536);
+    command.addNumber("--stride", options->stride, "Compare every nth pixel along both axes (3)", 1, 100);
+    command.addNumber("--frames", options->numFrames, "Timed frames; 0: none (5)", 0, 1000);
+    command.setRun([options] { runOcclusion(*options); });
 }
 
 } // namespace osgLego

@@ -54,7 +54,7 @@ public:
         _irradianceSquares += difference * difference;
     }
 
-    nlohmann::ordered_json toJson()
+    JsonValue toJson()
     {
         if (_angles.empty()) throw std::runtime_error("no pixel shows a brick");
         const auto count = static_cast<double>(_angles.size());
@@ -134,7 +134,7 @@ glm::dvec3 OcclusionView::readDirection(const osg::Image& image, const glm::ivec
     return glm::normalize(toGlm(osg::Matrixd::transform3x3(eye, _camera->getInverseViewMatrix())));
 }
 
-nlohmann::ordered_json OcclusionView::compare(AmbientOcclusionSettings settings, int numRays, int stride)
+JsonValue OcclusionView::compare(AmbientOcclusionSettings settings, int numRays, int stride)
 {
     const auto drawOutput = [&](AmbientOcclusionOutput output)
     {

@@ -2,9 +2,8 @@
 
 #include "BenchScene.h"
 
+#include <common/JsonValue.h>
 #include <osgLego/AmbientOcclusionScene.h>
-
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -29,7 +28,7 @@ public:
      * too bright); constant: the root mean square error of the best uniformly grey picture; bentMean and bentMost (95 %
      * of the pixels): angles between bent normals in degrees; irradiance: the root mean square error of irradiance
      * times visibility, divided by its mean. */
-    nlohmann::ordered_json compare(AmbientOcclusionSettings settings, int numRays, int stride);
+    JsonValue compare(AmbientOcclusionSettings settings, int numRays, int stride);
 
 private:
     struct Ray

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <common/JsonValue.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 namespace osgLego
 {
@@ -21,7 +21,7 @@ inline double getQuantile(const std::vector<double>& values, double share)
 
 /** Median, extremes and quartiles of repeated measurements.
  * @param values at least one. */
-inline nlohmann::ordered_json createSpread(std::vector<double> values)
+inline JsonValue createSpread(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
     return {{"median", getQuantile(values, 0.5)},

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include <Clp_C_Interface.h>
@@ -24,8 +25,6 @@ namespace osgLego
 
 namespace
 {
-
-using nlohmann::ordered_json;
 
 // CLP takes more than five minutes for 5,000 parts.
 constexpr std::size_t MOST_CLP_PARTS = 2000;
@@ -135,7 +134,7 @@ double timeClp(const EquilibriumProgram& program)
     return milliseconds;
 }
 
-ordered_json measure(const MeshSource& mesh, const StabilityGoal& goal, const StabilityCommandOptions& options)
+JsonValue measure(const MeshSource& mesh, const StabilityGoal& goal, const StabilityCommandOptions& options)
 {
     const osg::ref_ptr<const BrickModel> model = lay(mesh, goal.resolution);
     std::vector<double> times;
@@ -146,35 +145,34 @@ ordered_json measure(const MeshSource& mesh, const StabilityGoal& goal, const St
         times.push_back(report->milliseconds);
     }
     const EquilibriumProgram program = createProgram(*model);
-    ordered_json row{{"mesh", mesh.name},
-                     {"resolution", goal.resolution},
-                     {"parts", model->getParts().size()},
-                     {"components", report->numComponents},
-                     {"forces", program.getNumForces()},
-                     {"rows", program.getNumRows()},
-                     {"milliseconds", createSpread(times)},
-                     {"stands", report->stands},
-                     {"safe", report->safe},
-                     {"margin", report->margin},
-                     {"falling", report->falling.size()}};
+    JsonValue row{{"mesh", mesh.name},
+                  {"resolution", goal.resolution},
+                  {"parts", model->getParts().size()},
+                  {"components", report->numComponents},
+                  {"forces", program.getNumForces()},
+                  {"rows", program.getNumRows()},
+                  {"milliseconds", createSpread(times)},
+                  {"stands", report->stands},
+                  {"safe", report->safe},
+                  {"margin", report->margin},
+                  {"falling", report->falling.size()}};
     if (options.usesClp && model->getParts().size() <= MOST_CLP_PARTS) row["clp"] = timeClp(program);
     row["goal"] = goal.milliseconds;
-    row["reached"] = row["milliseconds"]["median"].get<double>() <= goal.milliseconds;
+    row["reached"] = row["milliseconds"]["median"].toNumber() <= goal.milliseconds;
     return row;
 }
 
-void printRow(const ordered_json& row)
+void printRow(const JsonValue& row)
 {
-    const ordered_json& spread = row["milliseconds"];
+    const JsonValue& spread = row["milliseconds"];
     fmt::print(
         "| {} {} | {} | {} | {} | {} | {:.0f} ({:.0f} to {:.0f}) | {} | {} of {} fall, margin {:.2f} | at most {:.0f} "
         "| {} |\n",
-        row["mesh"].get<std::string>(), row["resolution"].get<int>(), row["parts"].get<int>(),
-        row["components"].get<int>(), row["forces"].get<int>(), row["rows"].get<int>(), spread["median"].get<double>(),
-        spread["minimum"].get<double>(), spread["maximum"].get<double>(),
-        row.contains("clp") ? fmt::format("{:.0f}", row["clp"].get<double>()) : "-", row["falling"].get<int>(),
-        row["parts"].get<int>(), row["margin"].get<double>(), row["goal"].get<double>(),
-        row["reached"].get<bool>() ? "reached" : "MISSED");
+        row["mesh"].toText(), row["resolution"].toInteger(), row["parts"].toInteger(), row["components"].toInteger(),
+        row["forces"].toInteger(), row["rows"].toInteger(), spread["median"].toNumber(), spread["minimum"].toNumber(),
+        spread["maximum"].toNumber(), row.contains("clp") ? fmt::format("{:.0f}", row["clp"].toNumber()) : "-",
+        row["falling"].toInteger(), row["parts"].toInteger(), row["margin"].toNumber(), row["goal"].toNumber(),
+        row["reached"].toBoolean() ? "reached" : "MISSED");
 }
 
 void runStability(const StabilityCommandOptions& options)
@@ -182,36 +180,33 @@ void runStability(const StabilityCommandOptions& options)
     const MeshSource mesh = options.getMesh();
     std::vector<StabilityGoal> goals{{34, 500.0}, {86, 10000.0}};
     if (options.isQuick) goals = {{10, 500.0}};
-    ordered_json document = createDocument("stability");
+    JsonValue document = createDocument("stability");
     for (const StabilityGoal& goal : goals)
     {
         fmt::print(stderr, "computing {} at {}\n", mesh.name, goal.resolution);
-        document["rows"].push_back(measure(mesh, goal, options));
+        document["rows"].append(measure(mesh, goal, options));
     }
     if (!options.jsonFile.empty()) return options.write(document);
     fmt::print("| model | parts | components | forces | rows | ms | CLP's barrier, ms | result | goal, ms | verdict |\n"
                "|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const ordered_json& row : document["rows"])
+    for (const JsonValue& row : document["rows"].getElements())
         printRow(row);
 }
 
 } // namespace
 
-void addStabilityCommand(CLI::App& app)
+void addStabilityCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand("stability", "Whether models of 700 and 5,000 parts stand, and the time");
+    BenchCommand command = commands.add("stability", "Whether models of 700 and 5,000 parts stand, and the time");
     const auto options = std::make_shared<StabilityCommandOptions>();
-    command->add_option("--mesh", options->meshes, "The mesh: a file, optionally NAME=FILE and ,up=y (the bunny)")
-        ->expected(1);
-    command->add_option("--models", options->models, "The folder of the bunny")->capture_default_str();
-    command->add_option("--runs", options->numRuns, "The number of runs")
-        ->check(CLI::Range(1u, 100u))
-        ->capture_default_str();
-    command->add_flag("!--no-clp", options->usesClp, "Leave out CLP");
-    command->add_flag("--quick", options->isQuick, "A short run that checks that everything works");
-    command->add_option("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)")
-        ->type_name("FILE");
-    command->callback([options] { runStability(*options); });
+    command.addTexts("--mesh", options->meshes, "The mesh: a file, optionally NAME=FILE and ,up=y (the bunny)", "MESH");
+    command.addFolder("--models", options->models, "Folder of bunny.ply (build/models)");
+    command.addNumber("--runs", options->numRuns, "Timed runs (5)", 1u, 100u);
+    command.addFlag("!--no-clp", options->usesClp, "Leave out CLP");
+    command.addFlag("--quick", options->isQuick, "A short run that checks that everything works");
+    command.addText("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)",
+                    "FILE");
+    command.setRun([options] { runStability(*options); });
 }
 
 } // namespace osgLego

@@ -6,10 +6,13 @@
 #include "Spread.h"
 #include "VoxelTruth.h"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <osg/GL>
@@ -19,8 +22,6 @@ namespace osgLego
 
 namespace
 {
-
-using nlohmann::ordered_json;
 
 struct VoxelizeOptions : BenchOptions
 {
@@ -58,11 +59,11 @@ public:
     }
 
     /** Release the contender, and give its results. */
-    ordered_json finish()
+    JsonValue finish()
     {
         _context->makeCurrent();
         _contender->release();
-        ordered_json result{{"name", _contender->getName()}, {"hasColors", _contender->hasColors()}};
+        JsonValue result{{"name", _contender->getName()}, {"hasColors", _contender->hasColors()}};
         if (!_failure.empty())
         {
             result["failure"] = _failure;
@@ -81,6 +82,8 @@ public:
     }
 
 private:
+    using StageTimes = std::pair<std::string, std::vector<double>>;
+
     template <typename Function>
     void attempt(const Function& function)
     {
@@ -100,13 +103,20 @@ private:
     {
         _times.push_back(time);
         for (const auto& [name, milliseconds] : stages)
-            _stages[name].push_back(milliseconds);
+        {
+            const auto stage = std::find_if(_stages.begin(), _stages.end(),
+                                            [&name](const StageTimes& times) { return times.first == name; });
+            if (stage != _stages.end())
+                stage->second.push_back(milliseconds);
+            else
+                _stages.push_back({name, {milliseconds}});
+        }
     }
 
     Contender* _contender;
     osg::GraphicsContext* _context;
     std::vector<double> _times;
-    nlohmann::ordered_map<std::string, std::vector<double>> _stages;
+    std::vector<StageTimes> _stages; //!< in the order of the contender
     std::optional<VoxelQuality> _quality;
     std::string _failure;
 };
@@ -119,15 +129,15 @@ void runInTurns(std::vector<Entrant>& entrants, const BenchRuns& runs)
             entrant.run(run >= runs.numWarmUps);
 }
 
-ordered_json measure(const BenchMesh& mesh, const ContenderList& contenders, const VoxelizeOptions& options,
-                     osg::GraphicsContext& context)
+JsonValue measure(const BenchMesh& mesh, const ContenderList& contenders, const VoxelizeOptions& options,
+                  osg::GraphicsContext& context)
 {
     fmt::print(stderr, "measuring {} at {}\n", mesh.name, mesh.settings.grid.resolution);
     const glm::ivec3& dimensions = mesh.triangles->getGrid().dimensions;
-    ordered_json result{{"mesh", mesh.name},
-                        {"triangles", mesh.triangles->getNumTriangles()},
-                        {"resolution", mesh.settings.grid.resolution},
-                        {"dimensions", {dimensions.x, dimensions.y, dimensions.z}}};
+    JsonValue result{{"mesh", mesh.name},
+                     {"triangles", mesh.triangles->getNumTriangles()},
+                     {"resolution", mesh.settings.grid.resolution},
+                     {"dimensions", JsonValue::createArray({dimensions.x, dimensions.y, dimensions.z})}};
     std::vector<Entrant> entrants;
     for (const auto& contender : contenders)
         entrants.emplace_back(*contender, mesh, context);
@@ -140,7 +150,7 @@ ordered_json measure(const BenchMesh& mesh, const ContenderList& contenders, con
             entrant.compare(truth);
     }
     for (Entrant& entrant : entrants)
-        result["contenders"].push_back(entrant.finish());
+        result["contenders"].append(entrant.finish());
     return result;
 }
 
@@ -169,7 +179,7 @@ void runVoxelize(const VoxelizeOptions& options)
     if (options.hasFootprint && (contenders.size() != 1 || sources.size() != 1 || options.resolutions.size() != 1))
         throw std::runtime_error("--footprint measures a process; expected one --mesh, --resolution and --contenders");
     const osg::ref_ptr<osg::GraphicsContext> context = createBenchContext();
-    ordered_json document = createDocument("voxelize", *context);
+    JsonValue document = createDocument("voxelize", *context);
     document["runs"] = options.runs.numRuns;
     document["warmUps"] = options.runs.numWarmUps;
     for (const MeshSource& source : sources)
@@ -177,7 +187,7 @@ void runVoxelize(const VoxelizeOptions& options)
         const osg::ref_ptr<osg::Node> node = readMesh(source);
         const double before = options.hasFootprint ? takePeakBefore(source, *node, contenders, *context) : 0.0;
         for (const unsigned int resolution : options.getResolutions({32}, {64, 128}))
-            document["meshes"].push_back(
+            document["meshes"].append(
                 measure(createBenchMesh(source, *node, resolution), contenders, options, *context));
         if (options.hasFootprint) document["mebibytes"] = readPeakMemory() - before;
     }
@@ -186,21 +196,20 @@ void runVoxelize(const VoxelizeOptions& options)
 
 } // namespace
 
-void addVoxelizeCommand(CLI::App& app)
+void addVoxelizeCommand(BenchCommandLine& commands)
 {
-    CLI::App* command = app.add_subcommand(
+    BenchCommand command = commands.add(
         "voxelize", "Finding bricks: times, exactness and colours of this project's methods and of published ones");
     const auto options = std::make_shared<VoxelizeOptions>();
-    options->addTo(*command, "64,128");
-    options->runs.addTo(*command);
-    command
-        ->add_option("--contenders", options->contenders,
-                     "Only these, by name, or settings of a LegoNode, such as 'method=points,fbo=512,device=gpu'")
-        ->type_name("NAME...");
-    command->add_flag("--no-quality", options->hasNoQuality, "Only time, since comparing cells takes long");
-    command->add_flag("--footprint", options->hasFootprint,
-                      "Measure by how many MiB the peak of resident memory grows, too; of a single contender");
-    command->callback([options] { runVoxelize(*options); });
+    options->addTo(command, "64,128");
+    options->runs.addTo(command);
+    command.addTexts("--contenders", options->contenders,
+                     "Only these, by name, or settings of a LegoNode, such as 'method=points,fbo=512,device=gpu'",
+                     "NAME...");
+    command.addFlag("--no-quality", options->hasNoQuality, "Only time, since comparing cells takes long");
+    command.addFlag("--footprint", options->hasFootprint,
+                    "Measure by how many MiB the peak of resident memory grows, too; of a single contender");
+    command.setRun([options] { runVoxelize(*options); });
 }
 
 } // namespace osgLego

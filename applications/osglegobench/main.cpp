@@ -2,7 +2,6 @@
 
 #include <exception>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace osgLego
@@ -13,19 +12,17 @@ namespace
 
 int run(int argc, char** argv)
 {
-    CLI::App app{"Measures osgLego and writes figures as JSON; scripts/bench runs it and makes tables of them.",
-                 "osglegobench"};
-    app.require_subcommand(1);
-    addVoxelizeCommand(app);
-    addFrameCommand(app);
-    addDrawCommand(app);
-    addOcclusionCommand(app);
-    addColorsCommand(app);
-    addLayoutCommand(app);
-    addStabilityCommand(app);
-    addBuildingCommand(app);
-    CLI11_PARSE(app, argc, argv);
-    return 0;
+    BenchCommandLine commands(
+        "Measures osgLego and writes figures as JSON; scripts/bench runs it and makes tables of them.", "osglegobench");
+    addVoxelizeCommand(commands);
+    addFrameCommand(commands);
+    addDrawCommand(commands);
+    addOcclusionCommand(commands);
+    addColorsCommand(commands);
+    addLayoutCommand(commands);
+    addStabilityCommand(commands);
+    addBuildingCommand(commands);
+    return commands.run(argc, argv);
 }
 
 } // namespace

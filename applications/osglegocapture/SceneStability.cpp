@@ -13,8 +13,6 @@ namespace osgLego
 namespace
 {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t MOST_NAMED = 10; // parts that fall, in the text
 
 std::string nameOf(const BrickModel& model, const Part& part)
@@ -34,13 +32,15 @@ std::string describe(const BrickModel& model, std::uint32_t index)
                        part.cell[2]);
 }
 
-ordered_json toJson(const BrickModel& model, std::uint32_t index)
+JsonValue toJson(const BrickModel& model, std::uint32_t index)
 {
     if (index == StabilityReport::Joint::BASE) return "base";
     const Part& part = model.getParts()[index];
-    ordered_json color;
+    JsonValue color;
     if (part.colorCode != Part::NO_CODE) color = part.colorCode;
-    return {{"part", nameOf(model, part)}, {"color", color}, {"cell", part.cell}};
+    return {{"part", nameOf(model, part)},
+            {"color", color},
+            {"cell", JsonValue::createArray({part.cell[0], part.cell[1], part.cell[2]})}};
 }
 
 } // namespace
@@ -81,14 +81,14 @@ std::string SceneStability::toText() const
     return text;
 }
 
-ordered_json SceneStability::toJson() const
+JsonValue SceneStability::toJson() const
 {
     const auto& [worst, worstReport] = getWorst();
-    ordered_json weakest;
+    JsonValue weakest;
     if (worstReport.weakest)
         weakest = {{"lower", osgLego::toJson(*worst, worstReport.weakest->lower)},
                    {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
-    ordered_json falling = ordered_json::array();
+    JsonValue falling = JsonValue::createArray();
     bool stands = true;
     bool safe = true;
     std::size_t numComponents = 0;
@@ -96,7 +96,7 @@ ordered_json SceneStability::toJson() const
     for (const auto& [model, report] : _models)
     {
         for (const std::uint32_t part : report.falling)
-            falling.push_back(osgLego::toJson(*model, part));
+            falling.append(osgLego::toJson(*model, part));
         stands = stands && report.stands;
         safe = safe && report.safe;
         numComponents += report.numComponents;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <common/JsonValue.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/Stability.h>
 
@@ -7,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <osg/ref_ptr>
 
 namespace osgLego
@@ -25,7 +25,7 @@ public:
     /** A few lines for people: the verdict, the weakest joint, and the first parts that fall. */
     std::string toText() const;
     /** All figures; docs/osglegocapture.md describes them. */
-    nlohmann::ordered_json toJson() const;
+    JsonValue toJson() const;
 
 private:
     struct ModelStability

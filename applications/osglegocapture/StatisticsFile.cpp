@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <osg/GL>
 
 namespace osgLego
@@ -13,9 +12,9 @@ namespace
 {
 
 template <typename Vector>
-nlohmann::ordered_json toJson(const Vector& vector)
+JsonValue toJson(const Vector& vector)
 {
-    return {vector.x, vector.y, vector.z};
+    return JsonValue::createArray({vector.x, vector.y, vector.z});
 }
 
 /** Round to microseconds: further digits are noise. */
@@ -30,10 +29,9 @@ std::string glText(GLenum name)
     return text ? text : "";
 }
 
-nlohmann::ordered_json toJson(const LayoutStatistics& layout)
+JsonValue toJson(const LayoutStatistics& layout)
 {
-    nlohmann::ordered_json json{
-        {"cells", layout.numCells}, {"interior", layout.numInterior}, {"parts", layout.numParts}};
+    JsonValue json{{"cells", layout.numCells}, {"interior", layout.numInterior}, {"parts", layout.numParts}};
     if (layout.lowerBound) json["lowerBound"] = *layout.lowerBound;
     json.update({{"components", layout.numComponents},
                  {"componentsPossible", layout.numComponentsPossible},
@@ -65,9 +63,9 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std:
                      const SceneStability* stability, osg::GraphicsContext& context)
 {
     context.makeCurrent();
-    nlohmann::ordered_json json{
+    JsonValue json{
         {"renderer", glText(GL_RENDERER)}, {"version", glText(GL_VERSION)}, {"context", context.className()}};
-    nlohmann::ordered_json milliseconds{{"reading", rounded(scene.getReadingTime())}};
+    JsonValue milliseconds{{"reading", rounded(scene.getReadingTime())}};
     if (const LegoNode* lego = scene.getLegoNode())
     {
         const unsigned int contextID = context.getState()->getContextID();
@@ -93,7 +91,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std:
     if (stability) json["stability"] = stability->toJson();
     milliseconds["drawing"] = rounded(scene.getDrawingTime());
     json["milliseconds"] = milliseconds;
-    stream << json.dump(4) << '\n';
+    stream << json.toString(4) << '\n';
 }
 
 } // namespace osgLego
