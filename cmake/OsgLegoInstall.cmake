@@ -1,4 +1,5 @@
-# Installs the library, its public headers, and the package for find_package(osgLego).
+# Installs the library, its public headers, the packages for find_package(osgLego) and pkg-config, the licence, and the manual
+# page of osglegocapture.
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
 
 install(TARGETS osgLego EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -17,3 +18,25 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/osgLegoConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/osgLegoConfig.cmake ${PROJECT_BINARY_DIR}/osgLegoConfigVersion.cmake
               cmake/OsgLegoOpenSceneGraph.cmake
         DESTINATION ${package_folder})
+
+# The folder of the .pc file gives the prefix, so that the tree can be moved.
+file(RELATIVE_PATH OSGLEGO_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" OSGLEGO_PC_PREFIX ${OSGLEGO_PC_PREFIX})
+configure_file(cmake/osgLego.pc.in ${PROJECT_BINARY_DIR}/osgLego.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/osgLego.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Only builds of all targets make the manual page.
+find_program(OSGLEGO_HELP2MAN help2man)
+if(OSGLEGO_BUILD_APPLICATIONS AND OSGLEGO_HELP2MAN AND NOT OSGLEGO_SANITIZE)
+    set(manual_page ${PROJECT_BINARY_DIR}/man/osglegocapture.1)
+    add_custom_command(
+        OUTPUT ${manual_page}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
+        COMMAND ${OSGLEGO_HELP2MAN} --no-info --name "draw a scene in bricks to a picture, without a display"
+                --version-string "osglegocapture (osgLego) ${PROJECT_VERSION}" --output ${manual_page} $<TARGET_FILE:osglegocapture>
+        DEPENDS osglegocapture COMMENT "Writing the manual page of osglegocapture" VERBATIM)
+    add_custom_target(osgLegoManualPage ALL DEPENDS ${manual_page})
+    install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+endif()
