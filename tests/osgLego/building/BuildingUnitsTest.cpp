@@ -57,6 +57,19 @@ TEST(BuildingUnits, PartsHangFromTheNearestOfPartsWithEquallyManyStuds)
     }
 }
 
+TEST(BuildingUnits, PartsHangFromTheLowerOfPartsThatAreEquallyGood)
+{
+    // Two hanging bricks upon each other. Above each is a beam with four studs on it, equally far from their middle.
+    const JointGraph graph({{{4, 0, 1}, {8, 2, 2}},
+                            {{4, 0, 2}, {6, 2, 3}},
+                            {{6, 0, 2}, {10, 2, 3}},
+                            {{4, 0, 3}, {12, 2, 4}},
+                            {{8, 0, 0}, {10, 2, 2}}});
+    BuildingUnits units(graph);
+    units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 } // namespace
 
 } // namespace osgLego::test

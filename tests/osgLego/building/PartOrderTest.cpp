@@ -1,6 +1,7 @@
 #include <osgLego/building/PartOrder.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -73,6 +74,23 @@ TEST(PartOrder, PartsThatMirrorEachOtherFollowEachOther)
                       hasAxesExchanged)),
                   (std::vector<std::uint32_t>{2, 3, 1, 4, 0, 5, 6, 7}))
             << "from the middle outwards";
+}
+
+TEST(PartOrder, WalksThereAndBackThroughLargeLayers)
+{
+    constexpr int SIDE = 48; // more parts than a walk to the nearest part takes
+    std::vector<glm::ivec3> places;
+    for (int y = 0; y < SIDE; ++y)
+        for (int x = 0; x < SIDE; ++x)
+            places.emplace_back(x, y, 0);
+    const std::vector<BuildingBox> boxes = createBoxes(places, false);
+    const std::vector<std::uint32_t> order = sortByRank(boxes);
+    for (std::size_t index = 1; index < order.size(); ++index)
+    {
+        const glm::ivec3 way = boxes[order[index]].lower - boxes[order[index - 1]].lower;
+        EXPECT_LE(std::abs(way.x), 1) << index;
+        EXPECT_LE(std::abs(way.y), 7) << "no farther than two bands";
+    }
 }
 
 } // namespace

@@ -71,6 +71,37 @@ TEST(StepViews, StayWhenHalfOfTheNewPartsAreHiddenFromEverywhere)
     EXPECT_EQ(views.show({0}), 0);
 }
 
+TEST(StepViews, TurnIfOtherPartsHideMoreThanHalfOfTheNewOnes)
+{
+    // A high wall along x, one brick in front of it and several behind it.
+    std::vector<BuildingBox> boxes{{{0, 4, 0}, {40, 6, 12}}, {{18, 0, 0}, {20, 2, 1}}};
+    for (const int x : {14, 18, 22})
+        boxes.push_back({{x, 8, 0}, {x + 2, 10, 1}});
+    StepViews half(boxes, 1.2);
+    EXPECT_EQ(half.show({0}), 0);
+    EXPECT_EQ(half.show({1, 2}), 0) << "no other view shows more";
+    StepViews third(boxes, 1.2);
+    EXPECT_EQ(third.show({0}), 0);
+    EXPECT_EQ(third.show({1, 2, 3}), 1);
+}
+
+TEST(StepViews, SeeOverWallsWhoseHeightTheAngleAllows)
+{
+    // A tile five studs behind a long wall. The eye looks down by 30 degrees along the diagonal, so that it sees over a
+    // wall of up to tan(30) * 5 / cos(33) = 3.4 studs: two bricks of 1.2, or eight plates of 0.4.
+    const auto show = [](int wall, double cellHeight)
+    {
+        const std::vector<BuildingBox> boxes{{{0, 4, 0}, {80, 5, wall}}, {{40, 10, 0}, {41, 11, 1}}};
+        StepViews views(boxes, cellHeight);
+        views.show({0});
+        return views.show({1});
+    };
+    EXPECT_EQ(show(2, 1.2), 0);
+    EXPECT_EQ(show(5, 1.2), 1);
+    EXPECT_EQ(show(7, 0.4), 0);
+    EXPECT_EQ(show(14, 0.4), 1);
+}
+
 } // namespace
 
 } // namespace osgLego::test
