@@ -32,7 +32,7 @@ std::string dataOf(const std::string& mediaType, const std::string& bytes)
     return "data:" + mediaType + ";base64," + toBase64(bytes);
 }
 
-/** A time for people: in minutes, or from two hours on in hours. */
+/** Format a time in minutes or, from two hours on, in hours. */
 std::string formatMinutes(double minutes)
 {
     constexpr double HOUR = 60.0;
@@ -53,7 +53,7 @@ std::string formatMass(double grams)
     return grams < 1000.0 ? fmt::format("{:.0f} g", std::max(1.0, grams)) : fmt::format("{:.2f} kg", 0.001 * grams);
 }
 
-/** Words as in "a, b and c". */
+/** Join words, as in "a, b and c". */
 std::string joinWords(const std::vector<std::string>& words)
 {
     std::string text;

@@ -91,7 +91,7 @@ osg::ref_ptr<const BuildingPlan> createPlanOfOnePart()
     return BuildingPlan::create(1, std::move(steps));
 }
 
-/** A part of a kind, with its long side to the right, in a grid of its own. */
+/** A part of a kind, with its long side to the right, in a separate grid. */
 osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 {
     constexpr double BRICK_HEIGHT = 1.2; // pitches

@@ -64,7 +64,7 @@ std::string quotedForCsv(const std::string& value)
     return quoted + "\"";
 }
 
-/** A number that files give only where there is one. */
+/** A number, or nothing if there is none. */
 std::string optionalNumber(std::int32_t number)
 {
     return number < 0 ? std::string() : std::to_string(number);

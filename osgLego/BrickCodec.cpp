@@ -58,7 +58,7 @@ constexpr std::uint64_t LARGEST_RATIO = 1032;
 constexpr int LARGEST_PART = 48;
 // The number of cells of all parts, as many as filling a model gives, so that decoding needs at most a few gigabytes.
 constexpr std::uint64_t MOST_CELLS_OF_PARTS = std::uint64_t(1) << 26;
-// What each brick or part takes at least in the data: its colour, or a step, a size, a colour and its code.
+// The fewest bytes of a brick or part in the data: its colour, or a step, a size, a colour and its code.
 constexpr std::uint64_t SMALLEST_BRICK = 3;
 constexpr std::uint64_t SMALLEST_PART = 11;
 constexpr const char* BAD_BRICKS = "the stored bricks contradict their grid; expected each brick in a cell of its own";
@@ -244,7 +244,8 @@ std::string findObstacle(const std::vector<Part>& parts)
     return {};
 }
 
-/** Notes which cells are taken, in blocks, so that parts far from each other need no memory for the cells between. */
+/** Records which cells are taken, in blocks, so that parts far from each other need no memory for the cells between
+ * them. */
 class TakenCells
 {
 public:

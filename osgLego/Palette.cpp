@@ -15,8 +15,8 @@ namespace osgLego
 namespace
 {
 
-/** Four fifths of the distance between as many colours spread evenly over the cube of colours: of all widths, about the
- * one at which the mean of some cells is closest to the colour of the surface. */
+/** Four fifths of the distance between neighbours, if as many colours were spread evenly over the cube of colours. At
+ * about this width, the mean of some cells is closest to the colour of the surface. */
 int ditherAmplitudeFor(std::size_t numColors)
 {
     return static_cast<int>(std::lround(0.8 * 256.0 / std::cbrt(static_cast<double>(numColors))));

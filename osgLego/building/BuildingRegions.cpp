@@ -124,7 +124,8 @@ std::vector<BuildingRegions::Region> BuildingRegions::createRegions(const Links&
     return regions;
 }
 
-/** Order regions: the lowest first, and the nearest to the one before; those that touch it from below come before it.
+/** Order regions: the lowest first, then the nearest to the previous one. Regions that touch a region from below come
+ * before it.
  */
 std::vector<std::uint32_t> BuildingRegions::rankRegions(std::vector<Region> regions) const
 {

@@ -69,8 +69,9 @@ void BuildingUnits::hangGroups(const std::vector<bool>& isPlaced)
             _sets.join(set, static_cast<std::int32_t>(holder));
 }
 
-/** The supported part from which hanging parts hang best: by many studs, and near their centre. NONE if none above them
- * is still to be placed, which can only be if they were said to hang, or if parts were forced into place. */
+/** The supported part from which hanging parts hang best: by many studs, and near their centre. NONE if all parts above
+ * them are in place, which is possible only if the caller declared them as hanging, or if parts were placed regardless
+ * of the order. */
 std::uint32_t BuildingUnits::chooseHolder(const std::vector<std::uint32_t>& hanging,
                                           const std::vector<bool>& isPlaced) const
 {
@@ -114,7 +115,7 @@ void BuildingUnits::createUnits(const std::vector<bool>& isPlaced)
     }
 }
 
-/** A unit must be placed before those that have a part above one of its parts: a hand comes from above. */
+/** A unit must be placed before units with a part above one of its parts, since hands come from above. */
 void BuildingUnits::linkUnits()
 {
     for (Unit& unit : _units)
@@ -131,7 +132,7 @@ void BuildingUnits::linkUnits()
     }
 }
 
-/** Join units that would have to be placed before each other, as far as joints connect them.
+/** Join units of which each has to be placed before the other, if joints connect them.
  * @return whether any were joined. */
 bool BuildingUnits::joinCycles()
 {

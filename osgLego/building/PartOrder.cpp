@@ -12,7 +12,7 @@ namespace osgLego
 namespace
 {
 
-constexpr std::size_t LONGEST_WALK = 2000; // parts; a walk takes time that grows with their square
+constexpr std::size_t LONGEST_WALK = 2000; // parts; the time of a walk grows with the square of their number
 
 } // namespace
 
@@ -41,7 +41,7 @@ PartOrder::PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symm
     }
 }
 
-/** Sort parts along a walk to the nearest part each time. @param place where it starts, and then where it ends. */
+/** Sort parts along a walk, each time to the nearest part. @param place the start of the walk; receives its end. */
 void PartOrder::walk(std::vector<std::uint32_t>& parts, glm::ivec3& place) const
 {
     const auto toPlace = [this](std::uint32_t part) { return _symmetry.fold(_boxes[part].lower + _boxes[part].upper); };
@@ -63,7 +63,7 @@ void PartOrder::walk(std::vector<std::uint32_t>& parts, glm::ivec3& place) const
     }
 }
 
-/** Sort many parts along bands, there and back. */
+/** Sort many parts along bands, in alternate directions. */
 void PartOrder::sortByBands(std::vector<std::uint32_t>& parts) const
 {
     constexpr int BAND = 4; // studs

@@ -16,7 +16,7 @@ namespace osgLego
 namespace
 {
 
-// Larger models are shown from one direction: looking for hidden parts would take longer than planning.
+// Larger models are shown from one direction: the search for hidden parts would take longer than planning.
 constexpr std::size_t MOST_VIEWED = 20'000;
 
 /** The area on which boxes stand, in studs. */
@@ -193,7 +193,7 @@ bool PlanBuilder::isBetterUpsideDown(const PartList& parts) const
     return measureBase(turned) > FAR_LARGER * measureBase(upright);
 }
 
-/** Add parts that can't be placed where they belong. */
+/** Add the parts that can't be placed. */
 void PlanBuilder::addUnheld(const PartList& parts, BuildingStep& step)
 {
     if (parts.size() == 1)

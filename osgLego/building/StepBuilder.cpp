@@ -40,7 +40,7 @@ void StepBuilder::regroup()
     _isDelayed.assign(_units.getUnits().size(), false);
 }
 
-/** The next step, without units that fell before as long as others can be placed. */
+/** The next step. It contains units that fell before only if no other unit can be placed. */
 UnitList StepBuilder::proposeStep()
 {
     UnitList units = _queue->propose(_isDelayed);
@@ -86,11 +86,11 @@ std::vector<std::uint32_t> StepBuilder::findFalling(const UnitList& units)
     return falling.value_or(std::vector<std::uint32_t>());
 }
 
-/** Place other parts than units with which parts fall, or group the parts in another way.
+/** Repair a step with units after which parts fall: place other units, or group the parts in another way.
  * @return whether the situation has changed. */
 bool StepBuilder::repair(const UnitList& units, const std::vector<std::uint32_t>& falling)
 {
-    // Once parts fall, whatever is above them falls too.
+    // If parts fall, all parts above them fall, too.
     const bool isKnown =
         std::any_of(falling.begin(), falling.end(), [this](std::uint32_t part) { return _isLost[part]; });
     return !isKnown && (clamp(units, falling) || postpone(units, falling) || hang(units, falling));
@@ -114,7 +114,7 @@ bool StepBuilder::clamp(const UnitList& units, const std::vector<std::uint32_t>&
         }
         if (!shortest.empty()) step = shortest;
     }
-    // The other units of the step as far as there is room for them.
+    // The other units of the step, as many as fit.
     for (const std::uint32_t unit : units)
         if (UnitList longer = step; _queue->addWithAllBefore(unit, longer)) step = longer;
     if (step.size() <= 1 || !_queue->isOneStep(step) || !findFalling(step).empty()) return false;

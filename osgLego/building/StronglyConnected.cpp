@@ -9,7 +9,7 @@ namespace osgLego
 namespace
 {
 
-/** Tarjan's search, with a stack of its own: paths may have as many nodes as the graph. */
+/** Tarjan's search with an explicit stack, since paths may have as many nodes as the graph. */
 class TarjanSearch
 {
 public:

@@ -22,7 +22,7 @@ UnitQueue::UnitQueue(const BuildingUnits& units, const PartOrder& order, const S
         if (_numBefore[unit] == 0) _ready.insert(getKey(unit));
 }
 
-/** The part that decides when its unit is placed. */
+/** The part whose rank is that of its unit. */
 std::uint32_t UnitQueue::getLastPart(std::uint32_t unit) const
 {
     const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
@@ -62,8 +62,8 @@ void UnitQueue::take(const UnitList& units)
     _numOpen -= units.size();
 }
 
-/** A unit of a cycle, in which each would have to be placed before another: the first that a part in place holds from
- * below, or, if there is none, the first. */
+/** A unit of a cycle of units, each of which has to be placed before the next: the first that a part in place holds
+ * from below, or, if there is none, the first. */
 std::uint32_t UnitQueue::findForced() const
 {
     const auto getForcedKey = [this](std::uint32_t unit) { return std::pair(!isHeld(unit), getKey(unit)); };
@@ -89,7 +89,7 @@ bool UnitQueue::isHeld(std::uint32_t unit) const
                        });
 }
 
-/** The units that would be placed next, more than a step has. Parts above a submodel come in a later step. */
+/** The units to be placed next, more than fit into a step. Parts above a submodel come in a later step. */
 UnitList UnitQueue::lookAhead(const std::vector<bool>& isAvoided)
 {
     UnitList units;
@@ -182,7 +182,7 @@ bool UnitQueue::areTwins(std::uint32_t unit, std::uint32_t other) const
 }
 
 /** @param openWeight of the units that follow this one. Counting them on the way limits the depth of the recursion,
- * also if units would have to be placed before each other. */
+ * also for units of which each has to be placed before the other. */
 bool UnitQueue::addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const
 {
     if (std::find(units.begin(), units.end(), unit) != units.end()) return true;

@@ -17,7 +17,7 @@ namespace
 
 // The number of triangles that a thread sorts at a time.
 constexpr std::size_t CHUNK = 16384;
-// In cells. It makes up for rounding: a bundle too many costs little, but a bundle too few loses bricks.
+// In cells. Compensates for rounding: a superfluous bundle costs little, but a missing one loses bricks.
 constexpr float GENEROSITY = 1e-2f;
 constexpr std::uint32_t NO_BUNDLE = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t SEVERAL_BUNDLES = NO_BUNDLE - 1;

@@ -69,7 +69,7 @@ std::uint8_t findEverOpen(const CellRanks& ranks)
     return sides;
 }
 
-/** The number of parts in place from which on a cell is hidden for ever. */
+/** The number of parts in place from which on a cell is always hidden. */
 std::uint32_t findLastRank(const CellRanks& ranks)
 {
     return std::max(std::ranges::max(ranks.lower), std::ranges::max(ranks.upper));

@@ -61,7 +61,7 @@ public:
     {
         for (const BrickPoint& point : points)
             ++counts[placeOf(unpackBrick(point).getCell() / cellsPerVoxel + BORDER)];
-        // A surface through the middle of a voxel has as many bricks as its largest side has cells.
+        // A surface through the middle of a voxel has as many bricks as the largest side of the voxel has cells.
         const int side = std::max(
             {cellsPerVoxel.x * cellsPerVoxel.y, cellsPerVoxel.y * cellsPerVoxel.z, cellsPerVoxel.z * cellsPerVoxel.x});
         for (std::uint32_t& count : counts)
@@ -98,7 +98,7 @@ double fade(double distance, double radius)
 Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
 {
     Path path{glm::vec3(direction), {}};
-    // The stairs of voxels must not hide each other, so voxels of several cells need a larger radius.
+    // Steps of a surface of voxels must not occlude each other, so voxels of several cells need a larger radius.
     const double nearest = AmbientOcclusionSettings::RADIUS_IN_BRICKS * std::max(grid.extent.x, grid.extent.y);
     const glm::dvec3 steps = grid.extent / glm::max(glm::abs(direction), 1e-12);
     glm::dvec3 next = 0.5 * steps;

@@ -12,7 +12,7 @@ namespace osgLego
 namespace
 {
 
-// In cells. It makes up for rounding: a triangle too many costs little, but one too few loses bricks.
+// In cells. Compensates for rounding: a superfluous triangle costs little, but a missing one loses bricks.
 constexpr double GENEROSITY = 1.0;
 // In cells, far outside the grid: cells of the lattice may begin this much above the mesh, by
 // BrickGrid::findFirstCell().

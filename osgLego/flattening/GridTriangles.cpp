@@ -146,7 +146,7 @@ double halvings(double length, double limit)
 }
 
 /** The number of cells that a triangle meets, on average over all positions: the volume of its Minkowski sum with a
- * cell. No direction counts for more than the grid's size in it. */
+ * cell. Its extent along each axis is limited to that of the grid. */
 double meanCellsMet(const GridVertex* corners, const glm::ivec3& dimensions)
 {
     const glm::dvec3 a(corners[0].position);

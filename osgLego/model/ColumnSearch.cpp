@@ -105,7 +105,7 @@ bool ColumnSearch::run()
         if (_columns.size() > numColumns) continue;
         if (!addBest(_report.falling)) return false;
         if (_columns.size() > numColumns) continue;
-        // A model that tips over may need a column below parts other than those that can't be held.
+        // A model that tips over may need a column below parts other than the falling ones.
         std::vector<std::uint32_t> all(_layout.parts.size());
         std::iota(all.begin(), all.end(), 0u);
         if (!addBest(all)) return false;
@@ -161,7 +161,7 @@ bool ColumnSearch::removeUnneeded()
     return true;
 }
 
-/** Exchange the columns for others if the model stands better then. @return false if it was cancelled. */
+/** Replace the columns by others if the model is more stable then. @return false if it was cancelled. */
 bool ColumnSearch::keepIfBetter(std::vector<SupportColumn> columns)
 {
     SupportedLayout layout = addTo(_bare, columns);

@@ -15,19 +15,21 @@ namespace osgLego
 namespace
 {
 
-/** Attempts to lay parts again, for small models and for others, whose stability takes long to compute. */
+/** The number of attempts to lay parts again, for small and for large models; the stability of large ones takes long to
+ * compute. */
 constexpr std::array<int, 2> NUM_ATTEMPTS{6, 2};
 constexpr std::size_t LARGE_MODEL = 2000; // parts
-/** Around weak parts, in cells: parts within it are laid again, in each attempt within more. */
+/** The distance from weak parts within which parts are laid again, in cells; each attempt adds to it. */
 constexpr int REACH = 3;
 constexpr int BOND = 4; // the factor of the costs of stacked seams
-/** Weak parts near which others are laid again. If more parts fall, other parts than those hardly make the model stand.
+/** The largest number of weak parts near which parts are laid again. If more parts fall, laying parts again rarely
+ * helps.
  */
 constexpr std::size_t MOST_WEAK_PARTS = 256;
-/** Each attempt has random numbers of its own. */
+/** The difference of the seeds of two attempts. */
 constexpr std::uint32_t SEED_STEP = 0x9e3779b9u;
 
-/** The parts that fall, or else those of the weakest joint. */
+/** The falling parts or, if there are none, those of the weakest joint. */
 std::vector<std::uint32_t> findWeakParts(const StabilityReport& report)
 {
     std::set<std::uint32_t> weak(report.falling.begin(), report.falling.end());

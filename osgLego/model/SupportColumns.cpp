@@ -62,7 +62,7 @@ bool SupportColumns::isFree(const glm::ivec3& cell) const
     return !_covered.contains(toCellKey(cell));
 }
 
-/** The column whose highest cell is `top`. @return one without height if the place isn't free. */
+/** The column whose highest cell is `top`. @return a column of height 0 if the place isn't free. */
 SupportColumn SupportColumns::makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const
 {
     const auto isLayerFree = [&](int z)

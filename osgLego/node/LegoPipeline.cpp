@@ -216,7 +216,7 @@ bool LegoPipeline::mustWait(const ContextBricks& bricks) const
     return bricks.isEmpty() && !(newest && newest->hasPoints());
 }
 
-/** If not all parts are shown alike, have the set made that shows them. @param source null for stored bricks. */
+/** Request the building set if not all parts are shown alike. @param source null for stored bricks. */
 void LegoPipeline::prepareBuilding(const LegoSource* source)
 {
     if (_store->getState().isWhole()) return;

@@ -10,7 +10,7 @@ namespace osgLego
 namespace
 {
 
-/** The text in quotation marks, shortened, without characters that would spoil a terminal. */
+/** The text in quotation marks, shortened, without control characters. */
 std::string quoted(std::string_view text)
 {
     constexpr std::size_t LONGEST = 40;

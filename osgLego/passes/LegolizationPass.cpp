@@ -49,7 +49,7 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     ++work.nextStep;
     if (!work.isComplete) return;
     deliver(state, work);
-    // The buffers would otherwise take memory beside that of the frame that follows.
+    // Otherwise, the buffers would still take memory while the frame is drawn.
     for (WorkingBatch& batch : work.batches)
         batch.deleteNow(state);
     context->work.reset();

@@ -19,9 +19,9 @@ int cellsMetAtMost(double edgeLimit)
     return along * along * along;
 }
 
-/** Rounding of half floats adds up where a cell meets many fine triangles: of dense sources, beside which sums in
- * single precision take little memory, and with a low edge limit. These sums are chosen then, if they fit into one
- * slab. */
+/** Whether sums need single precision. Rounding errors of half floats add up where a cell meets many fine triangles: in
+ * dense sources, beside which such sums take little memory, and with a low edge limit. The sums must fit into one slab.
+ */
 VoxelFormat chooseFormat(const LegoSource& source)
 {
     constexpr std::size_t CELLS_PER_TRIANGLE = 16;

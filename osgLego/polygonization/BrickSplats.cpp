@@ -30,7 +30,7 @@ constexpr unsigned int BRICKS_UNIT = 1;
 constexpr unsigned int SPLATS_UNIT = 4;
 constexpr unsigned int DEPTHS_UNIT = 5;
 constexpr GLsizei WORDS_PER_BRICK = 3;
-// The bricks that a splat of a model drawn partly built can number; see splat_rays.glsl.
+// The number of bricks that the splats of a partly built model can distinguish; see splat_rays.glsl.
 constexpr GLsizei MAXIMUM_PARTIAL = 1 << 23;
 
 /** Create a texture to draw into and to fetch texels from; its size is set later. */

@@ -37,7 +37,7 @@ BackgroundTask::~BackgroundTask()
 
 void BackgroundTask::start()
 {
-    // Not a task of oneTBB: if oneTBB can't start its threads, such a task would wait for one for ever.
+    // Not a task of oneTBB: if oneTBB can't start its threads, such a task would wait for one indefinitely.
     try
     {
         _thread = std::thread([this] { run(); });

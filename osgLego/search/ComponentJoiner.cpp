@@ -85,11 +85,11 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
         for (const auto& [cell, other] : pairs)
         {
             if (isCancelled && isCancelled()) return false;
-            // Parts that joined others since may have joined these too.
+            // Meanwhile, other joined parts may have connected these, too.
             if (_components.find(cell) == _components.find(other)) continue;
             const Index anchor = _map.getAnchor(cell);
             const Index otherAnchor = _map.getAnchor(other);
-            // The cost of windows already unites parts that can't be connected to anything else.
+            // The costs of windows already join parts that can't be connected to anything else.
             if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
             if (join(cell, other, limits, random)) _components.join(cell, other);
         }

@@ -34,7 +34,7 @@ std::int32_t ConnectionCheck::addOutside(Index anchor)
     return number;
 }
 
-/** Connect the first `end` parts outside to their neighbours, and those that nobody changes to their component. */
+/** Connect the first `end` parts outside to their neighbours, and those that no thread changes to their component. */
 void ConnectionCheck::connectOutside(std::size_t end)
 {
     const CellLattice& lattice = _map.getLattice();

@@ -42,7 +42,7 @@ bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegio
     return true;
 }
 
-/** Fill the window with the first parts and random neighbours, neighbours of these and so on. */
+/** Fill the window with the first parts and, repeatedly, random neighbours of its parts. */
 void LayoutWindow::gather(std::span<const Index> first, int numParts, const LayoutRegion& region, bool hasLayers,
                           LayoutRandom& random)
 {
@@ -61,7 +61,8 @@ void LayoutWindow::gather(std::span<const Index> first, int numParts, const Layo
     }
 }
 
-/** Note the neighbours of a part in its layer that it could share a part with, and those in other layers if wanted. */
+/** Record the neighbours of a part in its layer with which it could share a part, and those in other layers on request.
+ */
 void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region, bool hasLayers)
 {
     const CellLattice& lattice = _map.getLattice();

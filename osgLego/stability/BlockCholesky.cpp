@@ -15,9 +15,9 @@ namespace
 
 using Block = BlockCholesky::Block;
 
-// A pivot that has lost this share of its value is taken for 0.
+// A pivot that has lost this share of its value counts as 0.
 constexpr double LEAST_PIVOT = 1e-18;
-// In place of such a pivot: the solution gets 0 there.
+// Replaces such a pivot, so that the solution is 0 there.
 constexpr double INFINITE_PIVOT = 1e100;
 
 /** Replace the lower triangle of a block by its Cholesky factor. @param original the block before elimination. */

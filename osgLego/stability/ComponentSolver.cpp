@@ -16,13 +16,15 @@ namespace osgLego
 namespace
 {
 
-// Newtons, or newtons times the pitch, that may be missing: a quarter of a percent of the weight of a brick 1 x 1.
+// The largest residual of an equilibrium, in newtons, or newtons times the pitch: a quarter of a percent of the weight
+// of a brick 1 x 1.
 constexpr double RESIDUAL_TOLERANCE = 1e-5;
-// The tension, in newtons, that is taken for none.
+// A tension below this, in newtons, counts as 0.
 constexpr double TENSION_TOLERANCE = 1e-6;
-// Penalty of a newton that is missing, beside a newton of tension.
+// The penalty of a missing newton, relative to a newton of tension.
 constexpr double PENALTY = 1e4;
-// If less than this is missing, long levers may be the cause: the higher penalty makes it worth the tension.
+// Smaller residuals may be due to long levers, where the tension costs more than the penalty: the higher penalty
+// decides.
 constexpr double DOUBTFUL_RESIDUAL = 2.0 * StabilityReport::CAPACITY / PENALTY;
 constexpr double HIGH_PENALTY = 1e7;
 
@@ -48,7 +50,7 @@ public:
         else if (result.tension > StabilityReport::CAPACITY)
         {
             findFalling(*equilibrium, result);
-            // More capacity helps only if all of it is used.
+            // A higher capacity helps only if the forces use all of the capacity.
             if (equilibrium->tension > StabilityReport::CAPACITY - TENSION_TOLERANCE)
             {
                 const std::optional<Equilibrium> stronger = findTension(2.0 * StabilityReport::CAPACITY);
@@ -78,7 +80,7 @@ private:
         return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
     }
 
-    /** Take parts to fall that forces found too imprecisely don't prove to stand. */
+    /** If the forces are too imprecise to prove that the parts stand, treat these parts as falling. */
     void giveUp(const Equilibrium& equilibrium, ComponentStability& result) const
     {
         if (equilibrium.residuals.isFinite().all() && equilibrium.forces.isFinite().all())
@@ -90,11 +92,10 @@ private:
         }
         OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
                  << " parts can't be computed precisely enough, so that " << result.falling.size()
-                 << " of them are taken to fall" << std::endl;
+                 << " of them are treated as falling" << std::endl;
     }
 
-    /** Whether forces keep all parts in equilibrium, even if they are not the best ones: then the margin is at least
-     * that of these forces. */
+    /** Whether forces keep all parts in equilibrium, even if they are not optimal: their margin is a lower bound. */
     bool isProven(const Equilibrium& equilibrium) const
     {
         if (!equilibrium.forces.isFinite().all()) return false;

@@ -28,7 +28,7 @@ Eigen::Vector3d findCenter(const PartBox& box)
     return 0.5 * (toPitches(box.low) + toPitches(box.high));
 }
 
-/** Two opposite corners of that which the boxes of two parts have in common, in pitches. */
+/** Two opposite corners of the intersection of two boxes, in pitches. */
 std::array<Eigen::Vector3d, 2> findOverlap(std::span<const PartBox> boxes, const Contact& contact)
 {
     const PartBox& upper = boxes[contact.upper];
@@ -96,7 +96,7 @@ void EquilibriumProgram::addStuds(const std::vector<Eigen::Vector2d>& points, co
         addForce(createWrench({point.x(), point.y(), 0.0}, Eigen::Vector3d::UnitZ()), PRESSURE);
     for (const Eigen::Vector2d& point : points)
         addForce(createWrench({point.x(), point.y(), 0.0}, -Eigen::Vector3d::UnitZ()), DRAG);
-    // Studs press from within in all directions, which amounts to any horizontal force and, with a second stud, torque.
+    // Studs press from within in all directions, which allows any horizontal force and, with a second stud, any torque.
     addForce(Wrench::Unit(0), FREE);
     addForce(Wrench::Unit(1), FREE);
     if (halfSize.head<2>().maxCoeff() > 0.5) addForce(Wrench::Unit(5), FREE);

@@ -16,7 +16,7 @@ constexpr double PRESSURE_INERTIA = 1e-8;
 constexpr double FREE_INERTIA = 1e-3;
 constexpr double VELOCITY_INERTIA = 1e-7;
 
-// The share of the way to the nearest boundary that a step may go.
+// The share of the way to the nearest boundary that a step may take.
 constexpr double STEP_SHARE = 0.995;
 
 constexpr double ROW_TOLERANCE = 1e-8;   // newtons
@@ -180,7 +180,7 @@ double InteriorPointSolver::computeGap(const Point& point) const
 bool InteriorPointSolver::hasConverged() const
 {
     const double goal = _goal.penalty * (_point.lacks + _point.excesses).sum() + _point.tension;
-    // Where newtons are missing, the price of forces matters less.
+    // Where newtons are missing, the cost of forces matters less.
     const double forceTolerance = FORCE_TOLERANCE * std::min(1.0 + goal, 10.0);
     return _rowErrors.lpNorm<Eigen::Infinity>() <= ROW_TOLERANCE &&
            _forceErrors.lpNorm<Eigen::Infinity>() <= forceTolerance && std::abs(_tensionError) <= FORCE_TOLERANCE &&

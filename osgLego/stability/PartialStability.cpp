@@ -31,7 +31,7 @@ bool includes(const std::vector<bool>& set, const std::vector<bool>& members)
     return true;
 }
 
-/** A part of a model that stands on its head. */
+/** A part of a model that is built upside down. */
 Part turnOver(Part part, const BrickGrid& grid)
 {
     const auto up = static_cast<std::size_t>(grid.getUpIndex());
@@ -88,8 +88,9 @@ std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const st
         falling.push_back(_fromAnalysis[part]);
     if (falling.empty())
     {
-        // Every contact point, also with a base plate, may pull as much as the one that pulls most. The loads on the
-        // base are unknown, but the base bears them: forces are added that the base bears on their own.
+        // Assume that every contact point, also with a base plate, pulls as much as the one that pulls most. The loads
+        // on the base are unknown, but the base bears them; the forces added to them must be an equilibrium by
+        // themselves.
         _proven = createNoForces();
         _proven.isPlaced = isPlaced;
         _proven.floorPull = (1.0 - report->margin) * StabilityReport::CAPACITY;

@@ -58,7 +58,7 @@ public:
         tbb::parallel_for(std::size_t(0), components.size(),
                           [&](std::size_t index) { results[index] = solve(components[index]); });
         Cache cache;
-        // Not report.margin, which a part that nothing holds makes -1.
+        // Not report.margin, which is -1 if nothing holds some part.
         double leastMargin = std::numeric_limits<double>::infinity();
         for (std::size_t index = 0; index < components.size(); ++index)
         {

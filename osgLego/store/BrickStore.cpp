@@ -69,7 +69,7 @@ osg::BoundingBoxd BrickStore::getBounds() const
 double BrickStore::getPitch() const
 {
     const std::lock_guard lock(_mutex);
-    // A set made on a GPU gives way to the expected one in the frame that is being culled.
+    // The frame that is being culled replaces a set made on a GPU by the expected one.
     const bool isShown = _bricks && (_bricks->hasPoints() || _bricks->getRevision() == _expectedRevision);
     return isShown ? _bricks->getGrid().getPitch() : _expectedGrid.getPitch();
 }

@@ -222,7 +222,7 @@ bool SubdivisionPass::begin(osg::State& state, PassContext& context) const
 
 std::string SubdivisionPass::run(osg::State& state, Legolization& work) const
 {
-    // Checked here, in the first pass, so that no work is done in vain.
+    // Checked here, in the first pass, before any work that would be lost.
     if (std::string obstacle = PassPlan::findObstacle(*work.source); !obstacle.empty()) return obstacle;
     const double edgeLimit = work.source->settings.getEdgeLimit();
     ProgramUniforms(state).set("edgeLimit", static_cast<float>(edgeLimit));

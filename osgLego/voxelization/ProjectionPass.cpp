@@ -34,8 +34,8 @@ struct SeenBounds
     }
 };
 
-/** The projection from positions to a picture that the triangles in the grid fill, since every pixel beside them would
- * be lost. */
+/** The projection from positions to a picture that the triangles in the grid fill, since pixels beside them would be
+ * wasted. */
 glm::mat4 projectionOf(const GridTriangles& triangles)
 {
     const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), -ProjectionPass::getDirection(), UPWARD);

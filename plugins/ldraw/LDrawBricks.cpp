@@ -42,7 +42,8 @@ struct Extent
     }
 };
 
-/** Notes which cells are taken, in blocks, so that parts far from each other need no memory for the cells between. */
+/** Records which cells are taken, in blocks, so that parts far from each other need no memory for the cells between
+ * them. */
 class TakenCells
 {
 public:

@@ -31,7 +31,7 @@ bool isFile(const std::string& path)
 std::string LDrawFolders::findFile(const std::string& folder, const std::string& name)
 {
     const fs::path steps(name);
-    // Files outside the folder are never read, whatever a document refers to.
+    // Files outside the folder are never read, for any reference of a document.
     const auto leaves = [](const fs::path& step) { return step == ".." || step.is_absolute(); };
     if (std::any_of(steps.begin(), steps.end(), leaves)) return {};
     if (std::string exact = folder + "/" + name; isFile(exact)) return exact;

@@ -146,7 +146,7 @@ void LDrawParser::beginFile(std::string_view name)
     _isInFile = true;
 }
 
-/** Definitions that can't be read are ignored, as any comment: they then are colours without a definition. */
+/** Definitions that can't be read are ignored, as comments are, and leave their colours without a definition. */
 void LDrawParser::readColorDefinition(std::string_view rest)
 {
     LDrawColorDefinition definition;

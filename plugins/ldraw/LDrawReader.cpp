@@ -36,7 +36,7 @@ std::string textOf(std::int32_t color)
     return std::to_string(color);
 }
 
-/** A list for a message, which stays short whatever a file contains. */
+/** A list for a message, which is short for every file. */
 template <typename Entries>
 std::string join(const Entries& entries)
 {

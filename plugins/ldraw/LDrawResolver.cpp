@@ -32,7 +32,7 @@ std::int32_t inherit(std::int32_t color, std::int32_t outer)
     return color == LDrawDocument::MAIN_COLOR || color == LDrawDocument::EDGE_COLOR ? outer : color;
 }
 
-/** Whether transforms within each other have led too far, or to no number at all. */
+/** Whether nested transforms lead too far away, or to values that are not numbers. */
 bool isTooFar(const LDrawTransform& transform)
 {
     const auto isWithin = [](const glm::dvec3& vector)

@@ -69,7 +69,7 @@ std::int32_t findCode(const Brick& brick, const Palette* palette)
     return Part::NO_CODE;
 }
 
-/** A model in which each cell is a part of its own. */
+/** A model in which each cell is a separate part. */
 osg::ref_ptr<const BrickModel> createOfCells(const BrickModel& model, const Palette* palette)
 {
     std::vector<Part> parts;

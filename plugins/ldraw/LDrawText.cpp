@@ -15,7 +15,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/** Look at a file without opening it. @return one sentence if it can't be read. */
+/** Check a file without opening it. @return an error message; empty if it can be read. */
 std::string findObstacle(const std::string& path)
 {
     if (std::string obstacle = findObstacleToReading(path); !obstacle.empty()) return obstacle;

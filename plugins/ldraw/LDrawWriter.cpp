@@ -24,7 +24,7 @@ std::string toLine(std::string text)
     return text;
 }
 
-/** The title of a file. The words before it keep it from being a command such as NOFILE, whatever the text is. */
+/** The title of a file. The words before it prevent any text from being a command such as NOFILE. */
 std::string toTitle(const std::string& text)
 {
     constexpr std::size_t LONGEST = 200; // readers limit lines

@@ -177,7 +177,7 @@ private:
         file.close();
         if (!file) return std::strerror(errno);
         std::string error;
-        // Devices and pipes give nothing back.
+        // Devices and pipes can't be read back.
         if (osgDB::fileType(name) != osgDB::REGULAR_FILE) return {};
         const std::optional<std::string> text = readText(name, error);
         return text ? writer.check(*text) : error;
