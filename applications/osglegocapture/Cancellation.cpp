@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <string_view>
+
+#include <unistd.h>
 
 namespace osgLego
 {
@@ -12,14 +15,21 @@ namespace
 {
 
 constexpr std::array<int, 2> SIGNALS{SIGINT, SIGTERM};
+constexpr int BY_SIGNAL = 128;
 
 // Signal handlers may only use atomic objects without locks.
 std::atomic<int> arrived{0};
-static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<bool> isUnasked{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 void note(int signal)
 {
+    constexpr std::string_view MESSAGE = "osglegocapture: cancelled\n";
     arrived = signal;
+    if (!isUnasked) return;
+    // Nothing can be done if this fails.
+    [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, MESSAGE.data(), MESSAGE.size());
+    _exit(BY_SIGNAL + signal);
 }
 
 } // namespace
@@ -39,16 +49,25 @@ Cancellation::~Cancellation()
         std::signal(SIGNALS[index], _former[index]);
 }
 
+Cancellation::Unasked::Unasked()
+{
+    isUnasked = true;
+    if (arrived != 0) note(arrived);
+}
+
+Cancellation::Unasked::~Unasked()
+{
+    isUnasked = false;
+}
+
 bool Cancellation::isRequested()
 {
     return arrived != 0;
 }
 
-void Cancellation::check()
+void Cancellation::check(const std::string& message)
 {
-    constexpr int BY_SIGNAL = 128;
-    if (isRequested())
-        throw CaptureError(static_cast<ExitCode>(BY_SIGNAL + arrived), "cancelled; the booklet was not written");
+    if (isRequested()) throw CaptureError(static_cast<ExitCode>(BY_SIGNAL + arrived), message);
 }
 
 } // namespace osgLego

@@ -1,12 +1,18 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace osgLego
 {
 
 /** Notes SIGINT and SIGTERM instead of being ended by them, so that unfinished files can be removed. A signal that
  * the program was started to ignore is still ignored.
+ *
+ *     const Cancellation cancellation;
+ *     options.isCancelled = Cancellation::isRequested;
+ *     work(options);
+ *     Cancellation::check();
  *
  * At most one object at a time; isRequested() may be called from any thread. */
 class Cancellation
@@ -17,10 +23,22 @@ public:
     Cancellation& operator=(const Cancellation&) = delete;
     ~Cancellation();
 
+    /** Work that does not ask isRequested(), and has written nothing that would remain: while this object exists, a
+     * signal ends the program at once, with the message and the exit code of check(). */
+    class Unasked
+    {
+    public:
+        Unasked();
+        Unasked(const Unasked&) = delete;
+        Unasked& operator=(const Unasked&) = delete;
+        ~Unasked();
+    };
+
     /** Whether one of the signals has arrived. */
     static bool isRequested();
-    /** Throws CaptureError, with the exit code of a program that the signal ended, if one has arrived. */
-    static void check();
+    /** Throws CaptureError, with the exit code of a program that the signal ended, if one has arrived.
+     * @param message for the user. */
+    static void check(const std::string& message = "cancelled");
 
 private:
     using Handler = void (*)(int);

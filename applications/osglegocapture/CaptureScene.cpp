@@ -4,7 +4,6 @@
 #include "ExitCode.h"
 #include "SceneReach.h"
 
-#include <common/PictureTransparency.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
 #include <common/UprightTurn.h>
@@ -13,8 +12,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <osg/LightModel>
-#include <osg/LightSource>
 #include <osg/Math>
 #include <osg/Timer>
 #include <osg/Transform>
@@ -30,8 +27,6 @@ namespace
 {
 
 const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
-const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
-const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
 // Growth of resident memory per pixel, measured with llvmpipe: for the frame buffer object and the picture, and for the
 // buffers of an AmbientOcclusionScene.
 constexpr double BYTES_PER_PIXEL = 50.0;
@@ -236,36 +231,21 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
 osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
 {
     if (_lego) checkSupport(context);
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(_options.width, _options.height, 1, GL_RGB, GL_UNSIGNED_BYTE);
-    setUpCamera(context, *image);
-    _viewer.realize();
-    _viewer.frame();
+    _renderer.emplace(context, _options.samples);
+    if (_options.view.near > 0.0)
+        _renderer->getCamera().setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    // The full look also has environment light.
+    const bool isFull = _lego && _lego->getSettings().view.look == Look::FULL;
+    _renderer->setBrightness(isFull ? 1.0f : 0.7f);
+    _renderer->setScene(*_shown);
+    placeCamera(_renderer->getCamera());
+    const glm::ivec2 size(_options.width, _options.height);
+    osg::ref_ptr<osg::Image> image =
+        _options.transparent ? _renderer->drawTransparent(size) : _renderer->draw(size, BACKGROUND);
     if (_lego) checkLegolized(*context.getState());
-    if (!_options.statistics.empty()) timeFrame(context);
-    return _options.transparent ? drawTransparent(*image) : image;
-}
-
-/** Draw the picture again, to measure a frame without legolization. */
-void CaptureScene::timeFrame(osg::GraphicsContext& context)
-{
-    context.makeCurrent();
-    glFinish();
-    const osg::Timer_t start = osg::Timer::instance()->tick();
-    _viewer.frame();
-    context.makeCurrent();
-    glFinish();
-    _drawingTime = elapsed(start);
-}
-
-/** Uses pictures over two backgrounds, since the alpha in a frame buffer belongs to the surfaces, whether blended or
- * not; it does not tell how much of the background they hide. */
-osg::ref_ptr<osg::Image> CaptureScene::drawTransparent(const osg::Image& image)
-{
-    const osg::ref_ptr<osg::Image> overBlack = new osg::Image(image, osg::CopyOp::DEEP_COPY_ALL);
-    _camera->setClearColor(WHITE);
-    _viewer.frame();
-    return makeTransparent(*overBlack, image);
+    // A frame without legolization.
+    if (!_options.statistics.empty()) _drawingTime = _renderer->timeFrame();
+    return image;
 }
 
 LegoNode& CaptureScene::getOnlyLegoNode() const
@@ -274,6 +254,12 @@ LegoNode& CaptureScene::getOnlyLegoNode() const
         throw CaptureError(EXIT_BAD_INPUT, fmt::format("'{}' has {} models in bricks; expected one for --instructions",
                                                        _options.mesh, number));
     return *_lego;
+}
+
+void CaptureScene::makeBricks() const
+{
+    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+        lego->getBricks();
 }
 
 PartsList CaptureScene::createPartsList() const
@@ -314,13 +300,10 @@ double CaptureScene::estimateMemory() const
     return (BYTES_PER_PIXEL + (hasOcclusion ? OCCLUSION_BYTES_PER_PIXEL : 0.0)) * _options.width * _options.height;
 }
 
-/** Called before drawing: otherwise OSG would report every shader that an unsupported context can't compile. */
-void CaptureScene::checkSupport(osg::GraphicsContext& context) const
+void CaptureScene::checkSupport(osg::GraphicsContext& context)
 {
-    context.makeCurrent();
-    const std::string missing = LegoNode::getMissing(*context.getState());
-    context.releaseContext();
-    if (!missing.empty()) throw CaptureError(EXIT_NO_GL, missing);
+    if (const std::string missing = PictureRenderer::findMissing(context); !missing.empty())
+        throw CaptureError(EXIT_NO_GL, missing);
 }
 
 void CaptureScene::checkLegolized(const osg::State& state) const
@@ -331,54 +314,6 @@ void CaptureScene::checkLegolized(const osg::State& state) const
     if (!_lego->isLegolized(contextID))
         throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; expected a level of detail, or a view, "
                                            "in which they are seen");
-}
-
-void CaptureScene::setUpCamera(osg::GraphicsContext& context, osg::Image& image)
-{
-    // The viewer's own camera draws nothing: the picture is drawn into a frame buffer object, so that samples and
-    // formats do not depend on the context.
-    osg::Camera* window = _viewer.getCamera();
-    window->setGraphicsContext(&context);
-    window->setViewport(0, 0, context.getTraits()->width, context.getTraits()->height);
-    window->setDrawBuffer(GL_FRONT);
-    window->setReadBuffer(GL_FRONT);
-
-    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
-    _camera = camera;
-    camera->setRenderOrder(osg::Camera::PRE_RENDER);
-    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
-    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-    const auto samples = static_cast<unsigned int>(_options.samples > 1 ? _options.samples : 0);
-    camera->attach(osg::Camera::COLOR_BUFFER, &image, samples, samples);
-    camera->setViewport(0, 0, _options.width, _options.height);
-    camera->setClearColor(_options.transparent ? BLACK : BACKGROUND);
-    if (_options.view.near > 0.0) camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    camera->setCullingMode(osg::CullSettings::NO_CULLING); // bricks are made and counted even if they are small
-    placeCamera(*camera);
-    camera->addChild(_shown);
-
-    // A light above the left of the camera: with a headlight, edges would hardly be visible.
-    _viewer.setLightingMode(osg::View::NO_LIGHT);
-    osg::ref_ptr<osg::LightSource> light = new osg::LightSource;
-    light->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
-    light->getLight()->setPosition(osg::Vec4(-0.35f, 0.55f, 1.0f, 0.0f));
-    light->getLight()->setAmbient(osg::Vec4(0.0f, 0.0f, 0.0f, 1.0f));
-    // The full look also has environment light.
-    const bool isFull = _lego && _lego->getSettings().view.look == Look::FULL;
-    const float diffuse = isFull ? 1.0f : 0.7f;
-    light->getLight()->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0f));
-    light->getLight()->setSpecular(osg::Vec4(1.0f, 1.0f, 1.0f, 1.0f));
-    camera->addChild(light);
-    camera->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
-    camera->getStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
-    osg::ref_ptr<osg::LightModel> ambient = new osg::LightModel;
-    ambient->setAmbientIntensity(osg::Vec4(0.32f, 0.32f, 0.34f, 1.0f));
-    camera->getOrCreateStateSet()->setAttribute(ambient);
-    camera->getStateSet()->setMode(GL_MULTISAMPLE_ARB, osg::StateAttribute::ON);
-
-    _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
-    _viewer.setReleaseContextAtEndOfFrameHint(false);
-    _viewer.setSceneData(camera);
 }
 
 void CaptureScene::placeCamera(osg::Camera& camera) const

@@ -3,14 +3,17 @@
 #include "CaptureOptions.h"
 
 #include <common/PartsList.h>
+#include <common/PictureRenderer.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
+
+#include <optional>
+#include <vector>
 
 #include <osg/Camera>
 #include <osg/GraphicsContext>
 #include <osg/Image>
 #include <osg/Node>
-#include <osgViewer/Viewer>
 
 namespace osgLego
 {
@@ -39,6 +42,8 @@ public:
     LegoNode* getLegoNode() const { return _lego.get(); }
     /** The only node that makes bricks, for a booklet. Throws CaptureError if there are others. */
     LegoNode& getOnlyLegoNode() const;
+    /** Make the bricks that do not exist yet, which may take long. */
+    void makeBricks() const;
     /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
     PartsList createPartsList() const;
     /** The models of the scene that have parts. Throws CaptureError if there are none. */
@@ -57,20 +62,16 @@ private:
     void setOcclusion();
     void setProbe(const LightProbe& probe);
     osg::ref_ptr<LightProbe> createProbe() const;
-    void checkSupport(osg::GraphicsContext& context) const;
+    static void checkSupport(osg::GraphicsContext& context);
     void checkLegolized(const osg::State& state) const;
-    void setUpCamera(osg::GraphicsContext& context, osg::Image& image);
     void placeCamera(osg::Camera& camera) const;
-    void timeFrame(osg::GraphicsContext& context);
-    osg::ref_ptr<osg::Image> drawTransparent(const osg::Image& image);
     LegoSettings getSettings() const;
     /** The axis of the scene along which studs point. */
     UpAxis getUpAxis() const;
     [[noreturn]] void throwWithoutParts(const char* purpose) const;
 
     const CaptureOptions& _options;
-    osgViewer::Viewer _viewer; // closes the context on destruction
-    osg::ref_ptr<osg::Camera> _camera;
+    std::optional<PictureRenderer> _renderer; // from draw() on
     osg::ref_ptr<osg::Node> _source;
     LegoSettings _sourceSettings; // settings of the LegoNode that a pseudo-loader put above the mesh
     osg::ref_ptr<osg::Node> _shown;

@@ -33,7 +33,7 @@ void throwIf(const std::optional<BookletError>& error)
 {
     using Reason = BookletError::Reason;
     if (!error) return;
-    if (error->reason == Reason::CANCELLED) Cancellation::check();
+    if (error->reason == Reason::CANCELLED) Cancellation::check(error->message);
     switch (error->reason)
     {
     case Reason::BAD_STEPS:
@@ -65,7 +65,7 @@ void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
     quick.checksStability = false;
     quick.isCancelled = Cancellation::isRequested;
     const osg::ref_ptr<const BuildingPlan> plan = planBuilding(*model, quick);
-    Cancellation::check();
+    Cancellation::check("cancelled; the booklet was not written");
     throw CaptureError(
         EXIT_BAD_INPUT,
         fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or --steps FIRST-LAST",

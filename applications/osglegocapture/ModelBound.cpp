@@ -1,5 +1,7 @@
 #include "ModelBound.h"
 
+#include "Cancellation.h"
+
 #include <common/LayoutBound.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Palette.h>
@@ -83,9 +85,12 @@ std::size_t computeModelBound(const LegoNode& lego)
     const osg::ref_ptr<const BrickModel> model = lego.getBricks();
     if (!model || model->getParts().empty() || getCellPlates(model->getGrid()) != 3) return 0;
     const osg::ref_ptr<const BrickModel> surface = findSurface(lego);
+    BoundOptions options;
+    options.isCancelled = Cancellation::isRequested;
     std::size_t sum = 0;
-    for (const LayerBound& layer : boundLayers(createProblem(*model, surface.get(), lego.getSettings()), {}, {}))
+    for (const LayerBound& layer : boundLayers(createProblem(*model, surface.get(), lego.getSettings()), {}, options))
         sum += layer.parts;
+    Cancellation::check();
     return sum;
 }
 

@@ -1,5 +1,7 @@
 #include "SceneStability.h"
 
+#include "Cancellation.h"
+
 #include <osgLego/PartType.h>
 
 #include <algorithm>
@@ -49,7 +51,11 @@ SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>
     _base(base)
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
-        _models.push_back({model, *computeStability(*model, {base, {}})});
+    {
+        const std::optional<StabilityReport> report = computeStability(*model, {base, Cancellation::isRequested});
+        Cancellation::check();
+        _models.push_back({model, *report});
+    }
 }
 
 const SceneStability::ModelStability& SceneStability::getWorst() const

@@ -17,7 +17,8 @@ namespace osgLego
 class SceneStability
 {
 public:
-    /** @param models at least one, each with parts. */
+    /** Throws CaptureError if it is cancelled.
+     * @param models at least one, each with parts. */
     SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base);
 
     /** The report on the only model; nothing if there are several. */

@@ -16,6 +16,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 
@@ -37,13 +38,11 @@ std::string differenceNameOf(const CaptureOptions& options)
     return (path.parent_path() / (path.stem().string() + "-difference.png")).string();
 }
 
-osg::ref_ptr<osg::GraphicsContext> createContext()
+/** @return null, with the reason in `error`, if there is none. */
+osg::ref_ptr<osg::GraphicsContext> createContext(std::string& error)
 {
-    constexpr int UNUSED_SIZE = 16; // the picture has its own frame buffer
-    std::string error;
-    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
-    if (!context) throw CaptureError(EXIT_NO_GL, error);
-    return context;
+    constexpr int UNUSED_SIZE = 16; // pictures have their own frame buffers
+    return createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
 }
 
 /** Warn before a picture takes gigabytes: if memory is short, the machine may swap or kill the program. */
@@ -86,26 +85,31 @@ std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, cons
     return layout;
 }
 
+OIIO::ImageBuf draw(const CaptureOptions& options, CaptureScene& scene, osg::GraphicsContext& context,
+                    const ProgressBar& progress)
+{
+    warnOfMemory(scene, options);
+    progress.show(options.original ? "drawing" : "legolizing and drawing");
+    const Cancellation::Unasked unasked;
+    return toImageBuf(*scene.draw(context));
+}
+
 /** Draw, and write everything that comes with a picture. */
 int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const SceneStability* stability,
-                 const StandardOutput* standardOutput, const OIIO::ImageBuf& reference)
+                 const StandardOutput* standardOutput, const OIIO::ImageBuf& reference, osg::GraphicsContext& context,
+                 const ProgressBar& progress)
 {
-    const ProgressBar progress;
-    warnOfMemory(scene, options);
-    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-    progress.show(options.original ? "drawing" : "legolizing and drawing");
-    const OIIO::ImageBuf picture = toImageBuf(*scene.draw(*context));
-
+    const OIIO::ImageBuf picture = draw(options, scene, context, progress);
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, picture);
-    const std::optional<LayoutStatistics> layout = reportLayout(options, scene, *context, progress);
-    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, stability, *context); };
+    const std::optional<LayoutStatistics> layout = reportLayout(options, scene, context, progress);
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, stability, context); };
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT)
         standardOutput->write(write);
     else if (!options.statistics.empty())
         writeText(options.statistics, write);
     if (!options.cells.empty())
-        writeCells(options.cells, *scene.getLegoNode()->getBricks(context->getState()->getContextID()));
+        writeCells(options.cells, *scene.getLegoNode()->getBricks(context.getState()->getContextID()));
     progress.clear();
     if (options.reference.empty()) return EXIT_FINE;
     return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
@@ -124,10 +128,10 @@ void writePartsList(const CaptureOptions& options, const CaptureScene& scene, co
 }
 
 /** Compute and print whether the parts stand, if that is asked for. */
-std::optional<SceneStability> reportStability(const CaptureOptions& options, const CaptureScene& scene)
+std::optional<SceneStability> reportStability(const CaptureOptions& options, const CaptureScene& scene,
+                                              const ProgressBar& progress)
 {
     if (!options.base) return std::nullopt;
-    const ProgressBar progress;
     progress.show("computing stability");
     SceneStability stability(scene.findPartModels(), *options.base);
     progress.clear();
@@ -141,13 +145,9 @@ std::string toFileName(const std::string& name)
     return name == CaptureOptions::STANDARD_OUTPUT ? std::string() : name;
 }
 
-int capture(const CaptureOptions& options)
+/** Throws CaptureError if an output can't be written. Called before the work, which may take long. */
+void checkPlaces(const CaptureOptions& options)
 {
-    std::optional<StandardOutput> standardOutput;
-    if (options.statistics == CaptureOptions::STANDARD_OUTPUT || options.partsList == CaptureOptions::STANDARD_OUTPUT)
-        standardOutput.emplace();
-    const StandardOutput* output = standardOutput ? &*standardOutput : nullptr;
-    // Check before the work, which may take long.
     const std::string statisticsFile = toFileName(options.statistics);
     const std::string partsFile = toFileName(options.partsList);
     checkPicturePlace(options.output, options.transparent);
@@ -156,40 +156,72 @@ int capture(const CaptureOptions& options)
     checkPartsListPlace(partsFile);
     if (!options.instructions.empty()) checkInstructionsPlace(options);
     checkAreDistinct({options.output, statisticsFile, options.cells, partsFile});
+}
 
-    OIIO::ImageBuf reference;
-    if (!options.reference.empty())
-    {
-        std::error_code ignored;
-        if (std::filesystem::equivalent(options.reference, options.output, ignored))
-            throw CaptureError(EXIT_BAD_OUTPUT, "the output would take the place of the reference '" +
-                                                    options.reference + "'; expected another name");
-        checkPicturePlace(differenceNameOf(options), false);
-        reference = readReference(options.reference, options.width, options.height);
-    }
+/** @return an empty picture without --compare. */
+OIIO::ImageBuf findReference(const CaptureOptions& options)
+{
+    if (options.reference.empty()) return {};
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.reference, options.output, ignored))
+        throw CaptureError(EXIT_BAD_OUTPUT, "the output would take the place of the reference '" + options.reference +
+                                                "'; expected another name");
+    checkPicturePlace(differenceNameOf(options), false);
+    return readReference(options.reference, options.width, options.height);
+}
 
-    const ProgressBar progress;
+/** Read the scene, and make the parts that are listed, checked or built. */
+std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
+{
+    const Cancellation::Unasked unasked;
     progress.show("reading");
-    CaptureScene scene(options);
+    auto scene = std::make_unique<CaptureScene>(options);
+    if (!options.instructions.empty()) scene->getOnlyLegoNode();
+    const bool needsParts = !options.partsList.empty() || options.base || !options.instructions.empty();
+    if (needsParts) progress.show("making bricks");
+    if (needsParts) scene->makeBricks();
     progress.clear();
-    LegoNode* built = options.instructions.empty() ? nullptr : &scene.getOnlyLegoNode();
-    if (!options.partsList.empty()) writePartsList(options, scene, output);
-    const std::optional<SceneStability> stability = reportStability(options, scene);
-    const int code = options.needsContext()
-                         ? drawAndWrite(options, scene, stability ? &*stability : nullptr, output, reference)
-                         : EXIT_FINE;
-    if (!built) return code;
+    return scene;
+}
+
+void writeBooklet(const CaptureOptions& options, const CaptureScene& scene,
+                  const std::optional<SceneStability>& stability, osg::ref_ptr<osg::GraphicsContext> context,
+                  const ProgressBar& progress)
+{
+    // The viewer of the picture closes its context.
+    std::string error;
+    if (options.needsContext()) context = createContext(error);
+    if (!context) throw CaptureError(EXIT_NO_GL, error);
+    writeInstructions(options, scene.getOnlyLegoNode(), stability ? stability->getReport() : std::nullopt, *context,
+                      progress);
+}
+
+/** @param context null if nothing is drawn. */
+int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsContext>& context)
+{
+    std::optional<StandardOutput> standardOutput;
+    if (options.statistics == CaptureOptions::STANDARD_OUTPUT || options.partsList == CaptureOptions::STANDARD_OUTPUT)
+        standardOutput.emplace();
+    const StandardOutput* output = standardOutput ? &*standardOutput : nullptr;
+    checkPlaces(options);
+    const OIIO::ImageBuf reference = findReference(options);
+
     const Cancellation cancellation;
-    checkInstructionsSize(options, *built);
-    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-    writeInstructions(options, *built, stability ? stability->getReport() : std::nullopt, *context, progress);
+    const ProgressBar progress;
+    const std::unique_ptr<CaptureScene> scene = prepareScene(options, progress);
+    if (!options.instructions.empty()) checkInstructionsSize(options, scene->getOnlyLegoNode());
+    if (!options.partsList.empty()) writePartsList(options, *scene, output);
+    const std::optional<SceneStability> stability = reportStability(options, *scene, progress);
+    int code = EXIT_FINE;
+    if (options.needsContext())
+        code = drawAndWrite(options, *scene, stability ? &*stability : nullptr, output, reference, *context, progress);
+    if (!options.instructions.empty()) writeBooklet(options, *scene, stability, context, progress);
     return code;
 }
 
-#if !defined(OSGLEGO_OSMESA)
 /** Continue as the program that is linked with OSMesa instead of EGL, since a process can use only one of them. Returns
  * only by an exception, if there is no such program. */
-void becomeOsMesa(char** argv)
+[[maybe_unused]] void becomeOsMesa(char** argv)
 {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -198,12 +230,21 @@ void becomeOsMesa(char** argv)
     throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to create an OSMesa context; expected --context egl");
 }
 
-bool hasEgl()
+/** Create the first context that is drawn in, or continue as the program that can. @return null if nothing is drawn. */
+osg::ref_ptr<osg::GraphicsContext> createFirstContext(const CaptureOptions& options, [[maybe_unused]] char** argv)
 {
-    std::string error;
-    return createOffscreenContext(1, 1, error).valid();
-}
+    if (!options.needsContext() && options.instructions.empty()) return nullptr;
+#if !defined(OSGLEGO_OSMESA)
+    if (options.context == ContextKind::OSMESA) becomeOsMesa(argv);
 #endif
+    std::string error;
+    osg::ref_ptr<osg::GraphicsContext> context = createContext(error);
+#if !defined(OSGLEGO_OSMESA)
+    if (!context && options.context == ContextKind::AUTO) becomeOsMesa(argv);
+#endif
+    if (!context) throw CaptureError(EXIT_NO_GL, error);
+    return context;
+}
 
 /** Let OSG find the plugins of the build or installation that contains this program. */
 void findOwnPlugins()
@@ -221,12 +262,7 @@ int run(int argc, char** argv)
     findOwnPlugins();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
-#if !defined(OSGLEGO_OSMESA)
-    const bool wantsOsMesa =
-        options.context == ContextKind::OSMESA || (options.context == ContextKind::AUTO && !hasEgl());
-    if (wantsOsMesa) becomeOsMesa(argv);
-#endif
-    return capture(options);
+    return capture(options, createFirstContext(options, argv));
 }
 
 } // namespace
