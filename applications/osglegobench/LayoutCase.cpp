@@ -149,10 +149,16 @@ void addGoal(JsonValue& row, const std::string& what, double figure, const std::
     row["goals"].append({{"what", what}, {"figure", figure}, {"goal", *goal}, {"reached", figure <= *goal}});
 }
 
+/** The number of a member, or 0 if the row has none. */
+double findNumber(const JsonValue& row, const char* name)
+{
+    return row.contains(name) ? row[name].toNumber() : 0.0;
+}
+
 void addGoals(JsonValue& row, const LayoutGoals& goals)
 {
-    addGoal(row, "parts / bound", row["ratio"].toNumber(), goals.ratio);
-    addGoal(row, "parts / plates alone", row["ofPlates"].toNumber(), goals.ofPlates);
+    addGoal(row, "parts / bound", findNumber(row, "ratio"), goals.ratio);
+    addGoal(row, "parts / plates alone", findNumber(row, "ofPlates"), goals.ofPlates);
     addGoal(row, "stacked", row["stacked"].toNumber(), goals.stacked);
     addGoal(row, "articulation", row["articulation"].toNumber(), goals.articulation);
     addGoal(row, "milliseconds", row["milliseconds"]["median"].toNumber(), goals.milliseconds);
