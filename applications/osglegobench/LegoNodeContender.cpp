@@ -55,9 +55,11 @@ void LegoNodeContender::createView()
     _view->getCamera()->setReadBuffer(GL_FRONT);
     _view->setProjectionMatrixAsPerspective(30.0, 1.0, 0.1, 100.0);
     _view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    // The bricks as a whole are too small to be drawn; the passes are never culled and still run.
-    _view->setCullingMode(osg::CullSettings::SMALL_FEATURE_CULLING);
-    _view->setSmallFeatureCullingPixelSize(1e9f);
+    // All bricks are behind the eye, so none is drawn. They must not be culled, since drawing uploads those of the CPU.
+    _view->setCullingMode(osg::CullSettings::NO_CULLING);
+    const osg::BoundingSphere bound = _lego->getBound();
+    const osg::Vec3d eye = bound.center() + osg::Vec3d(0.0, 0.0, 10.0 * bound.radius());
+    _view->setViewMatrixAsLookAt(eye, eye + osg::Vec3d(0.0, 0.0, bound.radius()), osg::Vec3d(0.0, 1.0, 0.0));
     _view->setSceneData(_lego);
 }
 
