@@ -23,12 +23,12 @@ struct LayerBound
 struct BoundOptions
 {
     double seconds = 60.0; //!< the time for each connected region of a layer
-    /** Called now and then, from any thread; the computation ends early if it returns true. May be empty. */
+    /** Called regularly, from any thread; the computation ends early if it returns true. May be empty. */
     std::function<bool()> isCancelled;
 };
 
 /** Compute the fewest bricks that can cover each of some layers by itself; their sum is a lower bound for any layout.
- * Regions of a layer that no part can connect are solved apart, on threads of oneTBB, and equal ones once.
+ * Regions of a layer that no part can connect are solved separately, on threads of oneTBB, and equal regions once.
  *
  * @param problem of bricks, not of plates.
  * @param layers z of the layers, in any order; empty for all layers that have cells.

@@ -6,7 +6,7 @@
 namespace osgLego
 {
 
-/** Create the built-in model, a racing car of the nineteen-sixties, for demonstrations that need no file.
+/** Create the built-in model, a racing car of the 1960s, for demonstrations that need no file.
  *
  * Every call creates the same model: about 4.2 units (metres) long, Z up, standing on z = 0 with its nose towards -X.
  * The body has a texture, the tyres have vertex colours, and the rims, wings and pipes have Materials; the four wheels

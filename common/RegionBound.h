@@ -22,7 +22,7 @@ struct RegionBound
  * fractional, by branch and cut (COIN-OR's CLP and CBC): each part that fits is a variable, and each cell is covered
  * once.
  *
- * Any thread may call it, also several at once.
+ * May be called from any thread, and from several at once.
  *
  * @param cells in one layer; not empty.
  * @param colors the sizes in which each colour exists; bricks only. A cell that none of them can cover counts as a

@@ -57,7 +57,7 @@ struct OSGLEGO_EXPORT AmbientOcclusionSettings
     bool distant = true;
     AmbientOcclusionOutput output = AmbientOcclusionOutput::PICTURE;
 
-    /** The first error in these values and what is expected instead, in one sentence; empty if there is none. */
+    /** The first error in these values, with the expected value, in one sentence; empty if there is none. */
     std::string check() const;
 
     /** All keys of the text form, in its order. */

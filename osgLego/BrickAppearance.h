@@ -46,7 +46,7 @@ struct OSGLEGO_EXPORT BrickAppearance
      * in building instructions. Also in the plain look. */
     double outline = 0.0;
 
-    /** The first error in these values and what is expected instead, in one sentence; empty if there is none. */
+    /** The first error in these values, with the expected value, in one sentence; empty if there is none. */
     std::string check() const;
 
     bool operator==(const BrickAppearance&) const = default;

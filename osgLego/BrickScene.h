@@ -41,7 +41,7 @@ OSGLEGO_EXPORT osg::ref_ptr<const osg::Node> createBrickScene(const osg::Node& s
  *
  * A scene that contains no LegoNode with bricks is written unchanged, with a warning.
  *
- * LegoNodes without triangles keep their sources, since these are what they draw. Nodes above the bricks are copied;
+ * LegoNodes without triangles keep their sources, which they draw instead of bricks. Nodes above the bricks are copied;
  * other nodes are shared with the original.
  *
  * Call it from the thread that updates the scene.

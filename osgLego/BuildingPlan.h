@@ -76,8 +76,8 @@ public:
     /** Parts that nothing holds when they are placed, in ascending order: a model with such parts can't be built. */
     const std::vector<std::uint32_t>& getUnheldParts() const { return _unheld; }
 
-    /** The number of steps, with those of submodels, of which nobody knows whether the partial model stands after them:
-     * those that are not `isChecked`. */
+    /** The number of steps, with those of submodels, that are not `isChecked`: it is unknown whether the partial model
+     * stands after them. */
     std::size_t getNumUnchecked() const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */

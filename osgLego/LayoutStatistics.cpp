@@ -14,7 +14,7 @@ std::string counted(std::size_t count, const char* singular, const char* plural)
     return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
-/** One sentence on the means by which a model was made to stand. */
+/** One sentence on the changes by which a model was made to stand. */
 std::string describe(const SupportStatistics& support)
 {
     std::string text = "support: ";

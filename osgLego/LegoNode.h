@@ -53,7 +53,7 @@ class LegoPipeline;
  * bricks; the option "bake" stores bricks in the file instead of the source (see createBakedScene()). In LDraw's
  * formats .ldr and .mpd, its parts are saved, by the plugin osgdb_ldraw. In other formats, the bricks are saved as
  * osg::Geometry (see createBrickScene()), by a WriteFileCallback that the first LegoNode puts into osgDB's registry, in
- * front of any existing one. A program that later sets a callback of its own calls the previous one in it, or
+ * front of any existing one. A program that later sets another callback calls the previous one in it, or
  * createBrickScene().
  *
  * Parts of the source that draw something other than triangles, or that act during culling, take effect only where the
@@ -103,9 +103,9 @@ public:
 
     /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
      * Off by default: the node keeps showing the previous bricks until the new ones are ready, and a newer change of
-     * the source cancels work on an older one, though never twice in a row, so that a source that changes all the time
-     * is followed as fast as its bricks can be made. The first bricks are always waited for, since there is nothing
-     * else to show. */
+     * the source cancels work on an older one, though never twice in a row, so that bricks of a continually changing
+     * source are updated at intervals, as fast as they can be made. The first bricks are always waited for, since there
+     * is nothing else to show. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 
@@ -165,7 +165,7 @@ public:
      * It takes 40 bytes for each cell that is visible at some time of building, in memory and in a buffer of each
      * context, which are kept until the bricks change.
      *
-     * Drawing reads the value, not culling: if a thread of its own draws, a change may show one frame early, and not in
+     * Drawing reads the value, not culling: if a separate thread draws, a change may show one frame early, and not in
      * all views of a frame. The same holds for setNumNewParts().
      * @param progress 0 (no part) to 1 (all parts).
      * @return false, with a warning and no change, for other values. */

@@ -75,7 +75,7 @@ enum class Fill
 /** The parts that cells are joined to. */
 enum class PartSet
 {
-    NONE,  //!< every cell is a brick of its own
+    NONE,  //!< every cell is a separate brick
     BRICKS //!< real bricks of 1x1 to 2x8 studs, and plates in a grid of Proportions::PLATE
 };
 
@@ -198,7 +198,8 @@ struct OSGLEGO_EXPORT LegoSettings
          * source has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
         std::uint32_t seed = 0;
         Effort effort = Effort::NORMAL;
-        /** Whether a model of parts that would fall is laid again to stand and, if that does not suffice, gets columns.
+        /** Whether a falling model of parts is changed so that it stands: its parts are laid again and, if that does
+         * not suffice, columns are added.
          */
         bool support = false;
 

@@ -25,11 +25,12 @@ enum class BuildingBase
 struct StabilityOptions
 {
     BuildingBase base = BuildingBase::TABLE;
-    /** Called now and then, from any thread; the computation is given up if it returns true. May be empty. */
+    /** Called regularly, from any thread; computeStability() returns nothing soon after it returns true. May be
+     * empty. */
     std::function<bool()> isCancelled;
 };
 
-/** Whether a model of parts stands under gravity, and which of its joints bear most.
+/** The stability of a model of parts under gravity, and its most loaded joints.
  *
  * The model stands if forces at the contacts of its parts exist that keep every part in equilibrium: pressure between
  * parts, and at each contact of a stud up to CAPACITY newtons against pulling it out (Liu et al. 2024, "StableLego:
@@ -37,7 +38,7 @@ struct StabilityOptions
 struct OSGLEGO_EXPORT StabilityReport
 {
     static constexpr double CAPACITY = 0.98;      //!< newtons at a contact point that joints bear (StableLego)
-    static constexpr double SAFE_CAPACITY = 0.70; //!< newtons that joints bear even if they are worn (Luo et al. 2015)
+    static constexpr double SAFE_CAPACITY = 0.70; //!< newtons that worn joints bear, too (Luo et al. 2015)
 
     /** Two parts that hold each other, as indices into BrickModel::getParts(). */
     struct Joint

@@ -14,7 +14,7 @@ namespace osgLego
  * surfaceless platform. The context is realized but not current when this function returns.
  * @param width, height of the context's own frame buffer, in pixels, at least 1.
  * @param display 0; or 1 for a context that is drawn in another thread than those of display 0. In llvmpipe, contexts
- * of different displays share nothing, while those of one display crash now and then when several threads draw: up to
+ * of different displays share nothing, while those of one display occasionally crash if several threads draw: up to
  * Mesa 22.3 at least, llvmpipe_flush_resource() reads the scenes of the others without a lock.
  * @return null, with the reason in `error`, if no context can be created. */
 osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error, int display = 0);

@@ -19,8 +19,8 @@ public:
      * @param fileName empty keeps bounds in memory. */
     explicit BoundCache(std::string fileName);
 
-    /** The bounds of some layers, from the file or computed now and added to it, a few at a time, so that a run that is
-     * ended loses little. Throws std::runtime_error.
+    /** The bounds of some layers, from the file or computed now and added to it, in small groups, so that an
+     * interrupted run loses little. Throws std::runtime_error.
      * @param seconds the time for each connected region of a layer. */
     std::vector<LayerBound> getBounds(const LayoutProblem& problem, const std::vector<int>& layers, double seconds);
 

@@ -85,8 +85,8 @@ private:
     std::array<osg::ref_ptr<osg::Group>, 2> _ways; // the reference, and the current drawing
 };
 
-/** The difference of two pictures in levels of 255. They count as equal if nobody could see it: the mean is less than
- * one level, and at most one in a hundred of the pixels covered by bricks differs by more than two. */
+/** The difference of two pictures in levels of 255. They count as equal if the difference is invisible: the mean is
+ * less than one level, and at most one in a hundred of the pixels covered by bricks differs by more than two. */
 JsonValue compare(const osg::Image& a, const osg::Image& b)
 {
     int largest = 0;

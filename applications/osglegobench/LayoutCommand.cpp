@@ -45,7 +45,7 @@ LegoSettings createSettings(unsigned int resolution, Effort effort, Fill fill)
     return settings;
 }
 
-/** The models of the goals. */
+/** The models that have goals. */
 class CaseList
 {
 public:

@@ -121,7 +121,7 @@ private:
     std::string _failure;
 };
 
-/** Run all contenders once, then all once more, and so on, so that changes of the machine's load affect all equally. */
+/** Run all contenders in turns, so that changes of the machine's load affect all equally. */
 void runInTurns(std::vector<Entrant>& entrants, const BenchRuns& runs)
 {
     for (unsigned int run = 0; run < runs.numWarmUps + runs.numRuns; ++run)

@@ -6,7 +6,7 @@
 namespace osgLego
 {
 
-/** Notes SIGINT and SIGTERM instead of being ended by them, so that unfinished files can be removed. A signal that
+/** Records SIGINT and SIGTERM, which then do not end the program, so that it can remove unfinished files. A signal that
  * the program was started to ignore is still ignored.
  *
  *     const Cancellation cancellation;

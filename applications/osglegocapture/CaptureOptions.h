@@ -68,7 +68,7 @@ struct CaptureOptions
     std::string instructions; //!< the folder for a booklet; empty: none
     /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
     std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
-    bool isBookletConfirmed = false; //!< whether a very large booklet is written without asking
+    bool isBookletConfirmed = false; //!< whether a very large booklet is confirmed
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 

@@ -17,7 +17,7 @@ enum ExitCode : int
     EXIT_NO_GL = 5        //!< no GL context that can make bricks
 };
 
-/** A failure, with the exit code of the program, and one sentence on what is wrong and what is expected.
+/** A failure: the exit code of the program, and one sentence that names the error and the expected value.
  */
 class CaptureError : public std::runtime_error
 {

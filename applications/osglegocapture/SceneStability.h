@@ -23,7 +23,7 @@ public:
 
     /** The report on the only model; nothing if there are several. */
     std::optional<StabilityReport> getReport() const;
-    /** A few lines for people: the verdict, the weakest joint, and the first parts that fall. */
+    /** A report in a few lines: the verdict, the weakest joint, and the first parts that fall. */
     std::string toText() const;
     /** All figures; docs/osglegocapture.md describes them. */
     JsonValue toJson() const;

@@ -58,7 +58,7 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
                options.width, options.height, bytes / GIGABYTE);
 }
 
-/** Compute the fewest bricks, or warn that there are none to count. */
+/** Compute the fewest bricks, or warn if there are none to count. */
 void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, const ProgressBar& progress)
 {
     progress.show("computing the fewest bricks");
@@ -127,7 +127,7 @@ void writePartsList(const CaptureOptions& options, const CaptureScene& scene, co
         if (!warning.empty()) fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
 }
 
-/** Compute and print whether the parts stand, if that is asked for. */
+/** Compute and print whether the parts stand, if the options request it. */
 std::optional<SceneStability> reportStability(const CaptureOptions& options, const CaptureScene& scene,
                                               const ProgressBar& progress)
 {

@@ -11,8 +11,8 @@ namespace osgLego
 /** Groups parts that can only be put in place together: units of one part, or of several that become a submodel.
  *
  * Parts that no upward path of joints from the base reaches hang. Each connected group of hanging parts becomes a unit
- * with one part from which it hangs; other parts above it are pressed down on it later. Units that would have to be
- * placed before each other become one if joints connect them.
+ * with one part from which it hangs; other parts above it are pressed down on it later. Units of which each has to be
+ * placed before the other become one if joints connect them.
  *
  * Usage:
  *

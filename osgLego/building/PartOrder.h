@@ -7,7 +7,7 @@
 namespace osgLego
 {
 
-/** The order in which parts are placed if nothing else decides: region by region, in each of them layer by layer, and
+/** The preferred order of parts: region by region, in each of them layer by layer, and
  * in a layer along a walk from neighbour to neighbour, with parts that mirror each other together.
  *
  * Immutable once created; every function may be called from any thread. */

@@ -52,7 +52,7 @@ private:
     std::vector<BuildingBox> _turnedBoxes; // upside down
     std::vector<Submodel> _submodels;
     PartList _unheld;
-    bool _isTryingAgain = false; // the other way up; submodels within are not tried again
+    bool _isTryingAgain = false; // the other way up; nested submodels are not tried again
     bool _isCancelled = false;
 };
 

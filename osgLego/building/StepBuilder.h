@@ -22,8 +22,8 @@ struct AssemblyStep
 /** Divides the parts of a model or submodel into steps of 5 to 10 parts, at most 12, in an order in which they can be
  * placed from above.
  *
- * If the parts in place would fall after a step, others are placed first, or those that hold them in the same step; if
- * neither helps, they become a submodel with a part above that holds them.
+ * If parts fall after a step, the parts that hold them are placed in the same step, or other parts are placed first. If
+ * neither helps, the falling parts become a submodel with a part above that holds them.
  *
  * Preconditions: joints connect every part to one on the base, directly or not.
  *
@@ -32,13 +32,14 @@ struct AssemblyStep
 class StepBuilder
 {
 public:
-    /** The parts that fall if only some are in place, none if these stand; nothing if that is not known. */
+    /** Finds the parts that fall if only some are in place. Returns none if these stand, and nothing if that is not
+     * known. */
     using FindFalling = std::function<std::optional<std::vector<std::uint32_t>>(const std::vector<bool>& isPlaced)>;
-    /** Called with the number of parts in place after a step; the work is given up if it returns false. */
+    /** Called with the number of parts in place after a step; build() ends if it returns false. */
     using Proceed = std::function<bool(std::size_t numPlaced)>;
 
     /** @param graph must outlive this object.
-     * @param findFalling may be empty. Steps of which nothing is known count as standing. */
+     * @param findFalling may be empty. Steps for which it returns nothing count as standing. */
     StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed);
 
     /** @return nothing if it was given up. */
@@ -64,9 +65,9 @@ private:
     std::unique_ptr<UnitQueue> _queue;
     std::vector<bool> _isPlaced;
     std::vector<bool> _isHung;
-    std::vector<bool> _isLost;    // parts that fall whatever is done
+    std::vector<bool> _isLost;    // parts that fall after every repair
     std::vector<bool> _isDelayed; // units
-    bool _isKnown = false;        // whether the parts that fall with the units considered last are known
+    bool _isKnown = false;        // whether findFalling returned a result for the units considered last
     std::size_t _numPlaced = 0;
     std::vector<AssemblyStep> _steps;
 };

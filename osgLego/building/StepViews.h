@@ -9,7 +9,7 @@
 namespace osgLego
 {
 
-/** Chooses the direction from which each step of a model or submodel is shown: by quarter turns, and seldom.
+/** Chooses the direction from which each step of a model or submodel is shown, with as few quarter turns as possible.
  *
  * The first view is from the front right, from BuildingStep::AZIMUTH and ELEVATION.
  * Another one is chosen when other parts hide at least half of the new ones.

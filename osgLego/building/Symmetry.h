@@ -22,7 +22,7 @@ public:
     BuildingBox mirror(BuildingBox box) const;
     /** The part in the mirrored place; NONE if there is none, also for a part that mirrors itself. */
     std::uint32_t getTwin(std::uint32_t part) const { return _twins[part]; }
-    /** A place, in half cells, with the two sides of the plane laid on each other. */
+    /** A place, in half cells, mirrored to one side of the plane. */
     glm::ivec3 fold(glm::ivec3 place) const;
 
 private:
@@ -30,7 +30,7 @@ private:
     void findTwins(const std::vector<BuildingBox>& boxes);
 
     int _axis = -1; // the normal of the plane; none if negative
-    int _sum = 0;   // twice the plane's place
+    int _sum = 0;   // twice the coordinate of the plane
     std::vector<std::uint32_t> _twins;
 };
 

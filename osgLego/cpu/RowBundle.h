@@ -59,7 +59,7 @@ public:
         word |= bit;
     }
 
-    /** Add a colour that triangles contribute to a cell, one of which it then has instead of the mean of all. */
+    /** Add a candidate for the colour of a cell, which then has one of its candidates instead of their mean. */
     void addCandidate(const glm::ivec3& cell, const glm::vec3& color)
     {
         _dominantColors.add(RowBundle::rowOf(cell.y, cell.z) * _width + static_cast<std::size_t>(cell.x), color);

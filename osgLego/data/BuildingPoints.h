@@ -16,7 +16,7 @@ namespace osgLego
  * while the cell is in place and the neighbour on it is not. */
 struct CellRanks
 {
-    /** The rank of a neighbour that does not exist: the side is open for ever. */
+    /** The rank of a neighbour that does not exist: the side is always open. */
     static constexpr std::uint32_t NEVER = std::numeric_limits<std::uint32_t>::max();
 
     std::uint32_t own = 0;
@@ -29,7 +29,7 @@ struct CellRanks
 
 /** The points of a model for drawing it partly built: every cell that has an open side at some time, block by block.
  *
- * The open sides in a point and in a block are all that are ever open. */
+ * The open sides of a point and of a block are all sides that are open at some time. */
 struct BuildingPoints
 {
     std::vector<BrickPoint> points; //!< sorted by z, y and x within a block

@@ -71,7 +71,7 @@ enum class PartUse
     CUT //!< cut again, or kept if no edge is too long
 };
 
-/** Cut a triangle again and again, as cutLongEdges() does, but only where it is wanted.
+/** Cut a triangle repeatedly, as cutLongEdges() does, but only the parts that `decide` selects.
  * @param decide returns the PartUse of a part, given its corners.
  * @param keep called with the corners of each part that is kept. */
 template <typename Vertex, typename Number, typename Decide, typename Keep>

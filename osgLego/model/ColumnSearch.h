@@ -13,9 +13,8 @@ namespace osgLego
 
 /** Adds columns below a layout that falls, until it stands.
  *
- * First, each group of parts that fall and touch each other gets a column. Where that does not help, columns are added
- * one by one, each at the place after which the fewest parts fall. At last, columns are removed without which the model
- * stands, too.
+ * First, each group of falling parts that touch each other gets a column. If the model still falls, columns are added
+ * one by one, each at the place after which the fewest parts fall. Finally, superfluous columns are removed.
  *
  * The layout and the report must exist as long as this object. */
 class ColumnSearch
@@ -24,7 +23,7 @@ public:
     /** @param report that of the layout; kept up to date. */
     ColumnSearch(SupportedLayout& layout, StabilityReport& report, const std::function<bool()>& isCancelled);
 
-    /** Add columns; some may be left even if the model does not stand with them.
+    /** Add columns; some may remain even if the model falls nevertheless.
      * @return false if it was cancelled. */
     bool run();
 

@@ -13,7 +13,7 @@
 namespace osgLego
 {
 
-/** The way in which bricks are made on the CPU, and the result apart from the bricks. */
+/** Options for making bricks on the CPU, and results other than the bricks. */
 struct CpuBricksWork
 {
     std::function<bool()> isCancelled;    //!< called from any thread; may be empty
@@ -24,7 +24,7 @@ struct CpuBricksWork
     std::string error; //!< why there are no bricks, in one sentence; empty if it was cancelled
 };
 
-/** Make the bricks of a source: voxelize it, and do all else that its settings ask for. May be called from any thread;
+/** Make the bricks of a source: voxelize it, and apply its other settings. May be called from any thread;
  * uses all threads that oneTBB gives the caller.
  * @return null if it was cancelled, or with `work.error`. @throws std::bad_alloc if there is not enough memory. */
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work);

@@ -15,7 +15,7 @@ namespace osgLego
 std::optional<StabilityReport> computeStanding(const LayoutProblem& problem, const LaidParts& parts,
                                                const std::function<bool()>& isCancelled);
 
-/** Whether a layout is nearer to standing than another one: fewer of its parts fall or, if all stand, its margin is
+/** Whether a layout is more stable than another one: fewer of its parts fall or, if all stand, its margin is
  * greater. */
 bool standsBetter(const StabilityReport& report, const StabilityReport& other);
 

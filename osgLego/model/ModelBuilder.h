@@ -25,7 +25,7 @@ struct PreviousLayout
     std::vector<PaletteColor> colors; //!< those of the parts
 };
 
-/** Turns the covered cells of a mesh into the bricks that the settings ask for: looks up their colours in a palette,
+/** Turns the covered cells of a mesh into bricks by the settings: looks up their colours in a palette,
  * fills the interior, and lays parts.
  *
  * Usage:

@@ -7,7 +7,7 @@
 namespace osgLego
 {
 
-/** Makes a layout stand on a table that would fall, or parts of which float.
+/** Changes a layout that falls, or has floating parts, so that it stands on a table.
  *
  * First, parts near those that fall, and near the weakest joint, are laid again with greater costs of stacked seams, so
  * that bricks cross the weak place. Only if the model still falls are columns added below it (ColumnSearch). A layout

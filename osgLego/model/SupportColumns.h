@@ -37,7 +37,7 @@ public:
      * @param below indices of parts. @return none if no place below them is free. */
     std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
 
-    /** Regard the cells of a column as covered from now on. */
+    /** Mark the cells of a column as covered. */
     void add(const SupportColumn& column);
 
 private:

@@ -97,7 +97,7 @@ public:
     /** The bounds of the bricks, including those still being made. */
     osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
 
-    /** Make sure that there is a brick set for picking, even before any context has drawn one. */
+    /** Ensure that there is a brick set for picking, even before any context has drawn one. */
     void prepareForPicking();
     /** The bricks of getModel() as osg::Geometry, created by the first call; null if there are none. */
     osg::ref_ptr<osg::Node> getGeometryNode();

@@ -34,11 +34,11 @@ public:
      * @return whether it was flattened. */
     bool look(const osg::Node& node, const Request& request, bool isDirty);
 
-    /** Forget the source, because other bricks are shown instead of its own.
+    /** Forget the source, because other bricks are shown instead.
      * @return the revision of these bricks. */
     std::uint64_t drop();
 
-    /** The number of the last source, of its absence, or of the bricks shown instead of its own;
+    /** The number of the last source, of its absence, or of the bricks shown instead;
      * higher after every change. */
     std::uint64_t getRevision() const { return _revision; }
 

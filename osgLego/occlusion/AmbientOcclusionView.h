@@ -30,7 +30,7 @@ struct OcclusionFormat
     bool operator==(const OcclusionFormat&) const = default;
 };
 
-/** The programs and textures shared by all views of the same format, whatever their size, since creating them is
+/** The programs and textures shared by all views of the same format and any size, since creating them is
  * expensive. */
 struct AmbientOcclusionPrograms : public osg::Referenced
 {

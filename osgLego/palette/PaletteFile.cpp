@@ -36,7 +36,7 @@ std::string unreadable(const fs::path& path, const std::error_code& problem)
     return path.string() + ": the palette can't be read: " + problem.message();
 }
 
-/** Look at a file without opening it. @return one sentence if it can't be a palette. */
+/** Check a file without opening it. @return an error message; empty if it may be a palette. */
 std::string inspect(const fs::path& path)
 {
     std::error_code problem;
@@ -52,7 +52,7 @@ std::string inspect(const fs::path& path)
     return {};
 }
 
-/** Read a file, which may have grown since its size was looked up. @return one sentence if that fails. */
+/** Read a file, which may have grown since its size was checked. @return an error message; empty on success. */
 std::string readText(const fs::path& path, std::string& text)
 {
     errno = 0;

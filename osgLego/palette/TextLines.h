@@ -21,7 +21,7 @@ public:
     /** @param text must outlive this object. */
     explicit TextLines(std::string_view text);
 
-    /** Go on to the next line, at first to the first. @return false at the end. */
+    /** Advance to the next line; the first call advances to the first line. @return false at the end. */
     bool next();
     std::string_view get() const { return _line; }
 

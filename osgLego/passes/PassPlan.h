@@ -28,8 +28,8 @@ struct PassPlan
 
     static PassPlan create(const LegoSource& source);
 
-    /** Whether a pass follows voxelization that replaces sums of colours by the dominant colours, since the nearest
-     * colour of a palette to a mixture of two colours may be neither. */
+    /** Whether a pass after voxelization replaces sums of colours by dominant colours. A palette needs it: its nearest
+     * colour to a mixture of two colours may be a third one. */
     bool findsDominantColors() const { return hasPalette && format != VoxelFormat::COLOR; }
     /** The format of the voxel image that extraction reads. */
     VoxelFormat getExtractedFormat() const { return hasPalette ? VoxelFormat::COLOR : format; }

@@ -99,7 +99,7 @@ public:
 
     /** Set the wanted source. @param bricks the set to deliver once its bricks are made. */
     void setSource(const LegoSource& source, const BrickSet& bricks);
-    /** Want no bricks any more: passes that have not begun do nothing. */
+    /** Withdraw the wanted source: passes that have not begun do nothing. */
     void clearSource();
     /** The wanted source and its brick set, read together. */
     WantedBricks getWanted() const;

@@ -33,7 +33,7 @@ struct DrawnBricks
 {
     /** All bricks. */
     DrawnBricks(const ContextBricks& bricks, const BrickLines& brickLines);
-    /** The bricks of the parts in place, from the set for drawing the model partly built. */
+    /** The bricks of the parts in place, from the set of the partly built model. */
     DrawnBricks(const ContextBricks& bricks, const BuildingState& state, const BrickLines& brickLines);
 
     const BrickGrid& grid;

@@ -17,7 +17,7 @@
 namespace osgLego
 {
 
-/** Makes results on threads of their own, each for one revision of its input, of which only the newest is wanted.
+/** Makes results on separate threads, each for one revision of its input, of which only the newest is wanted.
  *
  * A request for another revision cancels the run in progress, though never twice in a row: input that changes faster
  * than its results are made would otherwise never have one.

@@ -16,7 +16,7 @@ namespace osgLego
 std::string catchFailure(const std::function<void()>& work, const std::string& outOfMemory,
                          const std::string& prefix = {});
 
-/** Work on a thread of its own, which can be cancelled and waited for. Loops of oneTBB in the work use the threads of
+/** Work on a separate thread, which can be cancelled and waited for. Loops of oneTBB in the work use the threads of
  * oneTBB as well, and end early when it is cancelled.
  *
  * Every function except start() may be called from any thread.

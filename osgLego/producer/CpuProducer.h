@@ -43,7 +43,7 @@ public:
     /** Wait for the set in progress, if there is one, and deliver it. */
     void finish();
 
-    /** The number of sets that were made, could not be made, and were cancelled. */
+    /** The number of sets that were made, that failed, and that were cancelled. */
     auto getCounts() const { return _job.getCounts(); }
 
 private:

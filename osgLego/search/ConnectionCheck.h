@@ -13,9 +13,9 @@ namespace osgLego
 
 /** Decides whether laying a window again may separate parts of the model from each other.
  *
- * It looks only at a limited number of parts around the window, and at components of parts that nobody changes: parts
- * that are also connected farther away count as separate. So a layout that passes never has more components, and a few
- * harmless ones fail.
+ * It examines only a limited number of parts around the window, and components of parts that no thread changes. Parts
+ * that are connected only farther away count as separate. So a layout that passes never has more components, but a few
+ * harmless layouts fail.
  *
  * Keeps its memory from one window to the next. One thread at a time. */
 class ConnectionCheck

@@ -14,7 +14,7 @@ struct LayoutOptions
     Effort effort = Effort::NORMAL;
     std::uint32_t seed = 0;
     int bond = 1; //!< a factor, 1 to 10, of the cost of stacked seams: parts overlap more if it is greater
-    /** Called now and then, from any thread; the layout ends early if it returns true. May be empty. */
+    /** Called regularly, from any thread; the layout ends early if it returns true. May be empty. */
     std::function<bool()> isCancelled;
     /** Called with the fraction done, 0 to 1, in one thread. May be empty. */
     std::function<void(double)> progress;

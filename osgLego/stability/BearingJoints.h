@@ -56,21 +56,21 @@ private:
     std::vector<Eigen::Vector2d> _points;
 };
 
-/** Spread a load over points as evenly as possible: the least forces at the points that amount to the load.
- * @param center near the points, for precision. @return nothing if no forces at these points do. */
+/** Spread a load over points as evenly as possible: the least forces at the points whose sum is the load.
+ * @param center near the points, for precision. @return nothing if no forces at these points have this sum. */
 std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const std::vector<Eigen::Vector2d>& points,
                                               const Eigen::Vector2d& center);
 
 /** Forces that keep the parts in place in equilibrium. */
 struct BearingForces
 {
-    /** The pull that a contact point bears, also one with a base plate, with something left for rounding errors. */
+    /** The greatest pull at a contact point, also with a base plate, minus a margin for rounding errors. */
     static constexpr double CAPACITY = 0.999 * StabilityReport::CAPACITY;
 
     std::vector<bool> isPlaced;
     std::vector<double> pressures;        //!< for each contact point, in newtons
     std::vector<VerticalLoad> floorLoads; //!< for each part, on the base
-    double floorPull = 0.0;               //!< pull at points of the base, at most, that `floorLoads` does not contain
+    double floorPull = 0.0; //!< the greatest pull at points of the base that `floorLoads` does not contain
 };
 
 } // namespace osgLego

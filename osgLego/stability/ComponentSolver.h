@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** How parts that touch each other stand. */
+/** The stability of parts that touch each other. */
 struct ComponentStability
 {
     /** The least upper limit of drags, in newtons, with which the parts are in equilibrium; infinite if
@@ -23,7 +23,7 @@ struct ComponentStability
     std::vector<std::uint32_t> falling;            //!< indices into `loads`
 };
 
-/** Compute how parts that touch each other, each connected to the base, stand.
+/** Compute the stability of parts that touch each other, each connected to the base.
  * @param boxes those of all parts of the model.
  * @param parts indices into `boxes`, in ascending order.
  * @param contacts between these parts, and of them with the base.

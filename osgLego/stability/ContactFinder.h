@@ -11,7 +11,7 @@
 namespace osgLego
 {
 
-/** The box of a part, with z upwards whatever the up axis of its grid is. */
+/** The box of a part, with z upwards for every up axis of the grid. */
 struct PartBox
 {
     glm::ivec3 low{0};  //!< in studs, studs and plates

@@ -19,7 +19,7 @@ struct EquilibriumGoal
     static constexpr double FORCE_COST = 1e-6;
 
     double penalty = 1.0;
-    /** The most that the tension, the upper limit of drags, may be, in newtons. */
+    /** The upper bound of the tension, which is the limit of drags, in newtons. */
     double capacity = 1.0;
     /** Whether the tension is minimized; otherwise it is `capacity`. */
     bool minimizesTension = false;

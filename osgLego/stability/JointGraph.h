@@ -17,7 +17,7 @@ struct PartLink
     int studs = 0;          //!< the columns that they share
 };
 
-/** Which parts are above each other: jointed by studs, or farther apart in the same column.
+/** The parts above and below each part: joined by studs, or farther away in the same column.
  *
  * Immutable once created; every function may be called from any thread. */
 class JointGraph

@@ -16,10 +16,10 @@ class StabilityAnalysis;
 
 /** Finds the parts that fall if only some of the parts of a model or submodel are in place.
  *
- * Most partial models are found to stand by simpler means than the linear program, which is solved for the others only:
- * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. Since forces
- * in equilibrium can be added, this also works on top of the solution of a linear program, of which only the margin is
- * known.
+ * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
+ * others. WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. The
+ * sum of two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of which only
+ * the margin is known.
  *
  * One thread. */
 class PartialStability
@@ -44,8 +44,8 @@ public:
     ~PartialStability();
 
     /** @param isPlaced for each part of the graph.
-     * @return the parts that fall, as indices into the graph; nothing if that is not known: simpler means do not show
-     * that the parts stand, and linear programs have had `mostSolved` parts or more, or it was cancelled. */
+     * @return the parts that fall, as indices into the graph; nothing if that is not known: the simpler methods do
+     * not prove that the parts stand, and linear programs have had `mostSolved` parts or more, or it was cancelled. */
     std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
 
 private:

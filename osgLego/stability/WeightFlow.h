@@ -7,12 +7,12 @@
 namespace osgLego
 {
 
-/** Adds the weights of more parts to forces in equilibrium: each part passes its load on to the parts below it, or, if
- * it hangs, to those from which it hangs, spread over its contact points as evenly as possible.
+/** Adds the weights of more parts to forces in equilibrium: each part passes its load on to the parts below it or, if
+ * it hangs, to those above it, spread over its contact points as evenly as possible.
  *
  * If the forces stay within the capacity of the joints, the parts stand: such forces are a solution of the linear
- * program of computeStability(). Otherwise, they may stand nevertheless. The time grows with the number of parts that
- * bear more.
+ * program of computeStability(). If they exceed it, the parts may stand with other forces. The time grows with the
+ * number of parts whose load changes.
  *
  * Immutable once created; every function may be called from any thread. */
 class WeightFlow

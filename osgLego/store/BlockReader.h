@@ -28,7 +28,7 @@ public:
     void poll(const osg::State& state, bool waits, const std::function<void(std::span<const BrickPoint>)>& use);
     /** Drop any copy in progress. */
     void stop();
-    /** Drop its fence as well, which the context then takes along: for a context that closes. */
+    /** Drop the copy without deleting its fence, for a context that closes and so deletes it. */
     void forget();
 
 private:

@@ -12,7 +12,7 @@ namespace osgLego
  * number of the cell of its vertex (the paper, section III-B, Algorithms 3 and 4).
  *
  * If several vertices fall on the same pixel, the depth buffer keeps the one nearest to the picture, and the first of
- * those at the same depth: cells are lost behind others, and the larger the picture, the fewer. The picture is fitted
+ * those at the same depth. Cells behind others are lost; a larger picture loses fewer of them. The picture is fitted
  * to the triangles. The direction of projection is parallel to no coordinate plane, so that no wall of an upright model
  * is projected to a line.
  */

@@ -10,7 +10,7 @@
 namespace osgLego
 {
 
-/** The bricks of the parts in a document, and the parts that are no bricks. */
+/** The bricks of the parts in a document, and the parts that can't be bricks. */
 struct LDrawBricks
 {
     static constexpr double MILLIMETRES = 0.4; //!< of 1 LDU

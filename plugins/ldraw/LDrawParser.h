@@ -5,8 +5,8 @@
 namespace osgLego
 {
 
-/** Reads the lines of an LDrawDocument. Functions that return a string return one sentence on what is wrong, or nothing
- * if there is no error. */
+/** Reads the lines of an LDrawDocument. Functions that return a string return an error message in one sentence; empty
+ * on success. */
 class LDrawParser
 {
 public:

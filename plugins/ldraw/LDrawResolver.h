@@ -19,7 +19,7 @@ struct LDrawPart
 
 /** Follows the references of a document to its parts, and to the surfaces of files that are not parts of known types.
  *
- * Functions that return a string return one sentence on what is wrong, or nothing if there is no error. One thread.
+ * Functions that return a string return an error message in one sentence; empty on success. One thread.
  */
 class LDrawResolver
 {

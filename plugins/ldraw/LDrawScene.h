@@ -18,8 +18,8 @@ namespace osgLego
 /** The parts of a LegoNode, to be written. */
 struct LDrawModel
 {
-    /** The most parts of a model of which the stability is checked after every step, unless its node has a plan: more
-     * take longer than conversions should. */
+    /** The largest number of parts for which the stability is checked after every step, unless the node has a plan.
+     * Larger models would take longer than conversions should. */
     static constexpr std::size_t MOST_CHECKED = 500;
 
     osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
@@ -39,7 +39,7 @@ struct LDrawPlacement
 };
 
 /** The visible LegoNodes of a scene, for a file of LDraw. The first of them determines the axes and the scale of the
- * file, so that its studs point upwards whatever transforms are above it. */
+ * file, so that its studs point upwards under any transforms. */
 struct LDrawScene
 {
     std::vector<LDrawModel> models;

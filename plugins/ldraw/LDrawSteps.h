@@ -20,8 +20,8 @@ namespace osgLego
 class LDrawSteps
 {
 public:
-    /** Submodels within submodels that become files of their own. Readers limit the depth of files; the content of a
-     * deeper submodel is written where it is attached. */
+    /** The depth up to which nested submodels become files. Readers limit the depth of files; the content of a deeper
+     * submodel is written where it is attached. */
     static constexpr std::size_t DEEPEST = 32;
 
     /** @param model with a plan; it must outlive this object.

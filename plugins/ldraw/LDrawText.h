@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** The most bytes that are read of a file: more than LDrawResolver::MOST_LINES parts in usual places take. */
+/** The most bytes that are read of a file: more than the text of LDrawResolver::MOST_LINES parts usually takes. */
 inline constexpr std::uintmax_t LARGEST_TEXT = std::uintmax_t(1) << 30;
 
 /** The content of a file. @return nothing, with the reason in `error`, if it can't be read, is a device or a pipe,

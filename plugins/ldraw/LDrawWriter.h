@@ -15,7 +15,7 @@ class LDrawWriter
 public:
     /** @param scene must outlive this object.
      * @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
-     * submodels of a building plan are files of their own, and so are models if there are several. */
+     * submodels of a building plan are separate files, and so are models if there are several. */
     LDrawWriter(const LDrawScene& scene, const std::string& fileName);
 
     void write(std::ostream& stream) const;

@@ -129,7 +129,7 @@ private:
         return list;
     }
 
-    /** Show a file that is bricks already, as the settings ask for. */
+    /** Show a file that already consists of bricks, by the settings. */
     static ReadResult showStored(const osg::ref_ptr<osg::Node>& source, const std::vector<osgLego::LegoNode*>& nodes,
                                  const std::string& fileName, const LegolizeSettings& settings,
                                  const osgLego::LightProbe& probe)

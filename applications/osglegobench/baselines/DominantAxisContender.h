@@ -23,7 +23,7 @@ namespace osgLego
  * conservative variant enlarges triangles by half a pixel (Hasselgren, Akenine-Moller, Ohlsson, "Conservative
  * Rasterization", 2005), within their bounds, and uses all cells of a pixel that the triangle's plane intersects. It
  * finds too many cells, since neither the outline nor the plane is tested against the cell itself, and misses some
- * along triangles so thin that rounding spoils their plane.
+ * along triangles that are too thin for an accurate plane.
  */
 class DominantAxisContender : public GlContender
 {
