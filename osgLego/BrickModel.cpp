@@ -43,7 +43,8 @@ osg::ref_ptr<const BrickModel> BrickModel::createComplete(const BrickGrid& grid,
     return model;
 }
 
-osg::ref_ptr<const BrickModel> BrickModel::createOfParts(const BrickGrid& grid, std::vector<Part> parts)
+osg::ref_ptr<const BrickModel> BrickModel::createOfParts(const BrickGrid& grid, std::vector<Part> parts,
+                                                         const std::vector<Brick>& covered)
 {
     const auto isBefore = [&grid](const Part& a, const Part& b)
     { return numberOf(grid, a.getCell()) < numberOf(grid, b.getCell()); };
@@ -77,7 +78,21 @@ osg::ref_ptr<const BrickModel> BrickModel::createOfParts(const BrickGrid& grid, 
         model->_partIndices.push_back(partIndices[index]);
     }
     model->findOpenSides();
+    if (!covered.empty()) model->findAdded(covered);
     return model;
+}
+
+void BrickModel::findAdded(const std::vector<Brick>& covered)
+{
+    // Both are sorted, so the search only ever moves forward.
+    auto other = covered.begin();
+    for (const Brick& brick : _bricks)
+    {
+        const auto number = numberOf(_grid, brick.getCell());
+        while (other != covered.end() && numberOf(_grid, other->getCell()) < number)
+            ++other;
+        _isAdded.push_back(other == covered.end() || other->cell != brick.cell);
+    }
 }
 
 void BrickModel::findOpenSides()

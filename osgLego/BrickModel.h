@@ -61,11 +61,17 @@ public:
     /** Create a model from covered cells that are already sorted and have their `openSides` set. */
     static osg::ref_ptr<const BrickModel> createComplete(const BrickGrid& grid, std::vector<Brick> bricks);
 
-    /** Create a model from parts, in any order: each within the grid, and no two with a common cell. */
-    static osg::ref_ptr<const BrickModel> createOfParts(const BrickGrid& grid, std::vector<Part> parts);
+    /** Create a model from parts, in any order: each within the grid, and no two with a common cell.
+     * @param covered the cells that a mesh covers, sorted as getBricks(), if parts have other cells too; see isAdded().
+     */
+    static osg::ref_ptr<const BrickModel> createOfParts(const BrickGrid& grid, std::vector<Part> parts,
+                                                        const std::vector<Brick>& covered = {});
 
     const BrickGrid& getGrid() const { return _grid; }
     const std::vector<Brick>& getBricks() const { return _bricks; }
+    /** Whether a brick is in a cell that the mesh does not cover: in the interior, or in a column that supports the
+     * model. False if that is not known, as for models that were read from files. @param brick its index. */
+    bool isAdded(std::size_t brick) const { return !_isAdded.empty() && _isAdded[brick]; }
     /** The number of bricks with at least one open side; only these are drawn. */
     std::size_t getNumVisible() const;
     /** The brick in a cell; null if the cell is empty or outside the grid. */
@@ -83,11 +89,13 @@ private:
     ~BrickModel() override = default;
 
     void findOpenSides();
+    void findAdded(const std::vector<Brick>& covered);
 
     BrickGrid _grid;
     std::vector<Brick> _bricks;
     std::vector<Part> _parts;
     std::vector<std::uint32_t> _partIndices;
+    std::vector<bool> _isAdded; // of each brick; empty if none is
 };
 
 } // namespace osgLego

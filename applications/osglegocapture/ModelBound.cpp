@@ -3,7 +3,6 @@
 #include "Cancellation.h"
 
 #include <common/LayoutBound.h>
-#include <osgLego/CpuLegolizer.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 
@@ -39,21 +38,7 @@ std::vector<LayoutColor> findColors(const BrickModel& model, const LegoSettings&
     return colors;
 }
 
-/** The covered cells, without those that fill the interior; null for stored bricks, whose source is not known. */
-osg::ref_ptr<const BrickModel> findSurface(const LegoNode& lego)
-{
-    if (lego.getStoredBricks()) return nullptr;
-    LegoSettings settings = lego.getSettings();
-    settings.colors.palette = settings.getPalette();
-    settings.parts.set = PartSet::NONE;
-    settings.parts.fill = Fill::SURFACE;
-    osg::ref_ptr<osg::Group> source = new osg::Group;
-    for (unsigned int index = 0; index < lego.getNumChildren(); ++index)
-        source->addChild(const_cast<osg::Node*>(lego.getChild(index)));
-    return legolizeOnCpu(*source, settings);
-}
-
-LayoutProblem createProblem(const BrickModel& model, const BrickModel* surface, const LegoSettings& settings)
+LayoutProblem createProblem(const BrickModel& model, const LegoSettings& settings)
 {
     LayoutProblem problem;
     std::map<Color, std::uint16_t> indices;
@@ -67,10 +52,11 @@ LayoutProblem createProblem(const BrickModel& model, const BrickModel* surface, 
     const glm::ivec3& size = model.getGrid().dimensions;
     const auto turned = toLayout(std::array{size.x, size.y, size.z});
     problem.size = {turned[0], turned[1], turned[2]};
-    for (const Brick& brick : model.getBricks())
+    for (std::size_t index = 0; index < model.getBricks().size(); ++index)
     {
-        const bool isInterior = surface && !surface->find(brick.getCell());
-        problem.cells.push_back({toLayout(brick.cell), isInterior ? LayoutCell::ANY_COLOR : indices.at(brick.color)});
+        const Brick& brick = model.getBricks()[index];
+        const std::uint16_t color = model.isAdded(index) ? LayoutCell::ANY_COLOR : indices.at(brick.color);
+        problem.cells.push_back({toLayout(brick.cell), color});
     }
     std::sort(problem.cells.begin(), problem.cells.end(),
               [](const LayoutCell& a, const LayoutCell& b)
@@ -84,11 +70,10 @@ std::size_t computeModelBound(const LegoNode& lego)
 {
     const osg::ref_ptr<const BrickModel> model = lego.getBricks();
     if (!model || model->getParts().empty() || getCellPlates(model->getGrid()) != 3) return 0;
-    const osg::ref_ptr<const BrickModel> surface = findSurface(lego);
     BoundOptions options;
     options.isCancelled = Cancellation::isRequested;
     std::size_t sum = 0;
-    for (const LayerBound& layer : boundLayers(createProblem(*model, surface.get(), lego.getSettings()), {}, options))
+    for (const LayerBound& layer : boundLayers(createProblem(*model, lego.getSettings()), {}, options))
         sum += layer.parts;
     Cancellation::check();
     return sum;

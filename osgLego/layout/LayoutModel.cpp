@@ -76,7 +76,7 @@ std::vector<PaletteColor> collectColors(const FilledCells& cells)
 }
 
 osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
-                                           const std::vector<PaletteColor>& colors)
+                                           const std::vector<PaletteColor>& colors, const std::vector<Brick>& covered)
 {
     std::vector<Part> real;
     real.reserve(parts.size());
@@ -85,7 +85,7 @@ osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGr
         const PaletteColor& color = colors[part.color];
         real.push_back({exchangeAxes(part.place, grid), exchangeAxes(part.size, grid), color.color, color.code});
     }
-    return BrickModel::createOfParts(grid, std::move(real));
+    return BrickModel::createOfParts(grid, std::move(real), covered);
 }
 
 } // namespace osgLego

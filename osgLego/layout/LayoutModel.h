@@ -18,8 +18,10 @@ LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, con
 /** The colours of all covered cells, for models without a palette, as colours in which every size was made. */
 std::vector<PaletteColor> collectColors(const FilledCells& cells);
 
-/** The model of a layout in the grid of its cells. */
+/** The model of a layout in the grid of its cells.
+ * @param covered as in BrickModel::createOfParts(). */
 osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
-                                           const std::vector<PaletteColor>& colors);
+                                           const std::vector<PaletteColor>& colors,
+                                           const std::vector<Brick>& covered = {});
 
 } // namespace osgLego

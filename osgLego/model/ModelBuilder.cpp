@@ -70,6 +70,14 @@ void warnOfLeak(Fill fill)
              << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
 }
 
+std::vector<Brick> selectCovered(const FilledCells& cells)
+{
+    std::vector<Brick> covered;
+    for (std::size_t index = 0; index < cells.bricks.size(); ++index)
+        if (!cells.isInterior[index]) covered.push_back(cells.bricks[index]);
+    return covered;
+}
+
 /** Parts, and what they cover. */
 struct Layout
 {
@@ -159,7 +167,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
         statistics.support->milliseconds = stopwatch.lap();
     }
     statistics.numInterior = cells.numInterior;
-    osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors);
+    osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors, selectCovered(cells));
     _measureLayout = [layout, statistics] { return measure(*layout, statistics); };
     if (_previous) *_previous = {_settings, layout->parts, std::move(colors)};
     return model;

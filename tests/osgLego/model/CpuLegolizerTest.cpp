@@ -37,6 +37,24 @@ osg::ref_ptr<osg::Geometry> colored(const osg::ref_ptr<osg::Geometry>& geometry,
     return geometry;
 }
 
+TEST(CpuLegolizer, MarksTheBricksThatTheMeshDoesNotCover)
+{
+    const osg::ref_ptr<osg::Node> sphere = test::createSphere(12);
+    LegoSettings settings = settingsOf(16);
+    settings.grid.proportions = Proportions::BRICK;
+    const osg::ref_ptr<const BrickModel> surface = legolizeOnCpu(*sphere, settings);
+    settings.parts.set = PartSet::BRICKS;
+    for (const Fill fill : {Fill::SURFACE, Fill::SHELL, Fill::SOLID})
+        for (const bool support : {false, true})
+        {
+            settings.parts.fill = fill;
+            settings.parts.support = support;
+            const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*sphere, settings);
+            for (std::size_t brick = 0; brick < model->getBricks().size(); ++brick)
+                ASSERT_EQ(model->isAdded(brick), !surface->find(model->getBricks()[brick].getCell()));
+        }
+}
+
 TEST(CpuLegolizer, CoversExactlyTheCellsThatATriangleOverlaps)
 {
     for (const osg::ref_ptr<osg::Node>& node :
