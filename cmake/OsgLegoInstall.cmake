@@ -1,4 +1,4 @@
-# Installs the library, its public headers, the packages for find_package(osgLego) and pkg-config, the licence, and the manual
+# Installs the libraries, their public headers, the packages for find_package(osgLego) and pkg-config, the licence, and the manual
 # page of osglegocapture.
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
 
@@ -24,6 +24,10 @@ file(RELATIVE_PATH OSGLEGO_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" OSGLEGO_PC_PREFIX ${OSGLEGO_PC_PREFIX})
 configure_file(cmake/osgLego.pc.in ${PROJECT_BINARY_DIR}/osgLego.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/osgLego.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(TARGET osgLegoBooklet)
+    configure_file(cmake/osgLegoBooklet.pc.in ${PROJECT_BINARY_DIR}/osgLegoBooklet.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/osgLegoBooklet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
