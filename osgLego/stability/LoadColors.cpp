@@ -3,7 +3,6 @@
 #include <osgLego/Stability.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,7 +19,9 @@ using Color = std::array<std::uint8_t, 3>;
 constexpr std::array<Color, 4> SCALE{{{49, 84, 190}, {38, 160, 90}, {240, 205, 40}, {205, 30, 30}}};
 constexpr Color FALLING{220, 0, 200};
 
-Color findColor(float load)
+} // namespace
+
+std::array<std::uint8_t, 3> findLoadColor(float load)
 {
     const float place = std::clamp(load, 0.0f, 1.0f) * static_cast<float>(SCALE.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), SCALE.size() - 2);
@@ -32,8 +33,6 @@ Color findColor(float load)
     return color;
 }
 
-} // namespace
-
 osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::function<bool()>& isCancelled)
 {
     if (model.getParts().empty()) return &model;
@@ -41,7 +40,7 @@ osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::f
     if (!report) return nullptr;
     std::vector<Part> parts = model.getParts();
     for (std::size_t part = 0; part < parts.size(); ++part)
-        parts[part].color = findColor(report->loads[part]);
+        parts[part].color = findLoadColor(report->loads[part]);
     for (const std::uint32_t part : report->falling)
         parts[part].color = FALLING;
     return BrickModel::createOfParts(model.getGrid(), std::move(parts));

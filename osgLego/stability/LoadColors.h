@@ -2,6 +2,8 @@
 
 #include <osgLego/BrickModel.h>
 
+#include <array>
+#include <cstdint>
 #include <functional>
 
 #include <osg/ref_ptr>
@@ -9,8 +11,12 @@
 namespace osgLego
 {
 
-/** A model on a table with its parts in colours for the load on their joints (StabilityReport::loads): blue for none,
- * green, yellow, and red for the whole capacity; magenta for parts that fall.
+/** The colour (red, green, blue) for a load on joints, as a share of their capacity: blue for none, green for a third,
+ * yellow for two thirds, and red for all of it or more. */
+std::array<std::uint8_t, 3> findLoadColor(float load);
+
+/** A model on a table with its parts in the colours for the load on their joints (StabilityReport::loads), and magenta
+ * for parts that fall.
  * @param isCancelled may be empty.
  * @return `model` itself if it has no parts; null if it was cancelled. */
 osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::function<bool()>& isCancelled = {});

@@ -12,7 +12,8 @@ namespace osgLego::test
 namespace
 {
 
-constexpr int SIZE = 64; // of the grid
+constexpr int SIZE = 64; // of the grid, in studs
+constexpr int HEIGHT = 128;
 
 /** The model with every part changed. */
 osg::ref_ptr<const BrickModel> change(const BrickModel& model, const std::function<void(Part&)>& changePart)
@@ -37,7 +38,7 @@ osg::ref_ptr<const BrickModel> createPartModel(std::vector<Part> parts, double c
 {
     BrickGrid grid;
     grid.cellSize = {1.0, 1.0, cellHeight};
-    grid.dimensions = glm::ivec3(SIZE);
+    grid.dimensions = glm::ivec3(SIZE, SIZE, HEIGHT);
     return BrickModel::createOfParts(grid, std::move(parts));
 }
 
@@ -66,6 +67,16 @@ osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts
             for (int x = place.x; x < place.x + width; ++x)
                 covered.insert({x, y, place.z});
     }
+    return createPartModel(std::move(parts));
+}
+
+osg::ref_ptr<const BrickModel> createLoadedCantilever(int numBricks1x3, int numBricks1x1)
+{
+    std::vector<Part> parts{createBrick({0, 1, 0}, 1, 1), createBrick({0, 1, 1}, 8, 1)};
+    for (int i = 0; i < numBricks1x3; ++i)
+        parts.push_back(createBrick({7, 0, 2 + i}, 1, 3));
+    for (int i = 0; i < numBricks1x1; ++i)
+        parts.push_back(createBrick({7, 1, 2 + numBricks1x3 + i}, 1, 1));
     return createPartModel(std::move(parts));
 }
 

@@ -19,6 +19,9 @@ osg::ref_ptr<const BrickModel> createPartModel(std::vector<Part> parts, double c
 /** A pile of random bricks, each on studs of others or on the ground. */
 osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts);
 
+/** A brick 1 x 8 with its first stud on a brick 1 x 1, and bricks piled on its last stud, 1 x 3 across and 1 x 1. */
+osg::ref_ptr<const BrickModel> createLoadedCantilever(int numBricks1x3, int numBricks1x1);
+
 /** The parts of a model, in a grid whose up axis is z, as another model: turned by a quarter about the up axis. */
 osg::ref_ptr<const BrickModel> turn(const BrickModel& model);
 /** The same, mirrored along x. */

@@ -1,5 +1,4 @@
 #include <osgLego/CpuLegolizer.h>
-#include <osgLego/LegoNode.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 #include <osgLego/Stability.h>
@@ -13,8 +12,6 @@
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include <osgUtil/LineSegmentIntersector>
 
 namespace osgLego::test
 {
@@ -44,7 +41,7 @@ std::set<std::array<std::uint8_t, 3>> colorsOf(const BrickModel& model)
     return colors;
 }
 
-TEST(Parts, EveryCellOfTheCarBelongsToARealPartInAColorInWhichItWasMade)
+TEST(ModelBuilder, EveryCellOfTheCarBelongsToARealPartInAColorInWhichItWasMade)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     std::string error;
@@ -73,7 +70,7 @@ TEST(Parts, EveryCellOfTheCarBelongsToARealPartInAColorInWhichItWasMade)
     }
 }
 
-TEST(Parts, ThreeStackedPlatesBecomeABrickWhereTheyMay)
+TEST(ModelBuilder, ThreeStackedPlatesBecomeABrickWhereTheyMay)
 {
     const osg::ref_ptr<const BrickModel> model =
         legolize(*createSphere(), "24,proportions=plate,parts=bricks,fill=solid");
@@ -87,7 +84,7 @@ TEST(Parts, ThreeStackedPlatesBecomeABrickWhereTheyMay)
     EXPECT_GT(countOf(PartFamily::PLATE), 0);
 }
 
-TEST(Parts, TheCellsOfTheSurfaceKeepTheirColors)
+TEST(ModelBuilder, TheCellsOfTheSurfaceKeepTheirColors)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     const osg::ref_ptr<const BrickModel> cells = legolize(*car, "32,proportions=brick,palette=ldraw");
@@ -103,7 +100,7 @@ TEST(Parts, TheCellsOfTheSurfaceKeepTheirColors)
     }
 }
 
-TEST(Parts, EqualSeedsGiveEqualPartsAndOthersGiveOthers)
+TEST(ModelBuilder, EqualSeedsGiveEqualPartsAndOthersGiveOthers)
 {
     const osg::ref_ptr<osg::Node> sphere = createSphere();
     const auto partsOf = [&](const char* settings) { return legolize(*sphere, settings)->getParts(); };
@@ -111,7 +108,7 @@ TEST(Parts, EqualSeedsGiveEqualPartsAndOthersGiveOthers)
     EXPECT_NE(partsOf("24,parts=bricks,colors=1,seed=3"), partsOf("24,parts=bricks,colors=1,seed=4"));
 }
 
-TEST(Parts, TheStatisticsDescribeTheModel)
+TEST(ModelBuilder, TheStatisticsDescribeTheModel)
 {
     LegoStatistics statistics;
     const osg::ref_ptr<const BrickModel> model =
@@ -127,16 +124,7 @@ TEST(Parts, TheStatisticsDescribeTheModel)
     EXPECT_GE(statistics.layout->maximumColorError, statistics.layout->meanColorError);
 }
 
-TEST(Parts, ANodeShowsThePartsThatTheCpuLays)
-{
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24,parts=bricks"));
-    lego->addChild(createRacingCar());
-    EXPECT_EQ(lego->getBricks()->getParts(), legolize(*createRacingCar(), "24,parts=bricks")->getParts());
-    EXPECT_TRUE(lego->setSettings(parseSettings("24,proportions=brick")));
-    EXPECT_TRUE(lego->getBricks()->getParts().empty());
-}
-
-TEST(Parts, ALimitedPaletteGivesNoMoreColors)
+TEST(ModelBuilder, ALimitedPaletteGivesNoMoreColors)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     EXPECT_EQ(colorsOf(*legolize(*car, "32,palette=ldraw,colors=1")).size(), 1u);
@@ -144,23 +132,7 @@ TEST(Parts, ALimitedPaletteGivesNoMoreColors)
     EXPECT_GT(colorsOf(*legolize(*car, "32")).size(), 100u);
 }
 
-TEST(Parts, AMissingPaletteIsReportedAndChangesNothing)
-{
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24"));
-    bool isSet = true;
-    const std::string notices =
-        noticesOf([&] { isSet = lego->setSettings(parseSettings("24,palette=no-such-palette.csv")); });
-    EXPECT_FALSE(isSet);
-    EXPECT_NE(notices.find("no-such-palette.csv"), std::string::npos) << notices;
-    EXPECT_EQ(lego->getSettings(), parseSettings("24"));
-    osg::ref_ptr<const BrickModel> model;
-    EXPECT_NE(noticesOf([&] { model = legolize(*createSphere(), "24,palette=no-such-palette.csv"); })
-                  .find("no-such-palette.csv"),
-              std::string::npos);
-    EXPECT_FALSE(model);
-}
-
-TEST(Parts, AProgramMayEndALayout)
+TEST(ModelBuilder, AProgramMayEndALayout)
 {
     double last = -1.0;
     const osg::ref_ptr<const BrickModel> model =
@@ -176,7 +148,7 @@ TEST(Parts, AProgramMayEndALayout)
     EXPECT_LT(last, 1.0);
 }
 
-TEST(Parts, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
+TEST(ModelBuilder, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
 {
     osg::ref_ptr<osg::Group> roofAndFloor = new osg::Group;
     roofAndFloor->addChild(createTriangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}));
@@ -200,7 +172,7 @@ TEST(Parts, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
     }
 }
 
-TEST(Parts, SupportAddsNoColumnWithoutWhichTheModelStands)
+TEST(ModelBuilder, SupportAddsNoColumnWithoutWhichTheModelStands)
 {
     osg::ref_ptr<osg::Node> car = createRacingCar();
     const osg::ref_ptr<const BrickModel> bare = legolize(*car, "22,parts=bricks,effort=instant");
@@ -223,7 +195,7 @@ TEST(Parts, SupportAddsNoColumnWithoutWhichTheModelStands)
     }
 }
 
-TEST(Parts, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
+TEST(ModelBuilder, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
 {
     osg::ref_ptr<osg::Node> triangle = createTriangle({0, 0, 0}, {3, 0, 0}, {0, 3, 3});
     osg::ref_ptr<const BrickModel> model;
@@ -232,7 +204,7 @@ TEST(Parts, AnOpenSurfaceHasNoInteriorWhichAWarningSays)
     EXPECT_EQ(model->getBricks().size(), legolize(*triangle, "16")->getBricks().size());
 }
 
-TEST(Parts, AModelTooLargeToBeFilledIsRefusedWithItsSize)
+TEST(ModelBuilder, AModelTooLargeToBeFilledIsRefusedWithItsSize)
 {
     osg::ref_ptr<osg::Node> sphere = createSphere(6);
     osg::ref_ptr<const BrickModel> model;
@@ -241,45 +213,7 @@ TEST(Parts, AModelTooLargeToBeFilledIsRefusedWithItsSize)
     EXPECT_NE(notices.find("cells; expected at most 67108864"), std::string::npos) << notices;
 }
 
-/** A node whose interior has too many cells. */
-osg::ref_ptr<LegoNode> createTooLarge()
-{
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("600,fill=solid"));
-    lego->addChild(createSphere(6));
-    return lego;
-}
-
-TEST(Parts, ANodeThatCannotBeFilledHasNoBricksAndSaysWhyAlsoAfterPicking)
-{
-    const osg::ref_ptr<LegoNode> lego = createTooLarge();
-    EXPECT_EQ(lego->getObstacle(), "");
-    EXPECT_FALSE(lego->getBricks());
-    EXPECT_NE(lego->getObstacle().find("cells; expected at most 67108864"), std::string::npos);
-    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
-        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
-    osgUtil::IntersectionVisitor visitor(line);
-    lego->accept(visitor);
-    EXPECT_FALSE(lego->getBricks());
-    EXPECT_NE(lego->getObstacle(), "");
-    EXPECT_TRUE(lego->setSettings(parseSettings("16,fill=solid")));
-    EXPECT_TRUE(lego->getBricks());
-    EXPECT_EQ(lego->getObstacle(), "");
-}
-
-TEST(Parts, PickingUsesThePartsThatWereLaid)
-{
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("16,parts=bricks,colors=2"));
-    lego->addChild(createSphere());
-    const osg::ref_ptr<const BrickModel> model = lego->getBricks();
-    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
-        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
-    osgUtil::IntersectionVisitor visitor(line);
-    lego->accept(visitor);
-    EXPECT_TRUE(line->containsIntersections());
-    EXPECT_EQ(lego->getBricks(), model);
-}
-
-TEST(Parts, OneCellIsOnePart)
+TEST(ModelBuilder, OneCellIsOnePart)
 {
     const osg::ref_ptr<const BrickModel> model =
         legolize(*createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), "1,parts=bricks,fill=solid");

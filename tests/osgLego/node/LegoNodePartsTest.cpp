@@ -1,0 +1,95 @@
+#include <osgLego/CpuLegolizer.h>
+#include <osgLego/LegoNode.h>
+
+#include <common/RacingCar.h>
+
+#include <Meshes.h>
+#include <Notices.h>
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <osgUtil/LineSegmentIntersector>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+LegoSettings parseSettings(const std::string& text)
+{
+    LegoSettings settings;
+    std::string error;
+    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
+    return settings;
+}
+
+TEST(LegoNodeParts, ANodeShowsThePartsThatTheCpuLays)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24,parts=bricks"));
+    lego->addChild(createRacingCar());
+    EXPECT_EQ(lego->getBricks()->getParts(),
+              legolizeOnCpu(*createRacingCar(), parseSettings("24,parts=bricks"))->getParts());
+    EXPECT_TRUE(lego->setSettings(parseSettings("24,proportions=brick")));
+    EXPECT_TRUE(lego->getBricks()->getParts().empty());
+}
+
+TEST(LegoNodeParts, AMissingPaletteIsReportedAndChangesNothing)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("24"));
+    bool isSet = true;
+    const std::string notices =
+        noticesOf([&] { isSet = lego->setSettings(parseSettings("24,palette=no-such-palette.csv")); });
+    EXPECT_FALSE(isSet);
+    EXPECT_NE(notices.find("no-such-palette.csv"), std::string::npos) << notices;
+    EXPECT_EQ(lego->getSettings(), parseSettings("24"));
+    osg::ref_ptr<const BrickModel> model;
+    EXPECT_NE(
+        noticesOf([&] { model = legolizeOnCpu(*createSphere(), parseSettings("24,palette=no-such-palette.csv")); })
+            .find("no-such-palette.csv"),
+        std::string::npos);
+    EXPECT_FALSE(model);
+}
+
+/** A node whose interior has too many cells. */
+osg::ref_ptr<LegoNode> createTooLarge()
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("600,fill=solid"));
+    lego->addChild(createSphere(6));
+    return lego;
+}
+
+TEST(LegoNodeParts, ANodeThatCannotBeFilledHasNoBricksAndSaysWhyAlsoAfterPicking)
+{
+    const osg::ref_ptr<LegoNode> lego = createTooLarge();
+    EXPECT_EQ(lego->getObstacle(), "");
+    EXPECT_FALSE(lego->getBricks());
+    EXPECT_NE(lego->getObstacle().find("cells; expected at most 67108864"), std::string::npos);
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
+    osgUtil::IntersectionVisitor visitor(line);
+    lego->accept(visitor);
+    EXPECT_FALSE(lego->getBricks());
+    EXPECT_NE(lego->getObstacle(), "");
+    EXPECT_TRUE(lego->setSettings(parseSettings("16,fill=solid")));
+    EXPECT_TRUE(lego->getBricks());
+    EXPECT_EQ(lego->getObstacle(), "");
+}
+
+TEST(LegoNodeParts, PickingUsesThePartsThatWereLaid)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("16,parts=bricks,colors=2"));
+    lego->addChild(createSphere());
+    const osg::ref_ptr<const BrickModel> model = lego->getBricks();
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+        new osgUtil::LineSegmentIntersector(osg::Vec3d(0, -5, 0), osg::Vec3d(0, 5, 0));
+    osgUtil::IntersectionVisitor visitor(line);
+    lego->accept(visitor);
+    EXPECT_TRUE(line->containsIntersections());
+    EXPECT_EQ(lego->getBricks(), model);
+}
+
+} // namespace
+
+} // namespace osgLego::test

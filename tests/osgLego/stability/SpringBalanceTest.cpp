@@ -1,0 +1,61 @@
+#include "BearingTests.h"
+
+#include <osgLego/stability/SpringBalance.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+std::optional<BearingForces> balance(const BearingJoints& joints, double floorPull = 0.0)
+{
+    return SpringBalance(joints).add(createNoForces(joints, floorPull),
+                                     std::vector<bool>(joints.getGraph().getNumParts(), true));
+}
+
+TEST(SpringBalance, JointsBearWhatTheirCapacityAllows)
+{
+    for (const double weight : {0.0, 0.01, Cantilever::MOST})
+        EXPECT_TRUE(balance(Cantilever(weight).getJoints())) << weight;
+    for (const double weight : {Cantilever::TOO_MUCH, 1.0})
+        EXPECT_FALSE(balance(Cantilever(weight).getJoints())) << weight;
+}
+
+TEST(SpringBalance, StudsOfAPlateHoldWhatTheirCapacityAllows)
+{
+    // A brick 1 x 1 presses with 0.1 N on each of four points, which reduces the pull that they already bear.
+    const JointGraph graph({{{0, 0, 0}, {1, 1, 1}}});
+    const BearingJoints joints(graph, {0.4}, BuildingBase::PLATE);
+    EXPECT_TRUE(balance(joints, 1.078));
+    EXPECT_FALSE(balance(joints, 1.080));
+}
+
+TEST(SpringBalance, EveryPointBearsTheSameOfAWeightAboveTheMiddle)
+{
+    const JointGraph graph({{{0, 0, 0}, {2, 2, 1}}, {{0, 0, 1}, {2, 2, 2}}});
+    const std::optional<BearingForces> forces = balance(BearingJoints(graph, {1.0, 3.0}, BuildingBase::TABLE));
+    ASSERT_TRUE(forces);
+    ASSERT_EQ(forces->pressures.size(), 12u);
+    for (const double pressure : forces->pressures)
+        EXPECT_NEAR(pressure, 0.25, 1e-9);
+    EXPECT_NEAR(forces->floorLoads[0][0], 4.0, 1e-9);
+    EXPECT_NEAR(forces->floorLoads[0][1], 4.0, 1e-9);
+    EXPECT_NEAR(forces->floorLoads[0][2], 4.0, 1e-9);
+}
+
+TEST(SpringBalance, ATableDoesNotHoldWhatTopplesOver)
+{
+    // A brick 2 x 2, and one 2 x 6 on it with its centre 1 pitch beyond the edge of the lower one: about that edge,
+    // they are in balance if the lower one weighs as much as the upper one.
+    const JointGraph graph({{{0, 0, 0}, {2, 2, 1}}, {{0, 0, 1}, {6, 2, 2}}});
+    EXPECT_TRUE(balance(BearingJoints(graph, {0.11, 0.1}, BuildingBase::TABLE)));
+    EXPECT_FALSE(balance(BearingJoints(graph, {0.09, 0.1}, BuildingBase::TABLE)));
+    EXPECT_TRUE(balance(BearingJoints(graph, {0.09, 0.1}, BuildingBase::PLATE)));
+}
+
+} // namespace
+
+} // namespace osgLego::test
