@@ -2,6 +2,7 @@
 #include "BenchMeshes.h"
 #include "BenchOptions.h"
 #include "Commands.h"
+#include "FactorizationTimes.h"
 #include "Spread.h"
 
 #include <osgLego/CpuLegolizer.h>
@@ -157,6 +158,9 @@ JsonValue measure(const MeshSource& mesh, const StabilityGoal& goal, const Stabi
                   {"margin", report->margin},
                   {"falling", report->falling.size()}};
     if (options.usesClp && model->getParts().size() <= MOST_CLP_PARTS) row["clp"] = timeClp(program);
+    const FactorizationTimes factorizations = measureFactorizations(program, options.numRuns);
+    row["factorization"]["blocks"] = createSpread(factorizations.blocks);
+    row["factorization"]["simplicial"] = createSpread(factorizations.simplicial);
     row["goal"] = goal.milliseconds;
     row["reached"] = row["milliseconds"]["median"].toNumber() <= goal.milliseconds;
     return row;
@@ -166,11 +170,12 @@ void printRow(const JsonValue& row)
 {
     const JsonValue& spread = row["milliseconds"];
     fmt::print(
-        "| {} {} | {} | {} | {} | {} | {:.0f} ({:.0f} to {:.0f}) | {} | {} of {} fall, margin {:.2f} | at most {:.0f} "
-        "| {} |\n",
+        "| {} {} | {} | {} | {} | {} | {:.0f} ({:.0f} to {:.0f}) | {} | {:.1f} | {:.1f} | {} of {} fall, margin {:.2f} "
+        "| at most {:.0f} | {} |\n",
         row["mesh"].toText(), row["resolution"].toInteger(), row["parts"].toInteger(), row["components"].toInteger(),
         row["forces"].toInteger(), row["rows"].toInteger(), spread["median"].toNumber(), spread["minimum"].toNumber(),
         spread["maximum"].toNumber(), row.contains("clp") ? fmt::format("{:.0f}", row["clp"].toNumber()) : "-",
+        row["factorization"]["blocks"]["median"].toNumber(), row["factorization"]["simplicial"]["median"].toNumber(),
         row["falling"].toInteger(), row["parts"].toInteger(), row["margin"].toNumber(), row["goal"].toNumber(),
         row["reached"].toBoolean() ? "reached" : "MISSED");
 }
@@ -187,8 +192,9 @@ void runStability(const StabilityCommandOptions& options)
         document["rows"].append(measure(mesh, goal, options));
     }
     if (!options.jsonFile.empty()) return options.write(document);
-    fmt::print("| model | parts | components | forces | rows | ms | CLP's barrier, ms | result | goal, ms | verdict |\n"
-               "|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print("| model | parts | components | forces | rows | ms | CLP's barrier, ms | one factorization, ms "
+               "| by Eigen's SimplicialLLT, ms | result | goal, ms | verdict |\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const JsonValue& row : document["rows"].getElements())
         printRow(row);
 }

@@ -12,9 +12,10 @@
 namespace osgLego
 {
 
-/** Factorizes symmetric positive semidefinite matrices of blocks of 6 x 6 numbers, all with blocks at the same places.
+/** Factorizes symmetric positive definite matrices of blocks of 6 x 6 numbers, all with blocks at the same places.
  *
- * Rows that depend on others are allowed: their part of the solution is 0.
+ * Rows of zeros are allowed: their part of the solution is 0. If other rows depend on each other, add a little to the
+ * diagonal, since rounding errors hide that.
  *
  * Usage:
  *
@@ -23,6 +24,9 @@ namespace osgLego
  *     cholesky.getDiagonal(row) += ...; // and cholesky.add(place, block)
  *     cholesky.factorize();
  *     cholesky.solve(vector);
+ *
+ * Eigen's SimplicialLLT does not know of the blocks and takes 4.5 times as long: 552 ms instead of 123 ms for the 5,587
+ * parts of the bunny at 86 (`osglegobench stability` prints both), and CHOLMOD's simplicial factorization 6 times.
  *
  * One thread at a time. */
 class BlockCholesky
