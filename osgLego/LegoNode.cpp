@@ -1,6 +1,5 @@
 #include <osgLego/LegoNode.h>
 
-#include <osgLego/Palette.h>
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/node/BrickFileWriter.h>
@@ -15,7 +14,7 @@ namespace osgLego
 
 LegoNode::LegoNode() : LegoNode(LegoSettings()) {}
 
-LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(LegoSettings()))
+LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(LegoSettings(), {}))
 {
     BrickFileWriter::install();
     setSettings(settings);
@@ -24,7 +23,7 @@ LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(Le
 }
 
 LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
-    osg::Group(node, copyop), _pipeline(new LegoPipeline(node.getSettings()))
+    osg::Group(node, copyop), _pipeline(new LegoPipeline(node.getSettings(), node._pipeline->getPalette()))
 {
     setTiming(node.getTiming());
     setReadBack(node.getReadBack());
@@ -42,12 +41,21 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
-    std::string error;
-    // A bad value is reported by setStoredSettings().
-    if (settings.check().empty()) Palette::read(settings, error);
-    if (error.empty()) return setStoredSettings(settings);
-    OSG_WARN << "osgLego: " << error << std::endl;
-    return false;
+    std::string error = settings.check();
+    SettingsPalette palette;
+    if (error.empty())
+    {
+        palette = SettingsPalette::read(settings);
+        error = palette.error;
+    }
+    if (!error.empty())
+    {
+        OSG_WARN << "osgLego: " << error << std::endl;
+        return false;
+    }
+    _pipeline->setSettings(settings, palette);
+    dirtyBound();
+    return true;
 }
 
 bool LegoNode::setStoredSettings(const LegoSettings& settings)
@@ -57,7 +65,7 @@ bool LegoNode::setStoredSettings(const LegoSettings& settings)
         OSG_WARN << "osgLego: " << error << std::endl;
         return false;
     }
-    _pipeline->setSettings(settings);
+    _pipeline->setSettings(settings, SettingsPalette::read(settings));
     dirtyBound();
     return true;
 }

@@ -72,7 +72,8 @@ public:
     LegoNode(const LegoNode& node, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgLego, LegoNode)
 
-    /** Change the settings. The next frame remakes the bricks, unless LegoSettings::givesSameBricks().
+    /** Change the settings, and read their palette: set them again after a change of its file. The next frame remakes
+     * the bricks, unless LegoSettings::givesSameBricks() and the palette has the same colours.
      * @return false, with a warning and no change, if LegoSettings::check() or Palette::read() reports an error. */
     bool setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;

@@ -3,6 +3,7 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/flattening/GridTriangles.h>
 #include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/flattening/SourcePalette.h>
 #include <osgLego/palette/PaletteLookup.h>
 
 #include <cstdint>
@@ -29,6 +30,9 @@ struct LegoSource : public osg::Referenced
      * @return null, with one sentence in `error`, if the palette of the settings can't be read. */
     static osg::ref_ptr<LegoSource> create(const SceneTriangles& scene, const LegoSettings& settings,
                                            std::string& error);
+    /** The same, with a palette that has been read. */
+    static osg::ref_ptr<LegoSource> create(const SceneTriangles& scene, const LegoSettings& settings,
+                                           const SettingsPalette& palette, std::string& error);
 };
 
 } // namespace osgLego

@@ -3,12 +3,27 @@
 #include <osgLego/flattening/SourceColors.h>
 #include <osgLego/palette/ColorChoice.h>
 
+#include <algorithm>
+
 namespace osgLego
 {
 
-osg::ref_ptr<const Palette> paletteOf(const LegoSettings& settings, const GridTriangles& triangles, std::string& error)
+SettingsPalette SettingsPalette::read(const LegoSettings& settings)
 {
-    const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
+    SettingsPalette read;
+    read.palette = Palette::read(settings, read.error);
+    return read;
+}
+
+bool SettingsPalette::operator==(const SettingsPalette& other) const
+{
+    if (error != other.error || palette.valid() != other.palette.valid()) return false;
+    return palette == other.palette || std::ranges::equal(palette->getColors(), other.palette->getColors());
+}
+
+osg::ref_ptr<const Palette> paletteOf(const LegoSettings& settings, const Palette* palette,
+                                      const GridTriangles& triangles)
+{
     if (!palette || !settings.colors.count || *settings.colors.count >= palette->getColors().size()) return palette;
     return chooseColors(*palette, histogramOf(triangles), *settings.colors.count);
 }

@@ -1,51 +1,43 @@
 #include <osgLego/node/LegoPipeline.h>
 
-#include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
 
 #include <utility>
 
-#include <osg/Notify>
-
 namespace osgLego
 {
 
-LegoPipeline::LegoPipeline(const LegoSettings& settings) :
+LegoPipeline::LegoPipeline(const LegoSettings& settings, const SettingsPalette& palette) :
     _store(new BrickStore), _display(*_store),
     _cpuProducer(new CpuProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
     _gpuProducer(new GpuProducer(*_store)),
-    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); }))
+    _building(new BuildingProducer(*_store, [announcement = _announcement] { (*announcement)(); })),
+    _query(*_store, *_cpuProducer)
 {
-    setSettings(settings);
+    setSettings(settings, palette);
 }
 
-void LegoPipeline::setSettings(const LegoSettings& settings)
+void LegoPipeline::setSettings(const LegoSettings& settings, const SettingsPalette& palette)
 {
-    osg::ref_ptr<const BrickModel> stored;
-    {
-        const std::lock_guard lock(_mutex);
-        const bool isShownAlike = settings.view.show == _request.settings.view.show;
-        if (!settings.givesSameBricks(_request.settings) || !isShownAlike) _isDirty = true;
-        if (!isShownAlike) stored = _storedBricks;
-        _request.settings = settings;
-        _display.setLook(settings.view.look, settings.view.drawing);
-        applyProgress();
-    }
+    const bool showsStoredAgain = _source.setSettings(settings, palette);
+    _display.setLook(settings.view.look, settings.view.drawing);
+    setProgress(settings.view.progress);
+    const osg::ref_ptr<const BrickModel> stored = showsStoredAgain ? _source.getStored() : nullptr;
     if (stored) showStored(*stored);
+}
+
+LegoSettings LegoPipeline::getSettings() const
+{
+    LegoSettings settings = _source.getSettings();
+    settings.view.progress = _store->getState().progress;
+    return settings;
 }
 
 void LegoPipeline::setProgress(double progress)
 {
     const std::lock_guard lock(_mutex);
-    _request.settings.view.progress = progress;
-    applyProgress();
-}
-
-/** Show the parts that the settings ask for. The caller holds the mutex. */
-void LegoPipeline::applyProgress()
-{
     BuildingState state = _store->getState();
-    state.progress = _request.settings.view.progress;
+    state.progress = progress;
     _store->setState(state);
 }
 
@@ -55,36 +47,6 @@ void LegoPipeline::setNumNewParts(std::size_t count)
     BuildingState state = _store->getState();
     state.numNew = count;
     _store->setState(state);
-}
-
-LegoSettings LegoPipeline::getSettings() const
-{
-    const std::lock_guard lock(_mutex);
-    return _request.settings;
-}
-
-void LegoPipeline::setTiming(bool timing)
-{
-    const std::lock_guard lock(_mutex);
-    if (std::exchange(_request.timing, timing) != timing) _isDirty = true;
-}
-
-bool LegoPipeline::getTiming() const
-{
-    const std::lock_guard lock(_mutex);
-    return _request.timing;
-}
-
-void LegoPipeline::setReadBack(bool readBack)
-{
-    const std::lock_guard lock(_mutex);
-    if (std::exchange(_request.readBack, readBack) != readBack) _isDirty = true;
-}
-
-bool LegoPipeline::getReadBack() const
-{
-    const std::lock_guard lock(_mutex);
-    return _request.readBack;
 }
 
 void LegoPipeline::setAnnouncement(std::function<void()> announcement)
@@ -101,13 +63,7 @@ void LegoPipeline::Announcement::operator()()
 
 void LegoPipeline::setStoredBricks(const BrickModel* bricks)
 {
-    {
-        const std::lock_guard lock(_mutex);
-        if (bricks == _storedBricks) return;
-        _storedBricks = bricks;
-        if (!bricks) _watch.drop();
-    }
-    _isDirty = !bricks;
+    if (!_source.setStored(bricks)) return;
     if (bricks)
         showStored(*bricks);
     else
@@ -116,47 +72,29 @@ void LegoPipeline::setStoredBricks(const BrickModel* bricks)
 
 void LegoPipeline::showStored(const BrickModel& bricks)
 {
-    std::uint64_t revision = 0;
-    std::uint64_t revisionByLoad = 0;
-    {
-        const std::lock_guard lock(_mutex);
-        revision = _watch.drop();
-        // The parts have their own colours until those for their load have been computed.
-        if (_request.settings.view.show == Show::LOAD && !bricks.getParts().empty()) revisionByLoad = _watch.drop();
-    }
+    const BrickSource::StoredRevisions revisions = _source.numberStored(bricks);
     _cpuProducer->cancel();
     _gpuProducer->cancel();
-    _store->clear(revision);
+    _store->clear(revisions.own);
     LegoStatistics statistics;
     statistics.isStored = true;
-    const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, bricks, statistics);
+    const osg::ref_ptr<const BrickSet> set = new BrickSet(revisions.own, bricks, statistics);
     _store->deliver(*set);
-    if (revisionByLoad != 0) _cpuProducer->produceByLoad(bricks, revisionByLoad);
+    if (revisions.byLoad != 0) _cpuProducer->produceByLoad(bricks, revisions.byLoad);
     _display.dirtyBound();
-}
-
-osg::ref_ptr<const BrickModel> LegoPipeline::getStoredBricks() const
-{
-    const std::lock_guard lock(_mutex);
-    return _storedBricks;
 }
 
 void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
-    if (_storedBricks)
-    {
-        _isDirty = false;
-        return;
-    }
-    if (!_watch.look(source, _request, _isDirty.exchange(false))) return;
-    if (const osg::ref_ptr<const LegoSource> lego = _watch.getSource())
+    if (!_source.look(source)) return;
+    if (const osg::ref_ptr<const LegoSource> lego = _source.getSource())
         _store->expect(lego->revision, lego->triangles->getGrid());
     else
     {
         _cpuProducer->cancel();
         _gpuProducer->cancel();
-        _store->clear(_watch.getRevision());
+        _store->clear(_source.getLastRevision());
     }
     // Here, because picking and culling may come before the next update.
     _display.dirtyBound();
@@ -180,7 +118,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     const std::uint64_t revision = source ? source->revision : getRevision();
     if (revision == 0)
     {
-        warnOfObstacle();
+        _source.warnOfObstacle();
         return false;
     }
     const osg::State& state = *visitor.getState();
@@ -245,98 +183,42 @@ bool LegoPipeline::isFit(const osg::State& state) const
     return missing.empty();
 }
 
-std::uint64_t LegoPipeline::getRevision() const
-{
-    const std::lock_guard lock(_mutex);
-    return _storedBricks || _watch.getSource() ? _watch.getRevision() : 0;
-}
-
-osg::ref_ptr<const LegoSource> LegoPipeline::getSource() const
-{
-    const std::lock_guard lock(_mutex);
-    return _watch.getSource();
-}
-
 std::string LegoPipeline::getObstacle() const
 {
-    const std::lock_guard lock(_mutex);
-    return _failedRevision != 0 && _failedRevision == _watch.getRevision() ? _failure : _watch.getObstacle();
-}
-
-/** Print the obstacle, once for each. */
-void LegoPipeline::warnOfObstacle()
-{
-    const std::lock_guard lock(_mutex);
-    const std::string& obstacle = _watch.getObstacle();
-    if (std::exchange(_printedObstacle, obstacle) != obstacle && !obstacle.empty())
-        OSG_WARN << "osgLego: " << obstacle << "; the source is drawn instead of bricks" << std::endl;
+    const std::string failure = _query.getFailure(_source.getLastRevision());
+    return failure.empty() ? _source.getObstacle() : failure;
 }
 
 osg::ref_ptr<const BrickModel> LegoPipeline::getModel()
 {
     if (osg::ref_ptr<const BrickModel> stored = getStoredBricks()) return stored;
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (!source) return nullptr;
-    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    if (newest && newest->getRevision() == source->revision) return newest->getModel();
-    const osg::ref_ptr<const BrickSet> made = makeOnCpu(*source);
-    return made ? made->getModel() : nullptr;
-}
-
-/** Wait for the bricks of a source. @return null, with the reason in getObstacle(), if they can't be made. */
-osg::ref_ptr<const BrickSet> LegoPipeline::makeOnCpu(const LegoSource& source)
-{
-    std::string error;
-    const osg::ref_ptr<const BrickSet> bricks = _cpuProducer->getBricks(source, error);
-    const std::lock_guard lock(_mutex);
-    _failedRevision = bricks ? 0 : source.revision;
-    _failure = error;
-    return bricks;
+    return source ? _query.getModel(*source) : nullptr;
 }
 
 void LegoPipeline::prepareForPicking()
 {
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (source) preparePickedBricks(*source);
+    if (source) _query.prepareForPicking(*source);
     prepareBuilding(source);
-}
-
-void LegoPipeline::preparePickedBricks(const LegoSource& source)
-{
-    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    // A set that is shown is picked until the next set is shown. A set made only for picking must match the source.
-    const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source.revision);
-    if (isShown) return;
-    // Bricks that the GPU can't make take long to make again, so those made for picking are shown, too.
-    const osg::ref_ptr<const BrickSet> bricks =
-        source.settings.needsCpu() ? makeOnCpu(source) : createGpuBrickSet(source);
-    if (bricks) _store->deliver(*bricks);
 }
 
 osg::ref_ptr<osg::Node> LegoPipeline::getGeometryNode()
 {
     const osg::ref_ptr<const BrickModel> model = getModel();
-    if (!model) return nullptr;
-    const std::lock_guard lock(_mutex);
-    if (model != _geometryModel)
-    {
-        _geometryModel = model;
-        _geometryNode = new osg::Geode;
-        _geometryNode->addDrawable(createBrickGeometry(*model));
-    }
-    return _geometryNode;
+    return model ? _query.getGeometryNode(*model) : nullptr;
 }
 
 void LegoPipeline::resizeGLObjectBuffers(unsigned int maxSize)
 {
-    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->resizeGLObjectBuffers(maxSize);
+    _query.resizeGLObjectBuffers(maxSize);
     _display.resizeGLObjectBuffers(maxSize);
     _gpuProducer->resizeGLObjectBuffers(maxSize);
 }
 
 void LegoPipeline::releaseGLObjects(osg::State* state)
 {
-    if (const std::lock_guard lock(_mutex); _geometryNode) _geometryNode->releaseGLObjects(state);
+    _query.releaseGLObjects(state);
     _display.releaseGLObjects(state);
     _store->releaseGLObjects(state);
     _gpuProducer->releaseGLObjects(state);

@@ -2,8 +2,9 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/node/BrickDisplay.h>
+#include <osgLego/node/BrickQuery.h>
+#include <osgLego/node/BrickSource.h>
 #include <osgLego/node/BuildingProducer.h>
-#include <osgLego/node/SourceWatch.h>
 #include <osgLego/producer/CpuProducer.h>
 #include <osgLego/producer/GpuProducer.h>
 #include <osgLego/store/BrickStore.h>
@@ -14,9 +15,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include <osg/BoundingBox>
-#include <osg/Geode>
 #include <osg/Node>
 #include <osg/Referenced>
 #include <osg/ref_ptr>
@@ -25,28 +26,29 @@
 namespace osgLego
 {
 
-/** The implementation of LegoNode: checks the source, has a producer make bricks when it has changed, and shows the
- * bricks delivered.
+/** The implementation of LegoNode: has a producer make the bricks of its BrickSource when they have changed, and shows
+ * those delivered.
  *
  * Every function may be called from any thread as long as no other thread changes the source.
  */
 class LegoPipeline : public osg::Referenced
 {
 public:
-    explicit LegoPipeline(const LegoSettings& settings);
+    LegoPipeline(const LegoSettings& settings, const SettingsPalette& palette);
 
-    void setSettings(const LegoSettings& settings);
+    void setSettings(const LegoSettings& settings, const SettingsPalette& palette);
     LegoSettings getSettings() const;
+    SettingsPalette getPalette() const { return _source.getPalette(); }
     /** Change LegoSettings::View::progress alone. */
     void setProgress(double progress);
     void setNumNewParts(std::size_t count);
     std::size_t getNumNewParts() const { return _store->getState().numNew; }
     /** The order of building, and the sets for drawing the bricks partly built. */
     BuildingProducer& getBuilding() { return *_building; }
-    void setTiming(bool timing);
-    bool getTiming() const;
-    void setReadBack(bool readBack);
-    bool getReadBack() const;
+    void setTiming(bool timing) { _source.setTiming(timing); }
+    bool getTiming() const { return _source.getTiming(); }
+    void setReadBack(bool readBack) { _source.setReadBack(readBack); }
+    bool getReadBack() const { return _source.getReadBack(); }
     /** Whether frames wait for bricks made on the CPU. */
     void setWaiting(bool waiting) { _waiting = waiting; }
     bool getWaiting() const { return _waiting; }
@@ -55,15 +57,15 @@ public:
 
     /** Show bricks instead of those of the source; null: legolize the source again. Called in the update traversal. */
     void setStoredBricks(const BrickModel* bricks);
-    osg::ref_ptr<const BrickModel> getStoredBricks() const;
+    osg::ref_ptr<const BrickModel> getStoredBricks() const { return _source.getStored(); }
 
     BrickDisplay& getDisplay() { return _display; }
     const BrickDisplay& getDisplay() const { return _display; }
     const BrickStore& getStore() const { return *_store; }
 
     /** Flatten the source at the next check, even if its signature has not changed. */
-    void dirty() { _isDirty = true; }
-    bool isDirty() const { return _isDirty; }
+    void dirty() { _source.dirty(); }
+    bool isDirty() const { return _source.isDirty(); }
 
     /** Check the source, and flatten it if it has changed since the last check. Does nothing if there are stored
      * bricks.
@@ -72,7 +74,7 @@ public:
     /** The same, but only after dirty(). */
     void refreshIfDirty(const osg::Node& source)
     {
-        if (_isDirty) refresh(source);
+        if (isDirty()) refresh(source);
     }
     /** Show the bricks that the producers have finished. Called in every update, after refresh().
      * @return whether the bounds of the bricks have changed since the last update. */
@@ -86,10 +88,10 @@ public:
     bool isFit(const osg::State& state) const;
 
     /** The revision of the bricks to show: those stored, or else those of the source; 0 if there are none. */
-    std::uint64_t getRevision() const;
+    std::uint64_t getRevision() const { return _source.getRevision(); }
     /** The source of the last check; null if it has no visible triangles, or if there is an obstacle or stored bricks.
      */
-    osg::ref_ptr<const LegoSource> getSource() const;
+    osg::ref_ptr<const LegoSource> getSource() const { return _source.getSource(); }
     /** The reason why a source with triangles can't be legolized; empty if there is none. */
     std::string getObstacle() const;
     /** The stored bricks, or else those of the source, made now if necessary; null if there are neither. */
@@ -111,28 +113,17 @@ private:
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
     bool mustWait(const ContextBricks& bricks) const;
-    void warnOfObstacle();
-    void applyProgress();
     void showStored(const BrickModel& bricks);
     void prepareBuilding(const LegoSource* source);
-    void preparePickedBricks(const LegoSource& source);
-    osg::ref_ptr<const BrickSet> makeOnCpu(const LegoSource& source);
 
-    mutable std::mutex _mutex; // guards the request, the watch, the stored bricks, the last bounds and the geometry
-    SourceWatch::Request _request;
-    SourceWatch _watch;
-    std::string _printedObstacle;
-    std::uint64_t _failedRevision = 0; // of the source whose bricks makeOnCpu() could not make
-    std::string _failure;
-    osg::ref_ptr<const BrickModel> _storedBricks;
-    std::atomic<bool> _isDirty{true};
+    BrickSource _source;
     std::atomic<bool> _waiting{false};
+
+    std::mutex _mutex; // held while the source is checked, and while the state of the store or the last bounds change
+    osg::BoundingBoxd _lastBounds;
 
     osg::ref_ptr<BrickStore> _store;
     BrickDisplay _display;
-    osg::BoundingBoxd _lastBounds;
-    osg::ref_ptr<osg::Geode> _geometryNode;
-    osg::ref_ptr<const BrickModel> _geometryModel;
 
     /** The function to call, kept apart because producers may call it after the pipeline has been destroyed. */
     struct Announcement
@@ -146,6 +137,7 @@ private:
     osg::ref_ptr<CpuProducer> _cpuProducer;
     osg::ref_ptr<GpuProducer> _gpuProducer;
     std::unique_ptr<BuildingProducer> _building;
+    BrickQuery _query;
 };
 
 } // namespace osgLego

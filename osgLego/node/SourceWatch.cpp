@@ -29,7 +29,7 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
     osg::ref_ptr<LegoSource> source;
     _obstacle = BrickGrid::findObstacle(scene->getBounds(), request.settings);
     if (scene->getNumTriangles() > 0 && _obstacle.empty())
-        source = LegoSource::create(*scene, request.settings, _obstacle);
+        source = LegoSource::create(*scene, request.settings, request.palette, _obstacle);
     if (source)
     {
         source->revision = _revision;

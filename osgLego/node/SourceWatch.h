@@ -25,6 +25,7 @@ public:
     struct Request
     {
         LegoSettings settings;
+        SettingsPalette palette; //!< of the settings
         bool timing = false;
         bool readBack = false;
     };

@@ -179,24 +179,25 @@ TEST(SourcePalette, IsTheBestChoiceForTheSource)
     LegoSettings settings;
     settings.colors.palette = "ldraw";
     settings.colors.count = 3;
-    std::string error;
     const osg::ref_ptr<const GridTriangles> triangles = createTriangles(*geode, "20");
-    const osg::ref_ptr<const Palette> palette = paletteOf(settings, *triangles, error);
-    ASSERT_TRUE(palette) << error;
+    const osg::ref_ptr<const Palette> ldraw = SettingsPalette::read(settings).palette;
+    const osg::ref_ptr<const Palette> palette = paletteOf(settings, ldraw, *triangles);
+    ASSERT_TRUE(palette);
     std::set<std::string> names;
     for (const PaletteColor& color : palette->getColors())
         names.insert(color.name);
     EXPECT_EQ(names, (std::set<std::string>{"Red", "Yellow", "White"}));
     settings.colors.count = 200;
-    EXPECT_EQ(paletteOf(settings, *triangles, error)->getColors().size(), 33u);
+    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 33u);
     settings.colors.count.reset();
-    EXPECT_EQ(paletteOf(settings, *triangles, error)->getColors().size(), 33u);
+    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 33u);
     settings.colors.palette = "none";
-    EXPECT_FALSE(paletteOf(settings, *triangles, error));
-    EXPECT_EQ(error, "");
+    EXPECT_EQ(SettingsPalette::read(settings), SettingsPalette());
+    EXPECT_FALSE(paletteOf(settings, nullptr, *triangles));
     settings.colors.palette = "missing.csv";
-    EXPECT_FALSE(paletteOf(settings, *triangles, error));
-    EXPECT_EQ(error, "missing.csv: the palette can't be read: No such file or directory");
+    EXPECT_FALSE(SettingsPalette::read(settings).palette);
+    EXPECT_EQ(SettingsPalette::read(settings).error,
+              "missing.csv: the palette can't be read: No such file or directory");
 }
 
 TEST(SourcePalette, IsTheSameOnEveryRun)
@@ -204,12 +205,12 @@ TEST(SourcePalette, IsTheSameOnEveryRun)
     LegoSettings settings;
     settings.colors.palette = "ldraw";
     settings.colors.count = 6;
-    std::string error;
+    const osg::ref_ptr<const Palette> ldraw = SettingsPalette::read(settings).palette;
     const auto choose = [&]
     {
         std::vector<std::int32_t> codes;
         const osg::ref_ptr<const GridTriangles> triangles = createTriangles(*createRacingCar(), "64");
-        const osg::ref_ptr<const Palette> palette = paletteOf(settings, *triangles, error);
+        const osg::ref_ptr<const Palette> palette = paletteOf(settings, ldraw, *triangles);
         for (const PaletteColor& color : palette->getColors())
             codes.push_back(color.code);
         return codes;

@@ -5,7 +5,13 @@
 
 #include <Meshes.h>
 #include <Notices.h>
+#include <TemporaryFolder.h>
 
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -50,6 +56,44 @@ TEST(LegoNodeParts, AMissingPaletteIsReportedAndChangesNothing)
             .find("no-such-palette.csv"),
         std::string::npos);
     EXPECT_FALSE(model);
+}
+
+std::set<std::array<std::uint8_t, 3>> colorsOf(const BrickModel& model)
+{
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (const Brick& brick : model.getBricks())
+        colors.insert(brick.color);
+    return colors;
+}
+
+class LegoNodePalette : public TemporaryFolderTest
+{
+};
+
+TEST_F(LegoNodePalette, IsReadWhenItIsSetAndNotAgainForAChangedSource)
+{
+    const std::string file = pathOf("palette.csv");
+    const auto write = [&](const char* color)
+    {
+        std::ofstream(file) << "code,name,rgb,edge,bricklink,bricks,plates\n4,One,#" << color
+                            << ",#333333,5,11111111111,11111111111\n";
+    };
+    write("C91A09");
+    osg::ref_ptr<LegoNode> lego = new LegoNode;
+    ASSERT_TRUE(lego->setSettings(parseSettings("12,palette=" + file)));
+    const osg::ref_ptr<LegoNode> copy = new LegoNode(*lego);
+    std::filesystem::remove(file);
+    for (LegoNode* node : {lego.get(), copy.get()})
+    {
+        node->addChild(createSphere());
+        ASSERT_TRUE(node->getBricks()) << node->getObstacle();
+        EXPECT_EQ(colorsOf(*node->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
+    }
+    write("0055BF");
+    lego->dirty();
+    EXPECT_EQ(colorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
+    ASSERT_TRUE(lego->setSettings(lego->getSettings()));
+    EXPECT_EQ(colorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0x00, 0x55, 0xBF}}));
 }
 
 /** A node whose interior has too many cells. */

@@ -50,7 +50,7 @@ TEST_F(GpuProducerTest, BlocksArriveWithoutABlockingReadBack)
 {
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
     const osg::ref_ptr<osg::Node> source = createSphere(20);
-    const osg::ref_ptr<LegoPipeline> pipeline = new LegoPipeline(parseSettings("40"));
+    const osg::ref_ptr<LegoPipeline> pipeline = new LegoPipeline(parseSettings("40"), {});
     osg::ref_ptr<PipelineNode> node = new PipelineNode(*pipeline, *source);
     osgViewer::Viewer viewer;
     setUpViewer(viewer, *context, *node);
