@@ -31,8 +31,8 @@ target_compile_options(osgLegoOptions INTERFACE
     -Wzero-as-null-pointer-constant
     # GCC 12 gives false warnings if its own std::string is in a precompiled header (bugs 105329 and 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow>
-    # Part of Clang's -Wconversion, but not of GCC's.
-    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
+    # The first is part of Clang's -Wconversion, but not of GCC's; Clang 14 gives the second for defaulted operators <=>.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion -Wno-zero-as-null-pointer-constant>
     $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
 if(OSGLEGO_SCALAR)
     target_compile_definitions(osgLegoOptions INTERFACE OSGLEGO_SCALAR)

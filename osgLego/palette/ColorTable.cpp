@@ -1,9 +1,9 @@
 #include <osgLego/palette/ColorTable.h>
 
 #include <osgLego/PartType.h>
-#include <osgLego/text/SettingsText.h>
 #include <osgLego/palette/ColorText.h>
 #include <osgLego/palette/TextLines.h>
+#include <osgLego/text/SettingsText.h>
 
 #include <algorithm>
 #include <array>
