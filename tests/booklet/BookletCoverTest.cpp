@@ -2,6 +2,11 @@
 
 #include <booklet/BookletCover.h>
 
+#include <PartModels.h>
+
+#include <array>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace osgLego::test
@@ -68,6 +73,19 @@ TEST(BookletCoverTest, CountsUnheldPartsAndFallingSteps)
               Lines{"This model can't be built as it is: nothing holds 1 part when it is placed."});
     EXPECT_EQ(warningsOf(createReport(true, true), {.unheldParts = {4, 5}}),
               Lines{"This model can't be built as it is: nothing holds 2 parts when they are placed."});
+}
+
+TEST(BookletCoverTest, WarnsOfPartsThatWereNeverMadeOrCannotBeOrdered)
+{
+    const std::array<std::uint8_t, 3> color{1, 2, 3};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({1, 1, 1}, 1.2), {{{0, 0, 0}, {1, 1, 1}, color}});
+    std::vector<BuildingStep> steps(1);
+    steps[0].parts = {0};
+    steps[0].isChecked = true;
+    const auto plan = BuildingPlan::create(1, steps);
+    EXPECT_EQ(createWarnings(BookletModel(*bricks, *plan, {}), createReport(true, true), *plan, BuildingBase::TABLE),
+              (Lines{"Parts never made in this size and colour: 1 part (Brick 1 x 1 in #010203).",
+                     "Parts in a colour without a number of BrickLink: 1 part (Brick 1 x 1 in #010203)."}));
 }
 
 TEST(BookletCoverTest, CountsStepsAfterWhichNothingIsKnown)

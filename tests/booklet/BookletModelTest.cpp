@@ -149,6 +149,18 @@ TEST_F(BookletModelTest, MeasuresTheModelInMillimetres)
     EXPECT_NEAR(_model.getMass(), 4 * 2.16 + 0.43, 1e-9);
 }
 
+TEST_F(BookletModelTest, MeasuresModelsOfPlatesWithYUpwards)
+{
+    // Three studs to the right, two to the back, and four plates high: z points to the front.
+    const auto bricks =
+        BrickModel::createOfParts(test::createPartGrid({8, 9, 8}, 0.4, UpAxis::Y),
+                                  {createPart({1, 2, 1}, {3, 3, 2}, RED, 4), createPart({1, 5, 1}, {3, 1, 2}, RED, 4)});
+    const BookletModel model(*bricks, *BuildingPlan::create(2, {createStep({0}), createStep({1})}), {});
+    EXPECT_DOUBLE_EQ(model.getSize().x, 24.0);
+    EXPECT_DOUBLE_EQ(model.getSize().y, 16.0);
+    EXPECT_NEAR(model.getSize().z, 12.8, 1e-9);
+}
+
 TEST_F(BookletModelTest, CountsFallingStepsOfSubmodelsButNotThoseOfUnheldParts)
 {
     Submodel outer;

@@ -130,6 +130,26 @@ TEST(BookletPage, DescribesForScreenReadersAsManyPartsAsItShows)
     EXPECT_NE(step.find("Step 1 of 3: adds 2 red bricks 2 x 4\""), std::string::npos) << step;
 }
 
+TEST(BookletPage, DescribesPicturesInSentences)
+{
+    const std::string step = findElement(write(createTower()), "step-3");
+    EXPECT_NE(step.find("alt=\"Step 3 of 3: adds 1 red brick 1 x 1 and 1 blue brick 2 x 4\""), std::string::npos)
+        << step;
+}
+
+TEST(BookletPage, TheCoverNamesTheStepsOfAnExtract)
+{
+    const BookletModel model = createTower();
+    BookletFacts facts;
+    facts.firstStep = 1;
+    facts.endStep = 3;
+    FakePictures pictures(model);
+    std::ostringstream stream;
+    BookletPage(model, facts, pictures, [](const std::string&) {}).write(stream);
+    EXPECT_NE(toVisibleText(findElement(stream.str(), "cover")).find("Steps 2 to 3 of 3 "), std::string::npos);
+    EXPECT_EQ(stream.str().find("id=\"step-1\""), std::string::npos);
+}
+
 TEST(BookletPage, ShowsThePictureOfEachStepInIt)
 {
     const std::string html = write(createTower());

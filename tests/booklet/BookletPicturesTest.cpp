@@ -302,6 +302,33 @@ TEST_F(BookletPicturesTest, ArrowsLeadFromAboveToTheTopOfSubmodels)
     EXPECT_TRUE(BookletPictures(model, _renderer).drawStep(1, 0).arrows.empty());
 }
 
+TEST_F(BookletPicturesTest, StepsOfAChapterHaveOneWidthWhateverTheirViewIs)
+{
+    // From the front, a long brick is wider than from the side; the widest view comes first or last.
+    const std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, RED, 4}, {{0, 0, 1}, {8, 2, 1}, RED, 4}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 2}, HEIGHT_OF_BRICK), parts);
+    for (const int first : {0, 1})
+    {
+        std::vector<BuildingStep> steps{createStep({0}), createStep({1})};
+        steps[0].turns = first;
+        steps[1].turns = 1 - first;
+        const BookletModel model(*bricks, *BuildingPlan::create(2, steps), Palette::getKnownColors());
+        BookletPictures pictures(model, _renderer);
+        EXPECT_EQ(pictures.drawStep(0, 0).width, pictures.drawStep(0, 1).width) << first;
+    }
+}
+
+TEST_F(BookletPicturesTest, KindsLieWithTheirLongSideToTheRight)
+{
+    const std::vector<Part> parts{{{0, 0, 0}, {2, 8, 1}, RED, 4}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 8, 1}, HEIGHT_OF_BRICK), parts);
+    const BookletModel model(*bricks, *BuildingPlan::create(1, {createStep({0})}), Palette::getKnownColors());
+    const BookletPicture picture = BookletPictures(model, _renderer).drawKind(0);
+    const Projection projection(0, false);
+    const double width = projection.project({8, 2, 0}).x - projection.project({0, 0, 0}).x + 2.0 * MARGIN;
+    EXPECT_NEAR(picture.width, 60.0 * width, 1.0) << "20 pixels of CSS a stud, at three times the density";
+}
+
 TEST_F(BookletPicturesTest, KindsAndFinishedModelsHaveTransparentBackgroundsAndFullColors)
 {
     const std::vector<Part> parts{{{0, 0, 0}, {4, 2, 1}, RED, 4}};

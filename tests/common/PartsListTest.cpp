@@ -59,6 +59,12 @@ TEST(PartsList, ColoursOfThePaletteOverrideThoseOfTheLibraryAndAreQuoted)
     EXPECT_NE(csv.find("3001,Brick 2 x 4,4,\"my \"\"red\"\", bright\",,2,"), std::string::npos) << csv;
 }
 
+TEST(PartsList, NamesOfColoursWithEndsOfLinesAreQuoted)
+{
+    const std::string csv = csvOf(createList({{4, "red\nbright", {255, 0, 0}, -1, 0x7ff, 0x7ff}}));
+    EXPECT_NE(csv.find("3001,Brick 2 x 4,4,\"red\nbright\",,2,"), std::string::npos) << csv;
+}
+
 TEST(PartsList, TheWantedListHasNoDeclarationAndNoColourWithoutANumber)
 {
     std::ostringstream stream;

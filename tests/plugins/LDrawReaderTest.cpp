@@ -116,6 +116,14 @@ TEST_F(LDrawReaderTest, SubmodelsPassOnTheirTransformAndColour)
     EXPECT_EQ(model->getParts(), (std::vector{makePart({0, 1, 0}, {1, 2, 1}, 4), makePart({1, 0, 1}, {1, 1, 1}, 1)}));
 }
 
+TEST_F(LDrawReaderTest, PartsInTheColourOfEdgesHaveThatOfTheReferenceToTheirSubmodel)
+{
+    const auto model =
+        read("0 FILE main.ldr\n1 4 0 0 0" + ALONG_X + "sub.ldr\n0 FILE sub.ldr\n1 24 0 0 0" + ALONG_X + "3005.dat\n");
+    ASSERT_TRUE(model) << _error;
+    EXPECT_EQ(model->getParts().at(0).colorCode, 4);
+}
+
 TEST_F(LDrawReaderTest, InclinedScaledAndShiftedPartsAreNamedOnceAndLeftOut)
 {
     const std::string good = "1 4 0 -24 0" + ALONG_X + "3001.dat\n1 4 0 -48 0" + ALONG_X + "3001.dat\n";
@@ -137,6 +145,18 @@ TEST_F(LDrawReaderTest, MostPartsDetermineTheLatticeNotTheFirst)
     ASSERT_TRUE(model) << _error;
     EXPECT_EQ(model->getParts().size(), 2u);
     EXPECT_EQ(_warnings.size(), 1u);
+}
+
+TEST_F(LDrawReaderTest, OfTwoLatticesWithEquallyManyPartsTheFirstPartDeterminesIt)
+{
+    for (const int first : {3, 0})
+        EXPECT_EQ(read("1 4 " + std::to_string(first) + " 0 0" + ALONG_X + "3005.dat\n1 1 " +
+                       std::to_string(100 + 3 - first) + " 0 0" + ALONG_X + "3005.dat\n")
+                      ->getParts()
+                      .at(0)
+                      .colorCode,
+                  4)
+            << first;
 }
 
 TEST_F(LDrawReaderTest, RoundingDoesNotSplitALattice)

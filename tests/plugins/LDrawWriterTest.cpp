@@ -237,6 +237,17 @@ TEST(LDrawWriter, SeveralNodesOfAnMpdHaveSubmodelsOfTheirOwn)
     EXPECT_NE(written.text.find("0 FILE a-2-sub-1.ldr\r\n"), std::string::npos);
 }
 
+TEST(LDrawWriter, EachNodeOfAnMpdHasItsOwnParts)
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)}));
+    group->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 1)}));
+    const std::string text = write(*group, "a.mpd").text;
+    const auto second = text.find("0 FILE a-2.ldr");
+    EXPECT_LT(text.find("3005.dat"), second);
+    EXPECT_LT(second, text.find("3004.dat"));
+}
+
 TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
 {
     Part part = makePart({0, 0, 0}, {1, 1, 1}, Part::NO_CODE);

@@ -57,6 +57,19 @@ TEST(BuildingUnits, PartsHangFromTheNearestOfPartsWithEquallyManyStuds)
     }
 }
 
+TEST(BuildingUnits, PartsHangFromThePartWithMoreStudsThoughItIsFarther)
+{
+    // A brick below two beams on columns: two studs hold it from the near beam, and six from the far one.
+    const JointGraph graph({{{0, 0, 1}, {4, 2, 2}},
+                            {{3, 0, 2}, {5, 2, 3}},
+                            {{0, 0, 2}, {3, 8, 3}},
+                            {{4, 0, 0}, {5, 2, 2}},
+                            {{0, 6, 0}, {2, 8, 2}}});
+    BuildingUnits units(graph);
+    units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 2}));
+}
+
 TEST(BuildingUnits, PartsHangFromTheLowerOfPartsThatAreEquallyGood)
 {
     // Two hanging bricks upon each other. Above each is a beam with four studs on it, equally far from their middle.
