@@ -148,7 +148,7 @@ void addParts(Table& table)
     parts.add("effort", &Parts::effort,
               Choice<Effort>{{"instant", Effort::INSTANT}, {"normal", Effort::NORMAL}, {"best", Effort::BEST}},
               "the work spent on the layout");
-    parts.add("support", &Parts::support, Switch(), "make a model of parts stand that would fall");
+    parts.add("support", &Parts::support, Switch(), "change a falling model of parts so that it stands");
 }
 
 void addView(Table& table)

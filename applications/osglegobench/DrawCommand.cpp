@@ -165,7 +165,7 @@ void addDrawCommand(BenchCommandLine& commands)
         "draw",
         "Frames of one scene: peak memory after the first; then times, legolizations and allocations of frames "
         "in which nothing has changed, of frames of the model partly built, and of frames in which the bricks are "
-        "made anew");
+        "made again");
     const auto options = std::make_shared<DrawOptions>();
     options->addTo(command, "64");
     command.addChoice("--look", options->look, "plain, full, or none: a box without bricks (full)",

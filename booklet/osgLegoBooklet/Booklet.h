@@ -31,7 +31,7 @@ struct BookletOptions
     std::optional<StabilityReport> stability;
     /** How messages name the model, such as "'tower.mpd'". */
     std::string modelName = "the model";
-    /** Called now and then, from any thread; the booklet is given up if it returns true. May be empty. */
+    /** Called regularly, from any thread; the booklet is not written if it returns true. May be empty. */
     std::function<bool()> isCancelled;
     /** Called with the fraction done, 0 to 1, and the name of the work that comes next, in the calling thread. May be
      * empty. */

@@ -154,7 +154,7 @@ TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
             EXPECT_TRUE(check.getUnheld().empty()) << check.toString();
             EXPECT_TRUE(check.getDisconnected().empty()) << check.toString();
             EXPECT_TRUE(check.getLong().empty()) << check.toString();
-            EXPECT_LE(check.getUnreachable().size(), 1u) << "hooks within each other";
+            EXPECT_LE(check.getUnreachable().size(), 1u) << "interlocking hooks";
         }
 }
 
