@@ -105,7 +105,7 @@ private:
         for (const auto& [name, milliseconds] : stages)
         {
             const auto stage = std::find_if(_stages.begin(), _stages.end(),
-                                            [&name](const StageTimes& times) { return times.first == name; });
+                                            [&name = name](const StageTimes& times) { return times.first == name; });
             if (stage != _stages.end())
                 stage->second.push_back(milliseconds);
             else
