@@ -2,6 +2,7 @@
 
 #include <PartModels.h>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <osg/Geode>
 #include <osg/MatrixTransform>

@@ -117,8 +117,11 @@ TEST_F(TriangleFunctions, TheNearestPointEqualsTheCpus)
         const NearestPoint nearest({glm::vec3(a), glm::vec3(b), glm::vec3(c)});
         const NearestPoint::Shares shares =
             nearest.find(NearestPoint::Lanes(point.x), NearestPoint::Lanes(point.y), NearestPoint::Lanes(point.z));
-        const auto placeOf = [&](const glm::dvec3& weights)
-        { return weights.x * glm::dvec3(a) + weights.y * glm::dvec3(b) + weights.z * glm::dvec3(c); };
+        const auto placeOf = [&corners = arguments[number]](const glm::dvec3& weights)
+        {
+            return weights.x * glm::dvec3(corners[0]) + weights.y * glm::dvec3(corners[1]) +
+                   weights.z * glm::dvec3(corners[2]);
+        };
         const double shareB = shares.b[0];
         const double shareC = shares.c[0];
         const glm::dvec3 expected = placeOf({1.0 - shareB - shareC, shareB, shareC});
