@@ -72,7 +72,7 @@ protected:
 
     const osg::ref_ptr<BrickStore> _store = new BrickStore;
     std::atomic<int> _numAnnounced{0};
-    const osg::ref_ptr<CpuProducer> _producer = new CpuProducer(*_store, [this] { ++_numAnnounced; });
+    osg::ref_ptr<CpuProducer> _producer = new CpuProducer(*_store, [this] { ++_numAnnounced; });
     const osg::ref_ptr<osgUtil::CullVisitor> _visitor = new osgUtil::CullVisitor;
 };
 
@@ -81,8 +81,9 @@ TEST_F(CpuProducerTest, DeliversTheBricksOfASource)
     _producer->produce(*createSource("16", 5), *_visitor, true);
     ASSERT_TRUE(_store->getBricks());
     EXPECT_EQ(_store->getBricks()->getRevision(), 5u);
-    EXPECT_EQ(_numAnnounced, 1);
     expectCounts(1, 0, 0);
+    _producer = nullptr; // waits for the thread, which announces the set after it has ended the wait for it
+    EXPECT_EQ(_numAnnounced, 1);
 }
 
 TEST_F(CpuProducerTest, ASourceThatCannotBeFilledFails)
@@ -123,6 +124,7 @@ TEST_F(CpuProducerTest, StoredBricksGetColorsForTheirLoad)
     EXPECT_TRUE(bricks->getStatistics().isStored);
     // Blue for the column, in which nothing pulls, and magenta for the part that falls.
     EXPECT_EQ(findColors(*bricks), (std::set<std::array<std::uint8_t, 3>>{{49, 84, 190}, {220, 0, 200}}));
+    _producer = nullptr; // as above
     EXPECT_EQ(_numAnnounced, 1);
 }
 
