@@ -118,7 +118,6 @@ bool StepBuilder::clamp(const UnitList& units, const std::vector<std::uint32_t>&
     for (const std::uint32_t unit : units)
         if (UnitList longer = step; _queue->addWithAllBefore(unit, longer)) step = longer;
     if (step.size() <= 1 || !_queue->isOneStep(step) || !findFalling(step).empty()) return false;
-    std::stable_partition(step.begin(), step.end(), [this](std::uint32_t unit) { return !_queue->isSubmodel(unit); });
     place(step, true);
     return true;
 }

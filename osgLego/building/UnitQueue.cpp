@@ -133,7 +133,6 @@ UnitList UnitQueue::propose(const std::vector<bool>& isAvoided)
 {
     UnitList units = lookAhead(isAvoided);
     units.resize(chooseLength(units));
-    std::stable_partition(units.begin(), units.end(), [this](std::uint32_t unit) { return !isSubmodel(unit); });
     return units;
 }
 

@@ -28,7 +28,7 @@ public:
     UnitQueue(const BuildingUnits& units, const PartOrder& order, const Symmetry& symmetry);
 
     bool isEmpty() const { return _numOpen == 0; }
-    /** The units of the next step: the first that can be placed, parts before submodels.
+    /** The units of the next step: the first that can be placed.
      * @param isAvoided units that are not used; empty if all may be. */
     UnitList propose(const std::vector<bool>& isAvoided);
     /** Remove units, which are placed now. */

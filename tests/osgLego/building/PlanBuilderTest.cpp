@@ -61,6 +61,60 @@ TEST(PlanBuilder, ASubmodelThatFallsBothWaysStaysUpright)
     EXPECT_FALSE(built->getSubmodels().back().steps.back().stands);
 }
 
+/** Plan parts that hang from a beam of 8x2 on a column, without the check of stability. */
+osg::ref_ptr<const BuildingPlan> planBelowBeam(std::vector<Part> hanging)
+{
+    for (int z = 0; z < 5; ++z)
+        hanging.push_back(createBrick({2, 0, z}, 2, 2));
+    hanging.push_back(createBrick({0, 0, 5}, 8, 2));
+    PlanningOptions options;
+    options.checksStability = false;
+    return PlanBuilder(*createPartModel(std::move(hanging)), options).build();
+}
+
+TEST(PlanBuilder, ASubmodelIsBuiltUpsideDownIfItNeedsFewerSubmodelsThen)
+{
+    // A long leg of bricks 4x2 and a short one, which hangs if the long one stands on the table. The beam's area is not
+    // far larger than the leg's.
+    const auto built =
+        planBelowBeam({createBrick({4, 0, 3}, 4, 2), createBrick({4, 0, 4}, 4, 2), createBrick({0, 0, 4}, 2, 2)});
+    ASSERT_EQ(built->getSubmodels().size(), 1u);
+    EXPECT_TRUE(built->getSubmodels()[0].steps[0].isFromBelow);
+}
+
+TEST(PlanBuilder, ASubmodelIsBuiltUprightIfItNeedsFewerSubmodelsThen)
+{
+    // A leg on an arm of 4x1, and a brick on that arm, which hangs if the beam stands on the table, though the beam is
+    // far larger than the arm.
+    const auto built =
+        planBelowBeam({createBrick({4, 0, 1}, 4, 1), createBrick({6, 0, 2}, 2, 2), createBrick({6, 0, 3}, 2, 2),
+                       createBrick({6, 0, 4}, 2, 2), createBrick({4, 0, 2}, 1, 1)});
+    ASSERT_EQ(built->getSubmodels().size(), 1u);
+    EXPECT_FALSE(built->getSubmodels()[0].steps[0].isFromBelow);
+}
+
+TEST(PlanBuilder, ViewsOfStepsShowTheSubmodelsThatAreAttached)
+{
+    // In front of a high wall are three bricks, and behind it a column with a beam, from which four bricks hang. From
+    // the front, four of ten parts are visible; from the right and behind, the beam, what hangs from it, and the wall.
+    std::vector<Part> parts{createBrick({0, 4, 0}, 20, 1)};
+    parts.back().size[2] = 20;
+    for (const int x : {4, 8, 12})
+        parts.push_back(createBrick({x, 0, 0}, 2, 2));
+    parts.push_back(createBrick({10, 9, 0}, 1, 1));
+    parts.back().size[2] = 11;
+    parts.push_back(createBrick({4, 9, 11}, 13, 1));
+    for (const int x : {4, 7, 13, 16})
+        parts.push_back(createBrick({x, 9, 10}, 1, 1));
+    PlanningOptions options;
+    options.checksStability = false;
+    const auto built = PlanBuilder(*createPartModel(std::move(parts)), options).build();
+    ASSERT_EQ(built->getSteps().size(), 1u);
+    ASSERT_EQ(built->getSteps()[0].submodels.size(), 1u);
+    EXPECT_EQ(built->getSteps()[0].parts.size(), 5u);
+    EXPECT_EQ(built->getSteps()[0].turns, 1);
+}
+
 } // namespace
 
 } // namespace osgLego::test

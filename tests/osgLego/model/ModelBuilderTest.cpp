@@ -2,11 +2,13 @@
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 #include <osgLego/Stability.h>
+#include <osgLego/model/ModelBuilder.h>
 
 #include <common/RacingCar.h>
 
 #include <Meshes.h>
 #include <Notices.h>
+#include <Palettes.h>
 
 #include <algorithm>
 #include <set>
@@ -220,6 +222,40 @@ TEST(ModelBuilder, OneCellIsOnePart)
     ASSERT_TRUE(model);
     ASSERT_EQ(model->getParts().size(), 1u);
     EXPECT_EQ(findPartType(model->getParts()[0], model->getGrid())->number, "3005");
+}
+
+/** A palette of one colour in which bricks of some sizes were made; bit 0 is 1x1. */
+osg::ref_ptr<const Palette> createRed(std::uint16_t bricks)
+{
+    PaletteColor red;
+    red.color = {200, 0, 0};
+    red.bricks = bricks;
+    return createPalette({red});
+}
+
+TEST(ModelBuilder, PartsAreKeptOnlyIfThePaletteAndTheSettingsAreTheSame)
+{
+    const osg::ref_ptr<const BrickModel> cells = legolize(*createSphere(), "12,proportions=brick");
+    const LegoSettings settings = parseSettings("12,parts=bricks");
+    const osg::ref_ptr<const Palette> palette = createRed(PaletteColor::ALL_SIZES);
+    const auto numPartsAfter = [&](const LegoSettings& before, const osg::ref_ptr<const Palette>& paletteBefore)
+    {
+        PreviousLayout previous{before, {}, {paletteBefore->getColors().begin(), paletteBefore->getColors().end()}};
+        for (const Brick& cell : cells->getBricks())
+            previous.parts.push_back({{cell.cell[0], cell.cell[1], cell.cell[2]}});
+        ModelBuilder builder(settings, PaletteLookup(palette));
+        builder.setPrevious(previous);
+        const osg::ref_ptr<const BrickModel> model = builder.build(*cells);
+        EXPECT_EQ(previous.parts.size(), model->getParts().size());
+        EXPECT_EQ(previous.settings, settings);
+        EXPECT_EQ(previous.colors.front(), palette->getColors().front());
+        return model->getParts().size();
+    };
+    const std::size_t numCells = cells->getBricks().size();
+    EXPECT_EQ(numPartsAfter(settings, palette), numCells);
+    EXPECT_EQ(numPartsAfter(parseSettings("12,parts=bricks,show=load"), palette), numCells) << "a setting of the view";
+    EXPECT_LT(numPartsAfter(settings, createRed(1)), numCells / 2) << "only bricks 1x1 were made before";
+    EXPECT_LT(numPartsAfter(parseSettings("12,parts=bricks,seed=1"), palette), numCells / 2);
 }
 
 } // namespace

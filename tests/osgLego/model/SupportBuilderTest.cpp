@@ -4,6 +4,13 @@
 
 #include <Layouts.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -11,6 +18,25 @@ namespace osgLego
 
 namespace
 {
+
+/** A layout of parts of one colour, each of which is one cell high, and the problem of their cells. */
+SupportedLayout createLayout(LaidParts parts, const glm::ivec3& size)
+{
+    const auto isLower = [](const auto& a, const auto& b)
+    { return std::tie(a.place[2], a.place[1], a.place[0]) < std::tie(b.place[2], b.place[1], b.place[0]); };
+    LayoutProblem problem;
+    problem.size = size;
+    problem.colors.emplace_back();
+    for (const LaidPart& part : parts)
+        for (int y = 0; y < part.size[1]; ++y)
+            for (int x = 0; x < part.size[0]; ++x)
+                problem.cells.push_back({{static_cast<std::uint16_t>(part.place[0] + x),
+                                          static_cast<std::uint16_t>(part.place[1] + y), part.place[2]},
+                                         part.color});
+    std::sort(problem.cells.begin(), problem.cells.end(), isLower);
+    std::sort(parts.begin(), parts.end(), isLower);
+    return {std::move(problem), std::move(parts)};
+}
 
 SupportedLayout support(const LayoutProblem& problem, const LaidParts& parts)
 {
@@ -96,6 +122,80 @@ TEST(SupportBuilder, CanBeCancelled)
     LayoutOptions options;
     options.isCancelled = [] { return true; };
     EXPECT_FALSE(SupportBuilder(options).build(layout));
+}
+
+TEST(SupportBuilder, LaysAgainOnlyPartsNearTheWeakPlace)
+{
+    // A bridge like that above, on posts of 40 layers. Pillars like its posts stand far away along x and along y. Posts
+    // and pillars consist of two columns, which a new layout would join.
+    constexpr std::uint16_t HEIGHT = 40;
+    constexpr std::uint16_t FAR = 60;
+    LaidParts parts;
+    for (std::uint16_t z = 0; z < HEIGHT; ++z)
+        for (const glm::ivec2& place : {glm::ivec2(0, 0), glm::ivec2(6, 0), glm::ivec2(FAR, 0), glm::ivec2(0, FAR)})
+            for (const int side : {0, 1})
+                parts.push_back(
+                    {{static_cast<std::uint16_t>(place.x + side), static_cast<std::uint16_t>(place.y), z}, {1, 2, 1}});
+    for (std::uint16_t z = HEIGHT; z < HEIGHT + 2; ++z)
+    {
+        parts.push_back({{0, 0, z}, {2, 2, 1}});
+        parts.push_back({{2, 0, z}, {4, 2, 1}});
+        parts.push_back({{6, 0, z}, {2, 2, 1}});
+    }
+    const SupportedLayout bare = createLayout(parts, {FAR + 2, FAR + 2, HEIGHT + 2});
+    ASSERT_FALSE(stands(bare));
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_TRUE(layout.isLaidAgain);
+    EXPECT_EQ(layout.numColumns, 0u);
+    for (const LaidPart& part : bare.parts)
+    {
+        const bool isFar = part.place[0] >= FAR || part.place[1] == FAR || part.place[2] < HEIGHT / 2;
+        EXPECT_TRUE(!isFar || std::count(layout.parts.begin(), layout.parts.end(), part) == 1)
+            << part.place[0] << ", " << part.place[1] << ", " << part.place[2];
+    }
+}
+
+TEST(SupportBuilder, PrefersPartsThatOverlapToFewParts)
+{
+    // A bridge of 2x16 on thin posts, and a pile of bricks beside its middle. The fewest bricks, two in each layer,
+    // have their joints above each other. Below, bricks connect the posts.
+    constexpr std::uint16_t PILE = 32;
+    LaidParts parts{{{0, 0, 0}, {8, 2, 1}}, {{8, 0, 0}, {8, 2, 1}}, {{4, 0, 1}, {8, 2, 1}}};
+    for (std::uint16_t z = 1; z < 4; ++z)
+        for (const std::uint16_t x : {std::uint16_t(0), std::uint16_t(15)})
+            parts.push_back({{x, 0, z}, {1, 2, 1}});
+    for (std::uint16_t z = 4; z < 6; ++z)
+        for (const std::uint16_t x : {std::uint16_t(0), std::uint16_t(8)})
+            parts.push_back({{x, 0, z}, {8, 2, 1}});
+    for (std::uint16_t z = 6; z < 6 + PILE; ++z)
+        parts.push_back({{6, 0, z}, {2, 2, 1}});
+    const SupportedLayout bare = createLayout(parts, {16, 2, 6 + PILE});
+    ASSERT_FALSE(stands(bare));
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_TRUE(layout.isLaidAgain);
+    EXPECT_EQ(layout.numColumns, 0u);
+}
+
+TEST(SupportBuilder, LargeGroupsGetColumnsFirstIfThereAreTooManyGroups)
+{
+    // Bricks in the air, one more than the columns that are built at most, and a second brick on the last one.
+    constexpr int SIDE = 13;
+    LaidParts parts{{{0, 0, 0}}};
+    for (int number = 0; number < 65; ++number)
+        parts.push_back({{static_cast<std::uint16_t>(2 + 4 * (number % SIDE)),
+                          static_cast<std::uint16_t>(2 + 4 * (number / SIDE)), 1}});
+    LaidPart upper = parts.back();
+    ++upper.place[2];
+    parts.push_back(upper);
+    const SupportedLayout bare = createLayout(parts, {4 * SIDE, 4 * SIDE, 3});
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_FALSE(layout.stands);
+    EXPECT_EQ(layout.numColumns, 64u);
+    const std::vector<std::uint32_t> falling = computeStanding(layout.problem, layout.parts, {})->falling;
+    ASSERT_EQ(falling.size(), 1u);
+    EXPECT_NE(layout.parts[falling[0]], upper);
 }
 
 } // namespace

@@ -151,6 +151,19 @@ TEST(PartialStability, ALoadThatOnlyALinearProgramProvesMayGrowUpToTheCapacity)
     }
 }
 
+TEST(PartialStability, PartsAreAddedToThoseThatALinearProgramProvesWithoutAnother)
+{
+    // As above: 0.6429 N, which only the linear program finds, and then three times 0.0568 N of forces spread evenly.
+    const osg::ref_ptr<const BrickModel> model = createLoadedCantilever(7, 3);
+    Subsets subsets(*model, BuildingBase::PLATE, 1);
+    std::vector<bool> isPlaced(model->getParts().size(), false);
+    std::fill_n(isPlaced.begin(), 2 + 7, true);
+    EXPECT_EQ(Subsets(*model, BuildingBase::PLATE, 0).findFalling(isPlaced), std::nullopt);
+    EXPECT_EQ(subsets.findFalling(isPlaced), std::vector<std::uint32_t>());
+    isPlaced.assign(isPlaced.size(), true);
+    EXPECT_EQ(subsets.findFalling(isPlaced), std::vector<std::uint32_t>());
+}
+
 TEST(PartialStability, NothingIsKnownOfPartsThatFallIfTheLinearProgramIsNotSolved)
 {
     const auto model = createPartModel({createBrick({0, 0, 0}, 2, 2), createBrick({0, 0, 1}, 8, 2)});
