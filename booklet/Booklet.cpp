@@ -71,7 +71,9 @@ void BookletWriter::report(double share, const std::string& work) const
 /** The parts to build. */
 osg::ref_ptr<const BrickModel> BookletWriter::findModel() const
 {
-    osg::ref_ptr<const BrickModel> model = _lego.getBricks();
+    // The settings tell it before the bricks are made, which may take long.
+    const bool mayHaveParts = _lego.getStoredBricks() || _lego.getSettings().parts.set != PartSet::NONE;
+    const osg::ref_ptr<const BrickModel> model = mayHaveParts ? _lego.getBricks() : nullptr;
     if (!model || model->getParts().empty())
         throw BookletFailure(Reason::BAD_MODEL, _options.modelName + " has no parts to build; expected parts=bricks "
                                                                      "among its settings");

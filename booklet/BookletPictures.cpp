@@ -188,6 +188,14 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
 
 BookletPicture BookletPictures::drawFinished(std::size_t chapter)
 {
+    // The cover and the last page show the same, which takes most of the time of a small booklet.
+    if (chapter > 0) return drawWhole(chapter);
+    if (!_finished) _finished = drawWhole(chapter);
+    return *_finished;
+}
+
+BookletPicture BookletPictures::drawWhole(std::size_t chapter)
+{
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);

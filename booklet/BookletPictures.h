@@ -6,6 +6,7 @@
 #include "BookletRenderer.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace osgLego
@@ -35,11 +36,13 @@ private:
     std::vector<BookletArrow> findArrows(const BookletStep& step, const BookletCamera& camera) const;
     Scale findScale(const BookletChapter& chapter) const;
     void show(std::size_t chapter);
+    BookletPicture drawWhole(std::size_t chapter);
 
     const BookletModel& _model;
     BookletRenderer& _renderer;
     std::vector<Scale> _scales;
-    std::size_t _shown; // the chapter that the renderer shows
+    std::size_t _shown;                      // the chapter that the renderer shows
+    std::optional<BookletPicture> _finished; // the model
 };
 
 } // namespace osgLego

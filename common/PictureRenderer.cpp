@@ -4,6 +4,7 @@
 
 #include <osgLego/LegoNode.h>
 
+#include <osg/GLObjects>
 #include <osg/LightModel>
 #include <osg/LightSource>
 #include <osg/Timer>
@@ -47,6 +48,16 @@ PictureRenderer::PictureRenderer(osg::GraphicsContext& context, int samples) :
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setReleaseContextAtEndOfFrameHint(false);
     _viewer.setSceneData(_camera);
+}
+
+PictureRenderer::~PictureRenderer()
+{
+    _context->makeCurrent();
+    _camera->releaseGLObjects(_context->getState());
+    osg::flushAllDeletedGLObjects(_context->getState()->getContextID());
+    _context->releaseContext();
+    // A viewer closes the contexts of its cameras.
+    _viewer.getCamera()->setGraphicsContext(nullptr);
 }
 
 /** With a headlight, edges would hardly be visible. */

@@ -23,7 +23,8 @@ namespace osgLego
  *     const osg::ref_ptr<osg::Image> picture = renderer.draw({640, 480}, background);
  *
  * Pictures are drawn into frame buffer objects, so that their size, their samples and their formats do not depend on
- * the context. The object closes the context when it is destroyed. One thread.
+ * the context. When the object is destroyed, it deletes the GL objects of its scene; the context can be used again. One
+ * thread.
  */
 class PictureRenderer
 {
@@ -37,6 +38,7 @@ public:
     /** @param context realized, and not current.
      * @param samples per pixel. */
     explicit PictureRenderer(osg::GraphicsContext& context, int samples = SAMPLES);
+    ~PictureRenderer();
     PictureRenderer(const PictureRenderer&) = delete;
     PictureRenderer& operator=(const PictureRenderer&) = delete;
 
@@ -62,7 +64,7 @@ private:
     void addLight();
 
     osg::ref_ptr<osg::GraphicsContext> _context;
-    osgViewer::Viewer _viewer; // closes the context
+    osgViewer::Viewer _viewer;
     osg::ref_ptr<osg::Camera> _camera;
     osg::ref_ptr<osg::Node> _scene;
     osg::ref_ptr<osg::Light> _light;

@@ -1,6 +1,5 @@
 #include "CaptureScene.h"
 
-#include "CaptureCamera.h"
 #include "ExitCode.h"
 #include "SceneReach.h"
 
@@ -25,12 +24,6 @@ namespace osgLego
 
 namespace
 {
-
-const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
-// Growth of resident memory per pixel, measured with llvmpipe: for the frame buffer object and the picture, and for the
-// buffers of an AmbientOcclusionScene.
-constexpr double BYTES_PER_PIXEL = 50.0;
-constexpr double OCCLUSION_BYTES_PER_PIXEL = 160.0;
 
 /** Finds the visible nodes of a class in a scene, without nodes below other nodes of that class. */
 template <typename Found>
@@ -228,32 +221,23 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
     return probe;
 }
 
-osg::ref_ptr<osg::Image> CaptureScene::draw(osg::GraphicsContext& context)
-{
-    if (_lego) checkSupport(context);
-    _renderer.emplace(context, _options.samples);
-    if (_options.view.near > 0.0)
-        _renderer->getCamera().setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    // The full look also has environment light.
-    const bool isFull = _lego && _lego->getSettings().view.look == Look::FULL;
-    _renderer->setBrightness(isFull ? 1.0f : 0.7f);
-    _renderer->setScene(*_shown);
-    placeCamera(_renderer->getCamera());
-    const glm::ivec2 size(_options.width, _options.height);
-    osg::ref_ptr<osg::Image> image =
-        _options.transparent ? _renderer->drawTransparent(size) : _renderer->draw(size, BACKGROUND);
-    if (_lego) checkLegolized(*context.getState());
-    // A frame without legolization.
-    if (!_options.statistics.empty()) _drawingTime = _renderer->timeFrame();
-    return image;
-}
-
 LegoNode& CaptureScene::getOnlyLegoNode() const
 {
     if (const std::size_t number = Finder<LegoNode>(*_shown).getAll().size(); number != 1)
         throw CaptureError(EXIT_BAD_INPUT, fmt::format("'{}' has {} models in bricks; expected one for --instructions",
                                                        _options.mesh, number));
     return *_lego;
+}
+
+void CaptureScene::checkHasParts(const char* purpose) const
+{
+    const std::vector<LegoNode*> all = Finder<LegoNode>(*_shown).getAll();
+    const auto hasParts = [](const LegoNode* lego)
+    {
+        const osg::ref_ptr<const BrickModel> stored = lego->getStoredBricks();
+        return stored ? !stored->getParts().empty() : lego->getSettings().parts.set != PartSet::NONE;
+    };
+    if (std::none_of(all.begin(), all.end(), hasParts)) throwWithoutParts(purpose);
 }
 
 void CaptureScene::makeBricks() const
@@ -273,7 +257,7 @@ PartsList CaptureScene::createPartsList() const
         if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
         if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
     }
-    if (list.getRows().empty()) throwWithoutParts("to list");
+    if (list.getRows().empty()) throwWithoutParts(TO_LIST);
     return list;
 }
 
@@ -283,7 +267,7 @@ std::vector<osg::ref_ptr<const BrickModel>> CaptureScene::findPartModels() const
     for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
         if (const osg::ref_ptr<const BrickModel> model = lego->getBricks(); model && !model->getParts().empty())
             models.push_back(model);
-    if (models.empty()) throwWithoutParts("that could stand");
+    if (models.empty()) throwWithoutParts(TO_STAND);
     return models;
 }
 
@@ -294,55 +278,28 @@ void CaptureScene::throwWithoutParts(const char* purpose) const
                        name + " has no parts " + purpose + "; expected parts=bricks among its settings");
 }
 
-double CaptureScene::estimateMemory() const
+bool CaptureScene::isInSource() const
 {
-    const bool hasOcclusion = _occlusion && _occlusion->getEnabled();
-    return (BYTES_PER_PIXEL + (hasOcclusion ? OCCLUSION_BYTES_PER_PIXEL : 0.0)) * _options.width * _options.height;
+    return _lego && Finder<LegoNode>(*_source).getFound() == _lego;
 }
 
-void CaptureScene::checkSupport(osg::GraphicsContext& context)
+osg::BoundingSphere CaptureScene::getBound() const
 {
-    if (const std::string missing = PictureRenderer::findMissing(context); !missing.empty())
-        throw CaptureError(EXIT_NO_GL, missing);
-}
-
-void CaptureScene::checkLegolized(const osg::State& state) const
-{
-    const unsigned int contextID = state.getContextID();
-    if (const std::string failure = _lego->getFailure(contextID); !failure.empty())
-        throw CaptureError(LegoNode::isSupported(state) ? EXIT_BAD_INPUT : EXIT_NO_GL, failure);
-    if (!_lego->isLegolized(contextID))
-        throw CaptureError(EXIT_BAD_INPUT, "the scene does not draw its bricks; expected a level of detail, or a view, "
-                                           "in which they are seen");
-}
-
-void CaptureScene::placeCamera(osg::Camera& camera) const
-{
-    // Placed according to the mesh, if there is one, not its bricks, so that pictures of both match.
-    const bool isInSource = _lego && Finder<LegoNode>(*_source).getFound() == _lego;
-    const bool hasMesh = isInSource && !_lego->getStoredBricks();
+    const bool hasMesh = isInSource() && !_lego->getStoredBricks();
     osg::BoundingSphere bound = hasMesh ? transformed(_lego->osg::Group::computeBound(), *_lego) : _source->getBound();
-    if (_lego)
-    {
-        // A grid beside the mesh has no bricks, but is drawn.
-        const osg::BoundingSphere bricks = transformed(_lego->getBound(), *_lego);
-        if (!bound.intersects(bricks)) bound.expandBy(bricks);
-    }
-    const LegoSettings settings = getSettings();
-    const double aspect = static_cast<double>(_options.width) / _options.height;
-    CaptureCamera place(_options.view, getUpAxis(), aspect);
-    if (_options.view.distance > 0.0)
-        place.moveToDistance(bound);
+    if (!_lego) return bound;
+    // A grid beside the mesh has no bricks, but is drawn.
+    const osg::BoundingSphere bricks = transformed(_lego->getBound(), *_lego);
+    if (!bound.intersects(bricks)) bound.expandBy(bricks);
+    return bound;
+}
+
+void CaptureScene::addTo(SceneReach& reach) const
+{
+    if (isInSource())
+        _source->accept(reach);
     else
-        place.moveToFit(bound,
-                        [&](SceneReach& reach)
-                        {
-                            if (isInSource)
-                                _source->accept(reach);
-                            else
-                                reach.addSource(*_source, settings);
-                        });
-    place.apply(camera);
+        reach.addSource(*_source, getSettings());
 }
 
 UpAxis CaptureScene::getUpAxis() const

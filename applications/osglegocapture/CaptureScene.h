@@ -3,45 +3,47 @@
 #include "CaptureOptions.h"
 
 #include <common/PartsList.h>
-#include <common/PictureRenderer.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
-#include <optional>
 #include <vector>
 
-#include <osg/Camera>
-#include <osg/GraphicsContext>
-#include <osg/Image>
+#include <osg/BoundingSphere>
 #include <osg/Node>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
 
-/** The captured scene: a mesh, its bricks, and the camera.
+class SceneReach;
+
+/** The captured scene: a mesh and its bricks, by the options. ScenePicture draws it.
  *
  * Throws CaptureError. One thread.
  */
 class CaptureScene
 {
 public:
+    /** The purposes of parts, in messages. */
+    static constexpr const char* TO_LIST = "to list";
+    static constexpr const char* TO_STAND = "that could stand";
+    static constexpr const char* TO_BUILD = "to build";
+
     /** Read the mesh, or create the built-in one. */
     explicit CaptureScene(const CaptureOptions& options);
 
     /** Use a node instead of a mesh; it may contain LegoNodes and AmbientOcclusionScenes. */
     CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node);
 
-    /** Draw in a context, repeatedly until the bricks exist.
-     * @return the picture, bottom row first: 8-bit RGB or, with a transparent background, RGBA with straight alpha. */
-    osg::ref_ptr<osg::Image> draw(osg::GraphicsContext& context);
-
-    /** The approximate memory that draw() needs for the pixels of the picture, mostly in GL buffers, in bytes. */
-    double estimateMemory() const;
-
+    /** The node to draw. */
+    osg::Node& getNode() const { return *_shown; }
     /** The node that makes the bricks; null if the original mesh is drawn. */
     LegoNode* getLegoNode() const { return _lego.get(); }
     /** The only node that makes bricks, for a booklet. Throws CaptureError if there are others. */
     LegoNode& getOnlyLegoNode() const;
+    /** Throw CaptureError if no settings and no stored bricks of the scene give parts, which is known before bricks are
+     * made. @param purpose of the parts, for the message. */
+    void checkHasParts(const char* purpose) const;
     /** Make the bricks that do not exist yet, which may take long. */
     void makeBricks() const;
     /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
@@ -50,9 +52,15 @@ public:
     std::vector<osg::ref_ptr<const BrickModel>> findPartModels() const;
     /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
+    /** The time that reading the mesh took, in milliseconds. */
     double getReadingTime() const { return _readingTime; }
-    /** The time of the last frame without legolization, in milliseconds. */
-    double getDrawingTime() const { return _drawingTime; }
+    /** The sphere about the scene according to which cameras are placed: that of the mesh, if there is one, not its
+     * bricks, so that pictures of both match. */
+    osg::BoundingSphere getBound() const;
+    /** Add the scene, with all bricks that it may have. */
+    void addTo(SceneReach& reach) const;
+    /** The axis of the scene along which studs point. */
+    UpAxis getUpAxis() const;
 
 private:
     void prepare();
@@ -62,16 +70,11 @@ private:
     void setOcclusion();
     void setProbe(const LightProbe& probe);
     osg::ref_ptr<LightProbe> createProbe() const;
-    static void checkSupport(osg::GraphicsContext& context);
-    void checkLegolized(const osg::State& state) const;
-    void placeCamera(osg::Camera& camera) const;
+    bool isInSource() const;
     LegoSettings getSettings() const;
-    /** The axis of the scene along which studs point. */
-    UpAxis getUpAxis() const;
     [[noreturn]] void throwWithoutParts(const char* purpose) const;
 
     const CaptureOptions& _options;
-    std::optional<PictureRenderer> _renderer; // from draw() on
     osg::ref_ptr<osg::Node> _source;
     LegoSettings _sourceSettings; // settings of the LegoNode that a pseudo-loader put above the mesh
     osg::ref_ptr<osg::Node> _shown;
@@ -80,7 +83,6 @@ private:
     bool _isRead = false;       // the source is from a file,
     bool _hasOwnBricks = false; // and is in bricks there
     double _readingTime = 0.0;
-    double _drawingTime = 0.0;
 };
 
 } // namespace osgLego

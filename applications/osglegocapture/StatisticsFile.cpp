@@ -59,9 +59,9 @@ JsonValue toJson(const LayoutStatistics& layout)
 
 } // namespace
 
-void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std::optional<LayoutStatistics>& layout,
-                     const SceneStability* stability, osg::GraphicsContext& context)
+void writeStatistics(std::ostream& stream, const CaptureStatistics& capture, osg::GraphicsContext& context)
 {
+    const auto& [scene, picture, layout, stability] = capture;
     context.makeCurrent();
     JsonValue json{
         {"renderer", glText(GL_RENDERER)}, {"version", glText(GL_VERSION)}, {"context", context.className()}};
@@ -89,7 +89,7 @@ void writeStatistics(std::ostream& stream, const CaptureScene& scene, const std:
         milliseconds["extraction"] = rounded(statistics.extraction);
     }
     if (stability) json["stability"] = stability->toJson();
-    milliseconds["drawing"] = rounded(scene.getDrawingTime());
+    milliseconds["drawing"] = rounded(picture.getDrawingTime());
     json["milliseconds"] = milliseconds;
     stream << json.toString(4) << '\n';
 }

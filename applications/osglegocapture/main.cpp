@@ -7,6 +7,7 @@
 #include "Instructions.h"
 #include "ModelBound.h"
 #include "ProgressBar.h"
+#include "ScenePicture.h"
 #include "SceneStability.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
@@ -38,19 +39,12 @@ std::string differenceNameOf(const CaptureOptions& options)
     return (path.parent_path() / (path.stem().string() + "-difference.png")).string();
 }
 
-/** @return null, with the reason in `error`, if there is none. */
-osg::ref_ptr<osg::GraphicsContext> createContext(std::string& error)
-{
-    constexpr int UNUSED_SIZE = 16; // pictures have their own frame buffers
-    return createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
-}
-
 /** Warn before a picture takes gigabytes: if memory is short, the machine may swap or kill the program. */
 void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
 {
     constexpr double GIGABYTE = 1e9;
     constexpr double NOTABLE = 2.0 * GIGABYTE;
-    const double bytes = scene.estimateMemory();
+    const double bytes = ScenePicture::estimateMemory(options, scene);
     if (bytes < NOTABLE) return;
     fmt::print(stderr,
                "osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size and "
@@ -85,25 +79,26 @@ std::optional<LayoutStatistics> reportLayout(const CaptureOptions& options, cons
     return layout;
 }
 
-OIIO::ImageBuf draw(const CaptureOptions& options, CaptureScene& scene, osg::GraphicsContext& context,
-                    const ProgressBar& progress)
+OIIO::ImageBuf draw(const CaptureOptions& options, ScenePicture& picture, const ProgressBar& progress)
 {
-    warnOfMemory(scene, options);
     progress.show(options.original ? "drawing" : "legolizing and drawing");
     const Cancellation::Unasked unasked;
-    return toImageBuf(*scene.draw(context));
+    return toImageBuf(*picture.draw());
 }
 
 /** Draw, and write everything that comes with a picture. */
-int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const SceneStability* stability,
+int drawAndWrite(const CaptureOptions& options, const CaptureScene& scene, const SceneStability* stability,
                  const StandardOutput* standardOutput, const OIIO::ImageBuf& reference, osg::GraphicsContext& context,
                  const ProgressBar& progress)
 {
-    const OIIO::ImageBuf picture = draw(options, scene, context, progress);
+    warnOfMemory(scene, options);
+    ScenePicture picture(options, scene, context); // keeps the bricks in the context
+    const OIIO::ImageBuf image = draw(options, picture, progress);
     progress.show("writing");
-    if (!options.output.empty()) writePicture(options.output, picture);
+    if (!options.output.empty()) writePicture(options.output, image);
     const std::optional<LayoutStatistics> layout = reportLayout(options, scene, context, progress);
-    const auto write = [&](std::ostream& stream) { writeStatistics(stream, scene, layout, stability, context); };
+    const CaptureStatistics statistics{scene, picture, layout, stability};
+    const auto write = [&](std::ostream& stream) { writeStatistics(stream, statistics, context); };
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT)
         standardOutput->write(write);
     else if (!options.statistics.empty())
@@ -112,8 +107,8 @@ int drawAndWrite(const CaptureOptions& options, CaptureScene& scene, const Scene
         writeCells(options.cells, *scene.getLegoNode()->getBricks(context.getState()->getContextID()));
     progress.clear();
     if (options.reference.empty()) return EXIT_FINE;
-    return compareWithReference(picture, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
-                                                                                                  : EXIT_DIFFERENT;
+    return compareWithReference(image, reference, options.threshold, differenceNameOf(options)) ? EXIT_FINE
+                                                                                                : EXIT_DIFFERENT;
 }
 
 void writePartsList(const CaptureOptions& options, const CaptureScene& scene, const StandardOutput* standardOutput)
@@ -170,30 +165,28 @@ OIIO::ImageBuf findReference(const CaptureOptions& options)
     return readReference(options.reference, options.width, options.height);
 }
 
+/** Throws CaptureError if parts are needed that no settings give. */
+void checkParts(const CaptureOptions& options, const CaptureScene& scene)
+{
+    if (!options.partsList.empty()) scene.checkHasParts(CaptureScene::TO_LIST);
+    if (options.base) scene.checkHasParts(CaptureScene::TO_STAND);
+    if (options.instructions.empty()) return;
+    scene.getOnlyLegoNode();
+    scene.checkHasParts(CaptureScene::TO_BUILD);
+}
+
 /** Read the scene, and make the parts that are listed, checked or built. */
 std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
 {
     const Cancellation::Unasked unasked;
     progress.show("reading");
     auto scene = std::make_unique<CaptureScene>(options);
-    if (!options.instructions.empty()) scene->getOnlyLegoNode();
+    checkParts(options, *scene);
     const bool needsParts = !options.partsList.empty() || options.base || !options.instructions.empty();
     if (needsParts) progress.show("making bricks");
     if (needsParts) scene->makeBricks();
     progress.clear();
     return scene;
-}
-
-void writeBooklet(const CaptureOptions& options, const CaptureScene& scene,
-                  const std::optional<SceneStability>& stability, osg::ref_ptr<osg::GraphicsContext> context,
-                  const ProgressBar& progress)
-{
-    // The viewer of the picture closes its context.
-    std::string error;
-    if (options.needsContext()) context = createContext(error);
-    if (!context) throw CaptureError(EXIT_NO_GL, error);
-    writeInstructions(options, scene.getOnlyLegoNode(), stability ? stability->getReport() : std::nullopt, *context,
-                      progress);
 }
 
 /** @param context null if nothing is drawn. */
@@ -215,7 +208,9 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
     int code = EXIT_FINE;
     if (options.needsContext())
         code = drawAndWrite(options, *scene, stability ? &*stability : nullptr, output, reference, *context, progress);
-    if (!options.instructions.empty()) writeBooklet(options, *scene, stability, context, progress);
+    if (!options.instructions.empty())
+        writeInstructions(options, scene->getOnlyLegoNode(), stability ? stability->getReport() : std::nullopt,
+                          *context, progress);
     return code;
 }
 
@@ -230,15 +225,16 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
     throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to create an OSMesa context; expected --context egl");
 }
 
-/** Create the first context that is drawn in, or continue as the program that can. @return null if nothing is drawn. */
-osg::ref_ptr<osg::GraphicsContext> createFirstContext(const CaptureOptions& options, [[maybe_unused]] char** argv)
+/** Create the context that is drawn in, or continue as the program that can. @return null if nothing is drawn. */
+osg::ref_ptr<osg::GraphicsContext> createContextFor(const CaptureOptions& options, [[maybe_unused]] char** argv)
 {
     if (!options.needsContext() && options.instructions.empty()) return nullptr;
 #if !defined(OSGLEGO_OSMESA)
     if (options.context == ContextKind::OSMESA) becomeOsMesa(argv);
 #endif
+    constexpr int UNUSED_SIZE = 16; // pictures have their own frame buffers
     std::string error;
-    osg::ref_ptr<osg::GraphicsContext> context = createContext(error);
+    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
 #if !defined(OSGLEGO_OSMESA)
     if (!context && options.context == ContextKind::AUTO) becomeOsMesa(argv);
 #endif
@@ -262,7 +258,7 @@ int run(int argc, char** argv)
     findOwnPlugins();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
-    return capture(options, createFirstContext(options, argv));
+    return capture(options, createContextFor(options, argv));
 }
 
 } // namespace

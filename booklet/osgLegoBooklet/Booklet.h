@@ -70,8 +70,8 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
  * Preconditions:
  * 1. The node has parts (LegoSettings::Parts::set), or its stored bricks have; those that it does not have yet are made
  *    first.
- * 2. The context is realized, current in no thread, and provides OpenGL 4.0 or later, compatibility profile. Nothing
- * else uses it: the function closes it when it has drawn.
+ * 2. The context is realized, and provides OpenGL 4.0 or later, compatibility profile. It is current in no thread, nor
+ *    used by another one during the call. Afterwards it can be used again.
  * 3. osgDB finds the plugin osgdb_ldraw: it is installed, or OSG_LIBRARY_PATH names the folder that contains the folder
  *    osgPlugins-3.6.5 with it.
  *

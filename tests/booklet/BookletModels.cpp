@@ -15,15 +15,15 @@ constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
 constexpr std::int32_t RED_CODE = 4;
 constexpr std::int32_t BLUE_CODE = 1;
 
-BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {})
+} // namespace
+
+BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels)
 {
     BuildingStep step;
     step.parts = std::move(parts);
     step.submodels = std::move(submodels);
     return step;
 }
-
-} // namespace
 
 BookletModel createTower(const TowerSetting& setting)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <booklet/BookletModel.h>
+#include <osgLego/BuildingPlan.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,9 @@
 
 namespace osgLego::test
 {
+
+/** A step that places parts and attaches submodels, seen from the front. */
+BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {});
 
 /** What is unusual in a tower. */
 struct TowerSetting

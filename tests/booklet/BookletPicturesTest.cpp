@@ -1,5 +1,7 @@
 #include <booklet/BookletPictures.h>
 
+#include "BookletModels.h"
+
 #include <PartModels.h>
 #include <offscreen/OffscreenContext.h>
 
@@ -152,14 +154,6 @@ private:
     double _bottom = std::numeric_limits<double>::max();
     double _scale = 0.0; // pixels per pitch
 };
-
-BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {})
-{
-    BuildingStep step;
-    step.parts = std::move(parts);
-    step.submodels = std::move(submodels);
-    return step;
-}
 
 } // namespace
 

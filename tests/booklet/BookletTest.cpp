@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <osg/Shape>
+#include <osg/ShapeDrawable>
 #include <unistd.h>
 
 namespace osgLego
@@ -53,23 +55,26 @@ protected:
     BookletTest() { std::filesystem::create_directory(_folder); }
     ~BookletTest() override { std::filesystem::remove_all(_folder); }
 
-    /** Write a booklet in a context of its own. */
+    /** Write a booklet; all booklets of a test are drawn in the same context. */
     std::optional<BookletError> write(const LegoNode& lego, const std::string& name, const BookletOptions& options = {})
     {
         std::string error;
-        const osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(16, 16, error);
-        return writeBooklet(lego, pathOf(name), *context, options);
+        if (!_context) _context = createOffscreenContext(16, 16, error);
+        return writeBooklet(lego, pathOf(name), *_context, options);
     }
 
     std::string pathOf(const std::string& name) const { return (_folder / name).string(); }
 
     std::filesystem::path _folder =
         std::filesystem::temp_directory_path() / ("osglego-booklet-" + std::to_string(getpid()));
+
+private:
+    osg::ref_ptr<osg::GraphicsContext> _context;
 };
 
 } // namespace
 
-TEST_F(BookletTest, WritesTheSamePageTwice)
+TEST_F(BookletTest, WritesTheSamePageTwiceInOneContext)
 {
     const osg::ref_ptr<LegoNode> lego = createNode();
     std::vector<double> shares;
@@ -131,6 +136,28 @@ TEST_F(BookletTest, GivesTheReasonForAFailure)
     EXPECT_EQ(error->reason, Reason::BAD_MODEL);
     EXPECT_EQ(error->message, "the model has no parts to build; expected parts=bricks among its settings");
     EXPECT_TRUE(std::filesystem::is_empty(_folder));
+}
+
+TEST_F(BookletTest, ReportsMissingPartsBeforeBricksAreMade)
+{
+    struct Counter : LegoNode::BricksCallback
+    {
+        void ready() override { ++numReady; }
+        int numReady = 0;
+    };
+    const osg::ref_ptr<Counter> counter = new Counter;
+    for (const bool isBooklet : {true, false})
+    {
+        osg::ref_ptr<LegoNode> lego = new LegoNode;
+        lego->addChild(new osg::ShapeDrawable(new osg::Sphere));
+        lego->setBricksCallback(counter);
+        if (isBooklet)
+            EXPECT_TRUE(write(*lego, "ball.html"));
+        else
+            EXPECT_TRUE(lego->getBricks());
+        lego = nullptr; // waits for the thread that calls ready()
+        EXPECT_EQ(counter->numReady, isBooklet ? 0 : 1);
+    }
 }
 
 TEST_F(BookletTest, PrintsTheStabilityThatIsKnown)

@@ -7,6 +7,7 @@
 #include <osglegocapture/CaptureFiles.h>
 #include <osglegocapture/CaptureScene.h>
 #include <osglegocapture/ExitCode.h>
+#include <osglegocapture/ScenePicture.h>
 
 #include <algorithm>
 #include <chrono>
@@ -48,12 +49,12 @@ void drawScene(const SceneLine& line, const std::string& folder, const std::stri
 {
     const CaptureOptions options = toCaptureOptions(line, folder, output);
     const std::unique_ptr<CaptureScene> scene = createScene(line, options);
-    // A separate context, since the viewer closes it.
+    // A separate context, so that no scene depends on those before.
     constexpr int UNUSED_SIZE = 16; // the picture has its own frame buffer
     std::string error;
     const osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(UNUSED_SIZE, UNUSED_SIZE, error);
     if (!context) throw CaptureError(EXIT_NO_GL, error);
-    writeSmallPicture(output, toImageBuf(*scene->draw(*context)));
+    writeSmallPicture(output, toImageBuf(*ScenePicture(options, *scene, *context).draw()));
 }
 
 /** The lines with the given names, in the order of the names; all lines if there are no names. */

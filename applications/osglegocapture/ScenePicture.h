@@ -1,0 +1,48 @@
+#pragma once
+
+#include "CaptureOptions.h"
+#include "CaptureScene.h"
+
+#include <common/PictureRenderer.h>
+
+#include <osg/GraphicsContext>
+#include <osg/Image>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The picture of a captured scene: places the camera by the options, and draws the scene.
+ *
+ *     ScenePicture picture(options, scene, *context);
+ *     const osg::ref_ptr<osg::Image> image = picture.draw();
+ *
+ * Throws CaptureError. One thread.
+ */
+class ScenePicture
+{
+public:
+    /** The arguments must outlive this object. @param context realized, and not current. */
+    ScenePicture(const CaptureOptions& options, const CaptureScene& scene, osg::GraphicsContext& context);
+
+    /** Draw the scene when its bricks exist, which may take long.
+     * @return the picture, bottom row first: 8-bit RGB or, with a transparent background, RGBA with straight alpha. */
+    osg::ref_ptr<osg::Image> draw();
+    /** The time of a frame without legolization, in milliseconds, if the options have statistics; otherwise 0. */
+    double getDrawingTime() const { return _drawingTime; }
+
+    /** The approximate memory that draw() needs for the pixels of the picture, mostly in GL buffers, in bytes. */
+    static double estimateMemory(const CaptureOptions& options, const CaptureScene& scene);
+
+private:
+    void placeCamera();
+    void checkLegolized() const;
+
+    const CaptureOptions& _options;
+    const CaptureScene& _scene;
+    osg::ref_ptr<osg::GraphicsContext> _context;
+    PictureRenderer _renderer;
+    double _drawingTime = 0.0;
+};
+
+} // namespace osgLego
