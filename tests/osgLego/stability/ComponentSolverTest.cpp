@@ -54,6 +54,31 @@ TEST(ComponentSolver, PartsWhoseForcesAreTooImpreciseFall)
     EXPECT_GT(result->tension, 2.0 * StabilityReport::CAPACITY);
 }
 
+/** Solve a cantilever on a base plate: a part 1 x 8 on the single stud of a brick 1 x 1.
+ * @param height of the part, in pitches. @param tension that holds it, in newtons. */
+ComponentStability solveCantilever(double height, double tension)
+{
+    constexpr double NEWTONS_PER_GRAM = 9.8e-3;
+    constexpr double LEVER = 3.25; // pitches; see Stability.ACantileverIsHeldByThreePointsOfItsStud
+    constexpr double PLATES_PER_PITCH = 2.5;
+    const std::vector<PartBox> boxes{
+        {{0, 0, 0}, {1, 1, 3}, 0.43},
+        {{0, 0, 3}, {8, 1, 3 + static_cast<int>(PLATES_PER_PITCH * height)}, tension / (NEWTONS_PER_GRAM * LEVER)}};
+    return *solveComponent(boxes, std::vector<std::uint32_t>{0, 1},
+                           std::vector<Contact>{{0, 1, Contact::STUDS}, {Contact::BASE, 0, Contact::STUDS}}, {});
+}
+
+TEST(ComponentSolver, FindsTheTensionEvenIfASmallForceAtALongLeverCouldSaveIt)
+{
+    // A force sideways at the middle of the part, whose lever is half of the height, would save the tension.
+    for (const double height : {10.0, 1e3, 1e4})
+    {
+        const ComponentStability result = solveCantilever(height, 0.9);
+        EXPECT_TRUE(result.falling.empty()) << height;
+        EXPECT_NEAR(result.tension, 0.9, 1e-6) << height;
+    }
+}
+
 TEST(ComponentSolver, CanBeCancelledWithinAFactorization)
 {
     constexpr std::uint32_t NUM_PARTS = 30;
