@@ -36,13 +36,6 @@ constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
 constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
 constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
 
-int getSeamCost(const LayoutProblem& problem)
-{
-    constexpr std::size_t SMALL = 1000;
-    const bool isSolid = problem.countInterior() > problem.cells.size() / 5;
-    return isSolid && problem.cells.size() < SMALL ? LayoutCosts::HALF_SEAM_OF_SMALL_SOLID : LayoutCosts::HALF_SEAM;
-}
-
 /** Improve a layout of all cells.
  * @return false if it was cancelled. */
 bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
@@ -55,7 +48,7 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
     const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
-    const int seamCost = options.bond * getSeamCost(map.getLattice().getProblem());
+    const int seamCost = options.bond * LayoutCosts::getHalfSeam(map.getLattice().getProblem());
     BestLayout best(sizes, seamCost);
     for (int round = 0; round < numRounds; ++round)
     {

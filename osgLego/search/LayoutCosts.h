@@ -1,5 +1,7 @@
 #pragma once
 
+#include <osgLego/layout/LayoutProblem.h>
+
 namespace osgLego
 {
 
@@ -19,6 +21,11 @@ struct LayoutCosts
     static constexpr int LEAF = 2000;
     static constexpr int UNMADE = 3 * PART;  //!< a single cell in a colour in which that part was never made
     static constexpr int LARGEST_CHANCE = 8; //!< the random cost of a joint
+
+    /** HALF_SEAM_OF_SMALL_SOLID for a small model of which more than a fifth is interior, otherwise HALF_SEAM. */
+    static int getHalfSeam(const LayoutProblem& problem);
+    /** LEAF_OF_SHELL for a model of which some, but less than half, is interior, otherwise LEAF. */
+    static int getLeaf(const LayoutProblem& problem);
 };
 
 } // namespace osgLego

@@ -18,7 +18,7 @@ bool LayoutWindow::improve(Index anchor, int numParts, int seamCost, const Layou
                            LayoutRandom& random)
 {
     gather({&anchor, 1}, numParts, region, _hasBricks, random);
-    _window.build(random, seamCost, LayoutCosts::LARGEST_CHANCE);
+    _window.build(random, seamCost);
     if (!_cover.findCheaper(_window.getParts(), _window.getCost(), maximumNodes, _chosen)) return false;
     _connections.start(_window, region);
     if (!_connections.keepsConnections(_chosen)) return false;
@@ -32,7 +32,7 @@ bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegio
     constexpr int MAXIMUM_NODES = 2000;
     const std::array anchors{_map.getAnchor(cell), _map.getAnchor(other)};
     gather(anchors, numParts, region, true, random);
-    _window.build(random, LayoutCosts::HALF_SEAM, LayoutCosts::PART / 2);
+    _window.build(random, LayoutCosts::HALF_SEAM);
     const int cost = _window.getCost();
     _window.keepTogether(cell, other);
     if (!_cover.findCheaper(_window.getParts(), cost + maximumCost, MAXIMUM_NODES, _chosen)) return false;

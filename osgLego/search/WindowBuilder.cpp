@@ -8,20 +8,8 @@
 namespace osgLego
 {
 
-namespace
-{
-
-int getLeafCost(const LayoutProblem& problem)
-{
-    const std::size_t numInside = problem.countInterior();
-    const bool isShell = numInside > 0 && numInside < problem.cells.size() / 2;
-    return isShell ? LayoutCosts::LEAF_OF_SHELL : LayoutCosts::LEAF;
-}
-
-} // namespace
-
 WindowBuilder::WindowBuilder(const PartMap& map, const PartSizes& sizes) :
-    _map(map), _sizes(sizes), _leafCost(getLeafCost(map.getLattice().getProblem())),
+    _map(map), _sizes(sizes), _leafCost(LayoutCosts::getLeaf(map.getLattice().getProblem())),
     _places(static_cast<std::size_t>(map.getLattice().getNumCells()), NO_CELL)
 {
 }
@@ -42,10 +30,9 @@ bool WindowBuilder::addPart(Index anchor)
     return true;
 }
 
-void WindowBuilder::build(LayoutRandom& random, int seamCost, int largestChance)
+void WindowBuilder::build(LayoutRandom& random, int seamCost)
 {
     _seamCost = seamCost;
-    _largestChance = largestChance;
     linkCells();
     weighSeams(random);
     _parts.parts.clear();

@@ -30,10 +30,10 @@ public:
     /** Add the cells of a part, which must not be in the window.
      * @return false if they are too many. */
     bool addPart(Index anchor);
-    /** List the parts that could be laid, once all cells are known.
-     * @param seamCost of half a unit of stacked seams.
-     * @param largestChance each joint costs a random number below this, which decides between equal covers. */
-    void build(LayoutRandom& random, int seamCost, int largestChance);
+    /** List the parts that could be laid, once all cells are known. Small random costs of joints decide between equal
+     * covers.
+     * @param seamCost of half a unit of stacked seams. */
+    void build(LayoutRandom& random, int seamCost);
 
     /** Remove the parts that contain one of two cells and not the other. */
     void keepTogether(Index cell, Index other);
@@ -93,7 +93,6 @@ private:
     std::array<std::vector<Column>, 2> _columns; //!< of each height
     WindowParts _parts;
     int _seamCost = 0;
-    int _largestChance = 1;
     int _cost = 0;
 };
 

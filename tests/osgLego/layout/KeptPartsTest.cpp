@@ -2,6 +2,9 @@
 
 #include <osgLego/layout/KeptParts.h>
 
+#include <cstdlib>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -36,6 +39,36 @@ TEST(KeptParts, KeepABrickWhoseCellsAllExistInItsColor)
     EXPECT_TRUE(
         keepsTheBrick(makeBlock([](int, int, int z) { return z == 1 ? static_cast<int>(LayoutCell::ANY_COLOR) : 0; })));
     EXPECT_FALSE(keepsTheBrick(makeBlock([](int, int, int) { return 1; })));
+}
+
+TEST(KeptParts, DropABrickThatWasNeverMadeInItsColor)
+{
+    LayoutProblem problem = makeBlock([](int, int, int) { return 0; });
+    problem.colors[0].bricks = 0;
+    EXPECT_FALSE(keepsTheBrick(problem));
+}
+
+TEST(KeptParts, ChangedCellsAreThoseWithinTheDistanceOfAnUncoveredOne)
+{
+    // A cross of cells, of which only the one in the middle is uncovered.
+    constexpr int CENTER = 5;
+    const auto isOnAxes = [](int x, int y, int z)
+    { return (x == CENTER ? 0 : 1) + (y == CENTER ? 0 : 1) + (z == CENTER ? 0 : 1) <= 1; };
+    const LayoutProblem problem = makeCells(
+        {11, 11, 11}, [&](int x, int y, int z) { return isOnAxes(x, y, z) ? (x + y + z) % 2 : -1; },
+        std::vector<LayoutColor>(2));
+    const CellLattice lattice(problem);
+    PartMap map(lattice);
+    const auto getDistance = [&](CellLattice::Index cell)
+    {
+        return std::abs(lattice.getX(cell) - CENTER) + std::abs(lattice.getY(cell) - CENTER) +
+               std::abs(lattice.getZ(cell) - CENTER);
+    };
+    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
+        if (getDistance(cell) > 0) map.lay(cell, {});
+    const std::vector<bool> isChanged = findChangedCells(map, 3);
+    for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
+        EXPECT_EQ(isChanged[static_cast<std::size_t>(cell)], getDistance(cell) <= 3) << cell;
 }
 
 TEST(KeptParts, DropABrickOfWhichAnyCellVanishesOrChangesItsColor)

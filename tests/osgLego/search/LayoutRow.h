@@ -1,25 +1,29 @@
 #pragma once
 
+#include "../layout/LaidMap.h"
 #include "../layout/LaidModel.h"
 
-#include <osgLego/layout/PartMap.h>
 #include <osgLego/search/LayoutRegion.h>
 
-#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace osgLego
 {
 
-/** Two layers of four cells in a row, covered by parts of given lengths. */
-class LayoutRow
+/** Layers of cells in a row, all of one colour, covered by parts of given lengths. */
+struct LayoutRow : LaidMap
 {
-public:
     static constexpr LayoutColor ONLY_SINGLE_AND_DOUBLE{0b11, 0b11};
 
+    /** Two layers of four cells. */
     explicit LayoutRow(const std::vector<std::vector<int>>& lengths) :
-        problem(makeCells({4, 1, 2}, [](int, int, int) { return 0; }, {ONLY_SINGLE_AND_DOUBLE}))
+        LayoutRow(makeCells({4, 1, 2}, [](int, int, int) { return 0; }, {ONLY_SINGLE_AND_DOUBLE}), lengths)
+    {
+    }
+
+    LayoutRow(LayoutProblem cells, const std::vector<std::vector<int>>& lengths) : LaidMap(std::move(cells))
     {
         CellLattice::Index cell = 0;
         for (const std::vector<int>& layer : lengths)
@@ -32,19 +36,11 @@ public:
 
     int countComponents() const
     {
-        LaidParts parts;
-        for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
-            if (map.isAnchor(cell))
-                parts.push_back(
-                    {problem.cells[static_cast<std::size_t>(cell)].place, {map.getShape(cell).width, 1, 1}, 0});
+        const LaidParts parts = getParts();
         return LaidModel(problem, parts).countComponents();
     }
 
-    LayoutProblem problem;
-    CellLattice lattice{problem};
-    PartSizes sizes{problem};
-    PartMap map{lattice};
-    LayoutRegion region{0, 2, 0, 1, 0, 0, nullptr};
+    LayoutRegion region{0, lattice.getNumLayers(), 0, 1, 0, 0, nullptr};
 };
 
 } // namespace osgLego

@@ -6,11 +6,13 @@
 #include <osgLego/search/LayoutCosts.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
-#include <iterator>
 #include <random>
+#include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -274,23 +276,37 @@ TEST(Layout, KeepsAllPartsOfThePreviousLayoutOfTheSameCells)
     EXPECT_EQ(layOut(problem, makeOptions(Effort::NORMAL, 2), previous), previous);
 }
 
-TEST(Layout, ChangesOnlyPartsNearChangedCells)
+/** The coordinates along an axis at which some parts are longer than a cell. */
+std::set<int> findLongParts(const LaidParts& parts, std::size_t axis)
 {
-    constexpr int REACH = 50; // cells: the neighbourhood of 8, and up to 14 parts of a window that begins in it
-    const LayoutProblem before = makeCells({200, 12, 4}, [](int, int, int) { return 0; });
-    const LayoutProblem after = makeCells({200, 12, 4}, [](int x, int y, int) { return x < 3 && y < 3 ? NO_CELL : 0; });
-    const LaidParts previous = layOut(before, {});
-    const LaidParts parts = layOut(after, makeOptions(Effort::NORMAL, 9), previous);
-    expectValid(after, parts);
-    const auto getFar = [](const LaidParts& all)
+    std::set<int> places;
+    for (const LaidPart& part : parts)
+        if (part.size != std::array<std::uint8_t, 3>{1, 1, 1}) places.insert(part.place[axis]);
+    return places;
+}
+
+TEST(Layout, LaysOnlyPartsWithinEightCellsOfAChangeAgain)
+{
+    // Stripes of eight cells, each of a different colour than the next ones, so that no window contains cells of two.
+    constexpr int NUM_STRIPES = 24;
+    constexpr int NUM_KEPT = 20;
+    for (const std::size_t axis : {0, 2})
     {
-        LaidParts far;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(far),
-                     [](const LaidPart& part) { return part.place[0] > REACH; });
-        return far;
-    };
-    EXPECT_EQ(getFar(parts), getFar(previous));
-    EXPECT_NE(parts, previous);
+        const glm::ivec3 size = axis == 0 ? glm::ivec3(NUM_STRIPES, 8, 1) : glm::ivec3(1, 8, NUM_STRIPES);
+        const LayoutProblem problem = makeCells(
+            size, [](int x, int, int z) { return (x + z) % 2; }, std::vector<LayoutColor>(2));
+        // A long part connects the columns of single cells.
+        LaidParts previous{{{0, 0, 0}, {1, 8, 1}, 0}};
+        for (const LayoutCell& cell : problem.cells)
+            if (cell.place[axis] > 0 && cell.place[axis] < NUM_KEPT)
+                previous.push_back({cell.place, {1, 1, 1}, cell.color});
+        const LaidParts parts = layOut(problem, makeOptions(Effort::NORMAL), previous);
+        expectValid(problem, parts);
+        std::set<int> expected{0};
+        for (int stripe = NUM_KEPT - 8; stripe < NUM_STRIPES; ++stripe)
+            expected.insert(stripe);
+        EXPECT_EQ(findLongParts(parts, axis), expected);
+    }
 }
 
 TEST(Layout, IgnoresPreviousPartsThatDoNotFit)
@@ -390,6 +406,53 @@ TEST(Layout, IsEmptyIfItIsCancelled)
         EXPECT_TRUE(layOut(problem, options).empty()) << numCalls << " calls";
         EXPECT_LT(calls, numCalls + 100) << "the layout continued";
     }
+}
+
+TEST(Layout, IsEmptyIfItIsCancelledAtTheEnd)
+{
+    const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+    const LayoutProblem problem = makeDome(5, 2);
+    int numCalls = 0;
+    int last = -1;
+    LayoutOptions options = makeOptions(Effort::INSTANT);
+    options.isCancelled = [&] { return numCalls++ == last; };
+    EXPECT_FALSE(layOut(problem, options).empty());
+    last = std::exchange(numCalls, 0) - 1;
+    EXPECT_TRUE(layOut(problem, options).empty());
+}
+
+TEST(Layout, HasTheRoundsOfItsEffort)
+{
+    // Cells of alternating colours are parts of their own. Each round reports its progress, and so does the end.
+    const auto countRounds = [](int numCells, Effort effort)
+    {
+        LayoutOptions options = makeOptions(effort);
+        int numReports = 0;
+        options.progress = [&](double) { ++numReports; };
+        layOut(makeCells(
+                   {numCells, 1, 1}, [](int x, int, int) { return x % 2; }, std::vector<LayoutColor>(2)),
+               options);
+        return numReports - 1;
+    };
+    EXPECT_EQ(countRounds(1, Effort::INSTANT), 2);
+    EXPECT_EQ(countRounds(4000, Effort::INSTANT), 1);
+    EXPECT_EQ(countRounds(4001, Effort::INSTANT), 0);
+    EXPECT_EQ(countRounds(1, Effort::NORMAL), 40);
+    EXPECT_EQ(countRounds(20000, Effort::NORMAL), 5);
+    EXPECT_EQ(countRounds(60000, Effort::NORMAL), 2);
+    EXPECT_EQ(countRounds(1, Effort::BEST), 250);
+}
+
+TEST(Layout, HasFewerStackedSeamsWithMoreBond)
+{
+    const LayoutProblem problem = makeDome(9, 2);
+    const auto countSeams = [&problem](int bond)
+    {
+        LayoutOptions options = makeOptions(Effort::INSTANT);
+        options.bond = bond;
+        return LaidModel(problem, layOut(problem, options)).countStackedSeams();
+    };
+    EXPECT_LT(countSeams(10), countSeams(1));
 }
 
 TEST(Layout, ReportsProgressUpToOne)

@@ -1,7 +1,13 @@
 #include "LayoutRow.h"
 
+#include <Layouts.h>
+
 #include <osgLego/search/LayoutCosts.h>
 #include <osgLego/search/LayoutWindow.h>
+
+#include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +38,166 @@ TEST(LayoutWindow, LaysFewerPartsThatSeparateNone)
     EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
     EXPECT_EQ(row.map.countParts(), 5);
     EXPECT_EQ(row.countComponents(), 1);
+}
+
+/** Random parts of random cells. */
+struct RandomMap : LaidMap
+{
+    RandomMap(const std::string& characters, bool isOfPlates, std::mt19937& random) :
+        LaidMap(makeProblem(characters, isOfPlates, random))
+    {
+        layRandomly(random);
+    }
+
+    static LayoutProblem makeProblem(const std::string& characters, bool isOfPlates, std::mt19937& random)
+    {
+        LayoutProblem cells = createRandomProblem({6, 5, 4}, characters, static_cast<unsigned int>(random()));
+        cells.isOfPlates = isOfPlates;
+        return cells;
+    }
+
+    int countComponents() const
+    {
+        const LaidParts parts = getParts();
+        const LaidModel model(problem, parts);
+        EXPECT_EQ(model.findMistake(), "");
+        return model.countComponents();
+    }
+
+    LayoutRegion region{0, 4, 0, 5, 0, 0, nullptr};
+};
+
+TEST(LayoutWindow, NeverSeparatesParts)
+{
+    std::mt19937 engine(5);
+    LayoutRandom random(1);
+    int numChanges = 0;
+    for (int i = 0; i < 24; ++i)
+    {
+        RandomMap laid(i % 3 == 0 ? "aaaaaa*." : "aab..", i % 2 == 0, engine);
+        LayoutWindow window(laid.map, laid.sizes);
+        int numComponents = laid.countComponents();
+        for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)
+        {
+            const int numParts = 1 + static_cast<int>(random.below(8));
+            if (!window.improve(laid.map.getAnchor(cell), numParts, 1000, laid.region, MANY_NODES, random)) continue;
+            ++numChanges;
+            const int numLeft = laid.countComponents();
+            EXPECT_LE(numLeft, numComponents) << "model " << i << ", cell " << cell;
+            numComponents = numLeft;
+        }
+    }
+    EXPECT_GT(numChanges, 100);
+}
+
+TEST(LayoutWindow, JoinsTwoCellsByOnePart)
+{
+    std::mt19937 engine(6);
+    LayoutRandom random(1);
+    int numJoined = 0;
+    for (int i = 0; i < 40; ++i)
+    {
+        RandomMap laid("aab..", i % 2 == 0, engine);
+        LayoutWindow window(laid.map, laid.sizes);
+        int numComponents = laid.countComponents();
+        for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)
+        {
+            const CellLattice::Index other = laid.lattice.getNeighbor(cell, CellLattice::NORTH);
+            if (other == CellLattice::NONE || laid.map.getAnchor(cell) == laid.map.getAnchor(other)) continue;
+            if (!window.join(cell, other, 6, laid.region, LayoutCosts::COMPONENT, random)) continue;
+            ++numJoined;
+            EXPECT_EQ(laid.map.getAnchor(cell), laid.map.getAnchor(other));
+            const int numLeft = laid.countComponents();
+            EXPECT_LE(numLeft, numComponents) << "model " << i << ", cell " << cell;
+            numComponents = numLeft;
+        }
+    }
+    EXPECT_GT(numJoined, 40);
+}
+
+TEST(LayoutWindow, JoinsComponentsUpToTheGivenCost)
+{
+    // An additional part is necessary.
+    LayoutRow row({{2, 2}, {2, 2}});
+    LayoutWindow window(row.map, row.sizes);
+    LayoutRandom random(1);
+    EXPECT_FALSE(window.join(1, 2, 4, row.region, 9000, random));
+    EXPECT_TRUE(window.join(1, 2, 4, row.region, 11000, random));
+    EXPECT_EQ(row.map.countParts(), 5);
+}
+
+TEST(LayoutWindow, JoinsNoPartsOfOneComponent)
+{
+    LayoutRow row({{2, 2}, {1, 2, 1}});
+    LayoutWindow window(row.map, row.sizes);
+    LayoutRandom random(1);
+    for (int numParts = 2; numParts <= 5; ++numParts)
+        EXPECT_FALSE(window.join(1, 2, numParts, row.region, LayoutCosts::COMPONENT, random));
+}
+
+TEST(LayoutWindow, KeepsToItsRegion)
+{
+    // Fewer parts suffice, but the parts next to the first one are outside.
+    LayoutRow row({{1, 2, 1}, {1, 1, 1, 1}});
+    LayoutWindow window(row.map, row.sizes);
+    LayoutRandom random(1);
+    row.region.zEnd = 1;
+    EXPECT_FALSE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+    row.region.zEnd = 2;
+    EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+}
+
+/** Two towers, two cells broad, that stand on a common part, and three parts on top, which may become two. */
+struct Towers : LayoutRow
+{
+    static constexpr int NUM_LAYERS = 62;
+    static constexpr CellLattice::Index TOP = 4 * (NUM_LAYERS - 1); //!< the first cell of the highest layer
+
+    Towers() : LayoutRow(makeProblem(), makeLengths()) {}
+
+    static LayoutProblem makeProblem()
+    {
+        return makeCells({4, 1, NUM_LAYERS}, [](int, int, int z) { return z == 0 ? 1 : 0; },
+                         {ONLY_SINGLE_AND_DOUBLE, LayoutColor{}});
+    }
+    static std::vector<std::vector<int>> makeLengths()
+    {
+        std::vector<std::vector<int>> lengths(NUM_LAYERS, {2, 2});
+        lengths.front() = {4};
+        lengths.back() = {1, 2, 1};
+        return lengths;
+    }
+
+    /** Lay the highest layer again. */
+    bool improveTop()
+    {
+        LayoutWindow window(map, sizes);
+        LayoutRandom random(1);
+        return window.improve(TOP, 3, LayoutCosts::HALF_SEAM, region, MANY_NODES, random);
+    }
+};
+
+TEST(LayoutWindow, FindsConnectionsFarAway)
+{
+    Towers towers;
+    EXPECT_TRUE(towers.improveTop());
+    EXPECT_EQ(towers.countComponents(), 1);
+}
+
+TEST(LayoutWindow, KnowsConnectionsOutsideOfItsRegionOnlyIfNoThreadChangesThem)
+{
+    Towers towers;
+    std::vector<CellLattice::Index> components(static_cast<std::size_t>(towers.lattice.getNumCells()), 0);
+    towers.region.zBegin = Towers::NUM_LAYERS - 1;
+    EXPECT_FALSE(towers.improveTop());
+    towers.region.fixedComponents = &components;
+    EXPECT_TRUE(towers.improveTop());
+
+    Towers separate;
+    for (CellLattice::Index cell = 0; cell < separate.lattice.getNumCells(); ++cell)
+        components[static_cast<std::size_t>(cell)] = cell % 4 < 2 ? 4 : 6;
+    separate.region = towers.region;
+    EXPECT_FALSE(separate.improveTop());
 }
 
 } // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <osgLego/layout/PartColors.h>
+#include <osgLego/layout/PartMap.h>
+#include <osgLego/layout/PartSizes.h>
+
+#include <random>
+#include <utility>
+
+namespace osgLego
+{
+
+/** A layout of some cells while it is computed, together with all that it refers to. */
+struct LaidMap
+{
+    explicit LaidMap(LayoutProblem cells) : problem(std::move(cells)) {}
+    LaidMap(const LaidMap&) = delete;
+    LaidMap& operator=(const LaidMap&) = delete;
+
+    /** Cover all cells by random parts. */
+    void layRandomly(std::mt19937& random);
+    /** All cells must be covered. */
+    LaidParts getParts() const { return collectParts(map, sizes); }
+
+    const LayoutProblem problem;
+    const CellLattice lattice{problem};
+    const PartSizes sizes{problem};
+    PartMap map{lattice};
+
+private:
+    bool fits(CellLattice::Index anchor, const PartShape& shape) const;
+};
+
+} // namespace osgLego
