@@ -142,7 +142,7 @@ JsonValue compareGrid(const Palette& palette)
     return comparison.toJson("grid");
 }
 
-void printRows(const JsonValue& rows)
+void printColors(const JsonValue& rows)
 {
     fmt::print("| colours of | number | palette | error | excess over the best | worse by more than 5 | neutral "
                "| chromatic of these | verdict |\n|---|---|---|---|---|---|---|---|---|\n");
@@ -170,7 +170,7 @@ void runColors(const ColorsCommandOptions& options)
         for (const unsigned int resolution : options.getResolutions({24}, {48}))
             document["rows"].append(compareMesh(mesh, resolution, settings));
     if (!options.jsonFile.empty()) return options.write(document);
-    printRows(document["rows"]);
+    printColors(document["rows"]);
 }
 
 } // namespace

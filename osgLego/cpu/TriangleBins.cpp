@@ -18,7 +18,7 @@ namespace
 // The number of triangles that a thread sorts at a time.
 constexpr std::size_t CHUNK = 16384;
 // In cells. Compensates for rounding: a superfluous bundle costs little, but a missing one loses bricks.
-constexpr float GENEROSITY = 1e-2f;
+constexpr float BIN_SLACK = 1e-2f;
 constexpr std::uint32_t NO_BUNDLE = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t SEVERAL_BUNDLES = NO_BUNDLE - 1;
 
@@ -70,18 +70,17 @@ void forEachBundle(const Corners& corners, const glm::ivec2& size, const Use& us
         z.include(corners[corner].z);
     }
     const glm::ivec2 last = size - 1;
-    const int firstZ = bundleOf(z.lowest - GENEROSITY, last.y);
-    const int lastZ = bundleOf(z.highest + GENEROSITY, last.y);
+    const int firstZ = bundleOf(z.lowest - BIN_SLACK, last.y);
+    const int lastZ = bundleOf(z.highest + BIN_SLACK, last.y);
     const bool isSmall = firstZ == lastZ || bundleOf(y.lowest, last.x) == bundleOf(y.highest, last.x);
     for (int bundle = firstZ; bundle <= lastZ; ++bundle)
     {
         // A long triangle reaches into only a few of the bundles in its bounds.
         const auto layer = static_cast<float>(bundle * RowBundle::SIDE);
-        const Range reach =
-            isSmall ? y : reachBetween(corners, layer - GENEROSITY, layer + RowBundle::SIDE + GENEROSITY);
+        const Range reach = isSmall ? y : reachBetween(corners, layer - BIN_SLACK, layer + RowBundle::SIDE + BIN_SLACK);
         if (reach.lowest > reach.highest) continue;
-        const int lastY = bundleOf(reach.highest + GENEROSITY, last.x);
-        for (int row = bundleOf(reach.lowest - GENEROSITY, last.x); row <= lastY; ++row)
+        const int lastY = bundleOf(reach.highest + BIN_SLACK, last.x);
+        for (int row = bundleOf(reach.lowest - BIN_SLACK, last.x); row <= lastY; ++row)
             use(static_cast<std::size_t>(row) + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(bundle));
     }
 }

@@ -16,7 +16,7 @@ namespace
 // A box of up to this many cells is tested cell by cell; a larger one is halved first.
 constexpr int DIRECT_CANDIDATES = 27;
 // In cells. It makes the test of a box of several cells conservative; single cells are tested exactly.
-constexpr double GENEROSITY = 1e-9;
+constexpr double BOX_SLACK = 1e-9;
 // A shorter axis comes from a sliver, or from an edge along an axis, and separates nothing.
 constexpr double SHORTEST_AXIS = 1e-9;
 
@@ -109,7 +109,7 @@ bool TriangleOverlap::mayOverlap(const glm::ivec3& minimum, const glm::ivec3& ma
     for (const Axis& axis : _axes)
     {
         const double shift = glm::dot(axis.direction, corner);
-        const double slack = GENEROSITY * (glm::dot(glm::abs(axis.direction), size) + std::abs(shift));
+        const double slack = BOX_SLACK * (glm::dot(glm::abs(axis.direction), size) + std::abs(shift));
         const double low = shift + glm::dot(glm::min(axis.direction, glm::dvec3(0.0)), size) - slack;
         const double high = shift + glm::dot(glm::max(axis.direction, glm::dvec3(0.0)), size) + slack;
         if (axis.triangleMinimum > high || axis.triangleMaximum < low) return false;

@@ -78,8 +78,8 @@ std::uint32_t findLastRank(const CellRanks& ranks)
 /** The place of a cell's block in the order of blocks: those with studs before the others, layer by layer. */
 std::tuple<int, bool, int, int> blockKeyOf(const Brick& brick, int stud)
 {
-    constexpr int SIDE = BrickPoints::BLOCK_SIDE;
-    return {brick.cell[2] / SIDE, !(brick.openSides & stud), brick.cell[1] / SIDE, brick.cell[0] / SIDE};
+    const glm::ivec3 place = brick.getCell() / BrickPoints::BLOCK_SIDE;
+    return {place.z, !(brick.openSides & stud), place.y, place.x};
 }
 
 void include(const Brick& brick, const CellRanks& ranks, BrickBlock& block)

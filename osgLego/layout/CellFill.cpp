@@ -109,7 +109,7 @@ private:
 };
 
 /** Whether a cell comes before another one in the order of their numbers. */
-bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
+bool isInOrder(const glm::ivec3& a, const glm::ivec3& b)
 {
     return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
 }
@@ -129,7 +129,7 @@ void lowerDistances(const std::vector<Brick>& bricks, int step, std::vector<std:
             // Neighbours come in the same order as the cells, so the search only ever moves on.
             std::ptrdiff_t& neighbour = neighbours[static_cast<std::size_t>(axis)];
             const auto cellOf = [&] { return bricks[static_cast<std::size_t>(neighbour)].getCell(); };
-            while (neighbour != brick && (step < 0 ? isBefore(cellOf(), wanted) : isBefore(wanted, cellOf())))
+            while (neighbour != brick && (step < 0 ? isInOrder(cellOf(), wanted) : isInOrder(wanted, cellOf())))
                 neighbour -= step;
             const bool isEmpty = cellOf() != wanted;
             std::uint16_t& distance = distances[static_cast<std::size_t>(brick)];
@@ -170,7 +170,7 @@ FilledCells fillSolid(const BrickModel& model, const EmptyCells& empty, std::siz
         [&](int y, int z, const EmptyRun& run)
         {
             // The run begins behind a covered cell.
-            for (; next != covered.end() && isBefore(next->getCell(), {run.begin, y, z}); ++next)
+            for (; next != covered.end() && isInOrder(next->getCell(), {run.begin, y, z}); ++next)
             {
                 cells.bricks.push_back(*next);
                 cells.isInterior.push_back(false);

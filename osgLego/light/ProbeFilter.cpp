@@ -15,7 +15,7 @@ namespace osgLego
 namespace
 {
 
-constexpr double PI = std::numbers::pi;
+using std::numbers::pi;
 constexpr int NORMALS_ACROSS = LightProbe::CONVOLVED_WIDTH;
 constexpr std::size_t NORMALS = NORMALS_ACROSS * NORMALS_ACROSS / 2;
 /** Relative to the peak of a lobe: smaller weights are ignored. This omits a hundredth of the narrowest lobe. */
@@ -82,7 +82,7 @@ public:
         const double across = std::sin(pixelLatitude) * std::sin(cellLatitude);
         for (int column = -_columns / 2; column < _columns / 2; ++column)
         {
-            const double longitude = 2.0 * PI * (column + _shift) / _columns;
+            const double longitude = 2.0 * pi * (column + _shift) / _columns;
             const double weight = weightAt(across + along * std::cos(longitude));
             if (weight < LEAST_WEIGHT) continue;
             kernel.columns.push_back(column);
@@ -120,7 +120,7 @@ std::vector<osg::Vec3f> paddedRowOf(const RadianceGrid& grid, int row)
 
 double latitudeOf(int row, int height)
 {
-    return PI * ((row + 0.5) / height - 0.5);
+    return pi * ((row + 0.5) / height - 0.5);
 }
 
 } // namespace
@@ -130,7 +130,7 @@ osg::ref_ptr<osg::Image> convolveWithCosine(const RadianceGrid& grid)
     const auto normals = std::make_unique<Normals>();
     for (int row = 0; row < grid.getHeight(); ++row)
     {
-        const double weight = LatitudeLongitude::solidAngleOf(row, grid.getWidth(), grid.getHeight()) / PI;
+        const double weight = LatitudeLongitude::solidAngleOf(row, grid.getWidth(), grid.getHeight()) / pi;
         for (int column = 0; column < grid.getWidth(); ++column)
         {
             const RadianceGrid::Cell& cell = grid.getCell(column, row);

@@ -18,7 +18,7 @@ namespace osgLego
 namespace
 {
 
-constexpr double PI = std::numbers::pi;
+using std::numbers::pi;
 constexpr int PIECES_ACROSS = 512;
 constexpr int RIM_PIECES = 8;
 constexpr float LARGEST_HALF = 65504.0f;
@@ -222,7 +222,7 @@ osg::Vec3d RadiancePicture::getRadiance(const osg::Vec3d& direction) const
     if (_angular)
     {
         const double sine = std::hypot(direction.x(), direction.z());
-        const double scale = sine > 0.0 ? 0.5 * std::acos(std::clamp(direction.y(), -1.0, 1.0)) / (PI * sine) : 0.0;
+        const double scale = sine > 0.0 ? 0.5 * std::acos(std::clamp(direction.y(), -1.0, 1.0)) / (pi * sine) : 0.0;
         place.set(0.5 + scale * direction.x(), 0.5 + scale * direction.z());
     }
     else
@@ -253,7 +253,7 @@ void RadiancePicture::visitLatitudesAndLongitudes(const std::function<void(const
     Piece piece;
     for (int row = 0; row < rows; ++row)
     {
-        const double latitude = PI * ((row + 0.5) / rows - 0.5);
+        const double latitude = pi * ((row + 0.5) / rows - 0.5);
         const double cosine = std::cos(latitude);
         const double sine = std::sin(latitude);
         piece.solidAngle = LatitudeLongitude::solidAngleOf(row, columns, rows);
@@ -289,11 +289,11 @@ void RadiancePicture::visitCircle(const std::function<void(const Piece&)>& funct
                 const double radius = std::hypot(x, z);
                 if (radius >= 1.0) continue;
                 // A ring of the circle, 2 pi r dr, maps to a ring of the sphere, 2 pi sin(pi r) d(pi r).
-                const double angle = PI * radius;
-                const double stretch = radius > 1e-9 ? std::sin(angle) / radius : PI;
+                const double angle = pi * radius;
+                const double stretch = radius > 1e-9 ? std::sin(angle) / radius : pi;
                 piece.direction.set(x * stretch, std::cos(angle), z * stretch);
                 piece.place = LatitudeLongitude::coordinatesOf(piece.direction);
-                piece.solidAngle = PI * stretch * size * size;
+                piece.solidAngle = pi * stretch * size * size;
                 function(piece);
             }
         }

@@ -53,7 +53,7 @@ protected:
     std::vector<std::string> _warnings;
 };
 
-Part makePart(const std::array<std::uint16_t, 3>& cell, const std::array<std::uint8_t, 3>& size, std::int32_t code)
+Part expectedPart(const std::array<std::uint16_t, 3>& cell, const std::array<std::uint8_t, 3>& size, std::int32_t code)
 {
     Part part{cell, size, {}, code};
     for (const PaletteColor& color : Palette::getKnownColors())
@@ -71,7 +71,7 @@ TEST_F(LDrawReaderTest, BricksInBothDirectionsCoverTheirCellsInAGridInMillimetre
     EXPECT_EQ(model->getGrid().cellSize, glm::dvec3(8.0, 8.0, 0.4 * 24.0));
     EXPECT_EQ(model->getGrid().dimensions, glm::ivec3(4, 3, 2));
     EXPECT_EQ(model->getGrid().origin, glm::dvec3(0.0, -8.0, 0.0));
-    EXPECT_EQ(model->getParts(), (std::vector{makePart({0, 1, 0}, {4, 2, 1}, 4), makePart({1, 0, 1}, {2, 3, 1}, 1)}));
+    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 1, 0}, {4, 2, 1}, 4), expectedPart({1, 0, 1}, {2, 3, 1}, 1)}));
 }
 
 TEST_F(LDrawReaderTest, OnePlateMakesAGridOfPlates)
@@ -79,7 +79,7 @@ TEST_F(LDrawReaderTest, OnePlateMakesAGridOfPlates)
     const auto model = read("1 4 0 -24 0" + ALONG_X + "3005.dat\n1 14 0 -32 0" + ALONG_X + "3024.dat\n");
     ASSERT_TRUE(model) << _error;
     EXPECT_EQ(model->getGrid().cellSize, glm::dvec3(8.0, 8.0, 0.4 * 8.0));
-    EXPECT_EQ(model->getParts(), (std::vector{makePart({0, 0, 0}, {1, 1, 3}, 4), makePart({0, 0, 3}, {1, 1, 1}, 14)}));
+    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 0, 0}, {1, 1, 3}, 4), expectedPart({0, 0, 3}, {1, 1, 1}, 14)}));
 }
 
 TEST_F(LDrawReaderTest, BricksAThirdApartMakeAGridOfPlates)
@@ -113,7 +113,7 @@ TEST_F(LDrawReaderTest, SubmodelsPassOnTheirTransformAndColour)
     EXPECT_TRUE(_warnings.empty());
     // 3004 lies along z: x 90 to 110, z -40 to 0. 3005 stands above: x 110 to 130, z -60 to -40.
     EXPECT_EQ(model->getGrid().origin, 0.4 * glm::dvec3(90.0, -60.0, 24.0));
-    EXPECT_EQ(model->getParts(), (std::vector{makePart({0, 1, 0}, {1, 2, 1}, 4), makePart({1, 0, 1}, {1, 1, 1}, 1)}));
+    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 1, 0}, {1, 2, 1}, 4), expectedPart({1, 0, 1}, {1, 1, 1}, 1)}));
 }
 
 TEST_F(LDrawReaderTest, PartsInTheColourOfEdgesHaveThatOfTheReferenceToTheirSubmodel)

@@ -19,6 +19,8 @@ public:
     // The size of the contexts' own frame buffers, in pixels.
     static constexpr int WIDTH = 200;
     static constexpr int HEIGHT = 150;
+    // Two ways of drawing may round the same edge to either of two neighbouring pixels: so many pixels may differ.
+    static constexpr std::size_t FEW_PIXELS = WIDTH * HEIGHT / 500;
 
     GlTest();
     ~GlTest() override;

@@ -17,7 +17,7 @@ namespace osgLego::test
 namespace
 {
 
-constexpr double PI = std::numbers::pi;
+using std::numbers::pi;
 
 osg::Vec4 colorOf(const osg::Vec3& place)
 {
@@ -73,8 +73,8 @@ osg::ref_ptr<osg::Image> createSmoothImage()
     for (int row = 0; row < image->t(); ++row)
         for (int column = 0; column < image->s(); ++column)
         {
-            const double s = 2.0 * PI * column / image->s();
-            const double t = 2.0 * PI * row / image->t();
+            const double s = 2.0 * pi * column / image->s();
+            const double t = 2.0 * pi * row / image->t();
             unsigned char* pixel = image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
             pixel[0] = static_cast<unsigned char>(127.5 + 120.0 * std::sin(s));
             pixel[1] = static_cast<unsigned char>(127.5 + 120.0 * std::sin(t));
@@ -102,8 +102,8 @@ osg::ref_ptr<osg::Node> createSphere(int rings)
         createWrapped(2 * rings, rings,
                       [](double u, double v)
                       {
-                          return osg::Vec3d(std::cos(2 * PI * u) * std::sin(PI * v),
-                                            std::sin(2 * PI * u) * std::sin(PI * v), -std::cos(PI * v));
+                          return osg::Vec3d(std::cos(2 * pi * u) * std::sin(pi * v),
+                                            std::sin(2 * pi * u) * std::sin(pi * v), -std::cos(pi * v));
                       });
     colorByPlace(*geometry);
     return toNode(geometry);
@@ -115,8 +115,8 @@ osg::ref_ptr<osg::Node> createTorus()
         48, 24,
         [](double u, double v)
         {
-            const double around = 1.0 + 0.4 * std::cos(2 * PI * v);
-            return osg::Vec3d(around * std::cos(2 * PI * u), around * std::sin(2 * PI * u), 0.4 * std::sin(2 * PI * v));
+            const double around = 1.0 + 0.4 * std::cos(2 * pi * v);
+            return osg::Vec3d(around * std::cos(2 * pi * u), around * std::sin(2 * pi * u), 0.4 * std::sin(2 * pi * v));
         });
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(createSmoothImage());
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);

@@ -12,7 +12,7 @@ namespace osgLego::test
 namespace
 {
 
-constexpr double PI = std::numbers::pi;
+using std::numbers::pi;
 
 osg::ref_ptr<osg::Image> createImage(int width, int height)
 {
@@ -29,15 +29,15 @@ void setPixel(osg::Image& image, int column, int row, const osg::Vec3d& color)
 
 double solidAngleOf(int row, int width, int height)
 {
-    return 2.0 * PI / width * (std::cos(PI * row / height) - std::cos(PI * (row + 1) / height));
+    return 2.0 * pi / width * (std::cos(pi * row / height) - std::cos(pi * (row + 1) / height));
 }
 
 } // namespace
 
 osg::Vec3d latitudeLongitudeDirection(int column, int row, int width, int height)
 {
-    const double azimuth = 2.0 * PI * ((column + 0.5) / width - 0.5);
-    const double fromTop = PI * (1.0 - (row + 0.5) / height);
+    const double azimuth = 2.0 * pi * ((column + 0.5) / width - 0.5);
+    const double fromTop = pi * (1.0 - (row + 0.5) / height);
     return {std::sin(fromTop) * std::sin(azimuth), std::sin(fromTop) * std::cos(azimuth), std::cos(fromTop)};
 }
 
@@ -60,7 +60,7 @@ osg::ref_ptr<osg::Image> createAngularMap(int size, const RadianceOf& radianceOf
             const double up = 2.0 * (row + 0.5) / size - 1.0;
             const double distance = std::hypot(right, up);
             // The centre of a pixel on the rim is outside the circle, but part of the pixel is inside.
-            const double angle = PI * std::min(distance, 1.0);
+            const double angle = pi * std::min(distance, 1.0);
             const osg::Vec3d direction(right / distance * std::sin(angle), std::cos(angle),
                                        up / distance * std::sin(angle));
             const bool outside = distance > 1.0 + 3.0 / size;
@@ -81,7 +81,7 @@ osg::Vec3d meanOf(const osg::Image& image)
     for (int row = 0; row < image.t(); ++row)
         for (int column = 0; column < image.s(); ++column)
             sum += pixelOf(image, column, row) * solidAngleOf(row, image.s(), image.t());
-    return sum / (4.0 * PI);
+    return sum / (4.0 * pi);
 }
 
 std::vector<osg::Vec3d> sumIrradiance(const osg::Image& image, const std::vector<osg::Vec3d>& normals)
@@ -91,7 +91,7 @@ std::vector<osg::Vec3d> sumIrradiance(const osg::Image& image, const std::vector
         for (int column = 0; column < image.s(); ++column)
         {
             const osg::Vec3d direction = latitudeLongitudeDirection(column, row, image.s(), image.t());
-            osg::Vec3d light = pixelOf(image, column, row) * (solidAngleOf(row, image.s(), image.t()) / PI);
+            osg::Vec3d light = pixelOf(image, column, row) * (solidAngleOf(row, image.s(), image.t()) / pi);
             for (unsigned int channel = 0; channel < 3; ++channel)
                 light[channel] = std::max(light[channel], 0.0);
             for (std::size_t index = 0; index < normals.size(); ++index)
@@ -107,7 +107,7 @@ std::vector<osg::Vec3d> createNormals()
     for (int index = 0; index < COUNT; ++index)
     {
         const double height = 1.0 - (2.0 * index + 1.0) / COUNT;
-        const double azimuth = index * PI * (3.0 - std::sqrt(5.0)); // the golden angle
+        const double azimuth = index * pi * (3.0 - std::sqrt(5.0)); // the golden angle
         const double radius = std::sqrt(1.0 - height * height);
         normals.emplace_back(radius * std::cos(azimuth), radius * std::sin(azimuth), height);
     }

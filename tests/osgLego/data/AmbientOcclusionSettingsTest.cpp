@@ -10,7 +10,7 @@ namespace osgLego
 namespace
 {
 
-AmbientOcclusionSettings parsed(const std::string& text)
+AmbientOcclusionSettings parseOcclusion(const std::string& text)
 {
     AmbientOcclusionSettings settings;
     std::string error;
@@ -18,7 +18,7 @@ AmbientOcclusionSettings parsed(const std::string& text)
     return settings;
 }
 
-std::string errorOf(const std::string& text)
+std::string occlusionErrorOf(const std::string& text)
 {
     AmbientOcclusionSettings settings;
     std::string error;
@@ -29,14 +29,14 @@ std::string errorOf(const std::string& text)
 
 TEST(AmbientOcclusionSettings, AQualityNeedsNoKey)
 {
-    EXPECT_EQ(parsed("high").quality, AmbientOcclusionQuality::HIGH);
-    EXPECT_EQ(parsed("low").quality, AmbientOcclusionQuality::LOW);
-    EXPECT_EQ(parsed("quality=medium").quality, AmbientOcclusionQuality::MEDIUM);
+    EXPECT_EQ(parseOcclusion("high").quality, AmbientOcclusionQuality::HIGH);
+    EXPECT_EQ(parseOcclusion("low").quality, AmbientOcclusionQuality::LOW);
+    EXPECT_EQ(parseOcclusion("quality=medium").quality, AmbientOcclusionQuality::MEDIUM);
 }
 
 TEST(AmbientOcclusionSettings, EveryKeyIsRead)
 {
-    const AmbientOcclusionSettings settings = parsed("quality = low, radius=0.5,distant=off,show=bent-normals");
+    const AmbientOcclusionSettings settings = parseOcclusion("quality = low, radius=0.5,distant=off,show=bent-normals");
     EXPECT_EQ(settings.quality, AmbientOcclusionQuality::LOW);
     EXPECT_EQ(settings.radius, 0.5);
     EXPECT_FALSE(settings.distant);
@@ -45,10 +45,10 @@ TEST(AmbientOcclusionSettings, EveryKeyIsRead)
 
 TEST(AmbientOcclusionSettings, ARadiusLeavesOutDistantBricks)
 {
-    EXPECT_TRUE(parsed("medium").hasDistant());
-    EXPECT_FALSE(parsed("medium,distant=off").hasDistant());
-    EXPECT_FALSE(parsed("medium,radius=2").hasDistant());
-    EXPECT_FALSE(parsed("medium,radius=2,distant=on").hasDistant());
+    EXPECT_TRUE(parseOcclusion("medium").hasDistant());
+    EXPECT_FALSE(parseOcclusion("medium,distant=off").hasDistant());
+    EXPECT_FALSE(parseOcclusion("medium,radius=2").hasDistant());
+    EXPECT_FALSE(parseOcclusion("medium,radius=2,distant=on").hasDistant());
 }
 
 TEST(AmbientOcclusionSettings, TheTextFormRoundTrips)
@@ -56,16 +56,16 @@ TEST(AmbientOcclusionSettings, TheTextFormRoundTrips)
     for (const char* text : {"low", "medium", "high", "medium,radius=0.125", "low,distant=off", "low,show=occlusion",
                              "high,radius=1e-05,show=bent-normals", "medium,show=irradiance", "medium,show=normals"})
     {
-        EXPECT_EQ(parsed(text).toString(), text);
-        EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
+        EXPECT_EQ(parseOcclusion(text).toString(), text);
+        EXPECT_EQ(parseOcclusion(parseOcclusion(text).toString()), parseOcclusion(text));
     }
     EXPECT_EQ(AmbientOcclusionSettings().toString(), "medium");
-    EXPECT_EQ(parsed("medium,show=picture").toString(), "medium");
+    EXPECT_EQ(parseOcclusion("medium,show=picture").toString(), "medium");
 }
 
 TEST(AmbientOcclusionSettings, AbsentKeysKeepTheirValues)
 {
-    AmbientOcclusionSettings settings = parsed("high,radius=2");
+    AmbientOcclusionSettings settings = parseOcclusion("high,radius=2");
     std::string error;
     ASSERT_TRUE(AmbientOcclusionSettings::parse("show=normals", settings, error));
     EXPECT_EQ(settings.toString(), "high,radius=2,show=normals");
@@ -73,20 +73,21 @@ TEST(AmbientOcclusionSettings, AbsentKeysKeepTheirValues)
 
 TEST(AmbientOcclusionSettings, MistakesAreReportedWithTheExpectedValues)
 {
-    EXPECT_EQ(errorOf("quality=best"), "bad value 'best' for quality; expected low, medium or high");
-    EXPECT_EQ(errorOf("best"), "bad value 'best' for quality; expected low, medium or high");
-    EXPECT_EQ(errorOf("show=depth"),
+    EXPECT_EQ(occlusionErrorOf("quality=best"), "bad value 'best' for quality; expected low, medium or high");
+    EXPECT_EQ(occlusionErrorOf("best"), "bad value 'best' for quality; expected low, medium or high");
+    EXPECT_EQ(occlusionErrorOf("show=depth"),
               "bad value 'depth' for show; expected picture, occlusion, bent-normals, irradiance or normals");
-    EXPECT_EQ(errorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, distant, show");
-    EXPECT_EQ(errorOf("low,high"), "'quality' is given twice");
-    EXPECT_NE(errorOf("").find("is neither a quality"), std::string::npos);
-    EXPECT_NE(errorOf("low,").find("is neither a quality"), std::string::npos);
-    EXPECT_EQ(errorOf("high radius=2"), "a comma is missing before 'radius=2' in 'high radius=2'; expected "
-                                        "'high,radius=2'");
+    EXPECT_EQ(occlusionErrorOf("colour=red"), "unknown key 'colour'; the keys are quality, radius, distant, show");
+    EXPECT_EQ(occlusionErrorOf("low,high"), "'quality' is given twice");
+    EXPECT_NE(occlusionErrorOf("").find("is neither a quality"), std::string::npos);
+    EXPECT_NE(occlusionErrorOf("low,").find("is neither a quality"), std::string::npos);
+    EXPECT_EQ(occlusionErrorOf("high radius=2"), "a comma is missing before 'radius=2' in 'high radius=2'; expected "
+                                                 "'high,radius=2'");
     for (const char* radius : {"0", "-1", "nan", "inf", "-inf", "two", "", "1x"})
-        EXPECT_EQ(errorOf(std::string("radius=") + radius), std::string("bad value '") + radius +
-                                                                "' for radius; expected a number above 0, in units of "
-                                                                "the world");
+        EXPECT_EQ(occlusionErrorOf(std::string("radius=") + radius),
+                  std::string("bad value '") + radius +
+                      "' for radius; expected a number above 0, in units of "
+                      "the world");
 }
 
 TEST(AmbientOcclusionSettings, InvalidRadiiAreRefused)

@@ -28,9 +28,6 @@ namespace osgLego::test
 namespace
 {
 
-// The same edges may be rounded to either of two neighbouring pixels.
-constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
-
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
 const osg::Vec4 GREEN(0.0f, 1.0f, 0.0f, 1.0f);
 

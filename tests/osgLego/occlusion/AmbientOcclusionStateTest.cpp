@@ -14,8 +14,7 @@ namespace osgLego::test
 namespace
 {
 
-constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
-const osg::Vec4 GREEN(0.0f, 1.0f, 0.0f, 1.0f);
+const osg::Vec4 SKY_COLOR(0.0f, 1.0f, 0.0f, 1.0f);
 
 /** Bricks in a group, and the effects of the outer state and of other children on them. */
 class AmbientOcclusionState : public LookTest
@@ -79,7 +78,7 @@ TEST_F(AmbientOcclusionState, AColourMaskAboveMasksThePicture)
 TEST_F(AmbientOcclusionState, ChildrenThatLeaveNoDepthAreSeen)
 {
     const osg::Vec3d beside(-5, 8, 4);
-    const osg::ref_ptr<osg::Geometry> sky = createSheet(20.0, GREEN);
+    const osg::ref_ptr<osg::Geometry> sky = createSheet(20.0, SKY_COLOR);
     sky->getStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0));
     _children->addChild(sky);
     osg::ref_ptr<osg::Image> image = drawGroup();
@@ -115,7 +114,7 @@ TEST_F(AmbientOcclusionState, ACameraThatDrawsAfterTheFrameDoesSo)
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     camera->setClearMask(GL_DEPTH_BUFFER_BIT);
     camera->setProjectionMatrixAsOrtho2D(-1, 1, -1, 1);
-    camera->addChild(createQuad({-0.2f, -0.2f, 0}, {0.4f, 0, 0}, {0, 0.4f, 0}, GREEN));
+    camera->addChild(createQuad({-0.2f, -0.2f, 0}, {0.4f, 0, 0}, {0, 0.4f, 0}, SKY_COLOR));
     camera->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     _children->addChild(camera);
     const osg::Vec3d color = readColor(*drawGroup(), WIDTH / 2, HEIGHT / 2);

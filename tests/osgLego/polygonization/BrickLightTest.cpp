@@ -14,7 +14,7 @@ namespace osgLego::test
 namespace
 {
 
-const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
+const osg::Vec4 BALL_COLOR(1.0f, 1.0f, 1.0f, 1.0f);
 
 double levelOf(const osg::Vec3d& color)
 {
@@ -47,7 +47,7 @@ protected:
     static osg::ref_ptr<AmbientOcclusionScene> createBall(const std::string& settings)
     {
         osg::ref_ptr<osg::ShapeDrawable> ball = new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(), 10.0f));
-        ball->setColor(WHITE);
+        ball->setColor(BALL_COLOR);
         osg::ref_ptr<osg::Geode> geode = new osg::Geode;
         geode->addDrawable(ball);
         osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings + ",device=cpu"));
@@ -84,9 +84,9 @@ TEST_F(BrickLight, TopFrontAndSideOfABrickAreToldApart)
     for (const osg::Vec3d& toEye : {osg::Vec3d(0.4, -0.8, 0.45), osg::Vec3d(0.5, -0.7, 0.6),
                                     osg::Vec3d(-0.5, -0.7, 0.6), osg::Vec3d(0.6, -0.6, 0.4)})
     {
-        const double top = levelOf(faceOf(WHITE, toEye, {0, 0, 1}));
-        const double front = levelOf(faceOf(WHITE, toEye, {0, -1, 0}));
-        const double side = levelOf(faceOf(WHITE, toEye, {toEye.x() > 0.0 ? 1.0 : -1.0, 0, 0}));
+        const double top = levelOf(faceOf(BALL_COLOR, toEye, {0, 0, 1}));
+        const double front = levelOf(faceOf(BALL_COLOR, toEye, {0, -1, 0}));
+        const double side = levelOf(faceOf(BALL_COLOR, toEye, {toEye.x() > 0.0 ? 1.0 : -1.0, 0, 0}));
         EXPECT_GT(top - front, 25.0) << toEye.x();
         EXPECT_GT(front - side, 25.0) << toEye.x();
         EXPECT_LT(top, 245.0) << toEye.x();

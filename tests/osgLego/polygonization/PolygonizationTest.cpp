@@ -60,9 +60,6 @@ protected:
     }
 };
 
-// The same edges may be rounded to either of two neighbouring pixels.
-constexpr std::size_t FEW_PIXELS = GlTest::WIDTH * GlTest::HEIGHT / 500;
-
 TEST_P(Polygonization, DrawsTheBricksAsTheyAreInDepthAndColour)
 {
     for (const char* settings :

@@ -17,7 +17,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int MANY_NODES = 1000;
+constexpr int NODE_LIMIT = 1000;
 
 TEST(LayoutWindow, LaysNoFewerPartsThatSeparateOthers)
 {
@@ -25,7 +25,7 @@ TEST(LayoutWindow, LaysNoFewerPartsThatSeparateOthers)
     LayoutRow row({{2, 2}, {1, 2, 1}});
     LayoutWindow window(row.map, row.sizes);
     LayoutRandom random(1);
-    EXPECT_FALSE(window.improve(4, 3, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+    EXPECT_FALSE(window.improve(4, 3, LayoutCosts::HALF_SEAM, row.region, NODE_LIMIT, random));
     EXPECT_EQ(row.map.countParts(), 5);
     EXPECT_EQ(row.countComponents(), 1);
 }
@@ -35,7 +35,7 @@ TEST(LayoutWindow, LaysFewerPartsThatSeparateNone)
     LayoutRow row({{1, 2, 1}, {1, 1, 1, 1}});
     LayoutWindow window(row.map, row.sizes);
     LayoutRandom random(1);
-    EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+    EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, NODE_LIMIT, random));
     EXPECT_EQ(row.map.countParts(), 5);
     EXPECT_EQ(row.countComponents(), 1);
 }

@@ -1,3 +1,5 @@
+#include "BrickCantilever.h"
+
 #include <osgLego/stability/EquilibriumProgram.h>
 
 #include <cstdint>
@@ -12,17 +14,8 @@ namespace osgLego::test
 namespace
 {
 
-constexpr double WEIGHT_1X1 = 9.8e-3 * 0.43; // newtons
-constexpr double WEIGHT_1X8 = 9.8e-3 * 3.03;
-
-const std::vector<PartBox> CANTILEVER{{{0, 0, 0}, {1, 1, 3}, 0.43}, {{0, 0, 3}, {8, 1, 6}, 3.03}};
-const std::vector<std::uint32_t> BOTH{0, 1};
-
-/** A brick 1 x 8 with its first stud on a brick 1 x 1, on a base plate. */
-EquilibriumProgram createCantilever()
-{
-    return {CANTILEVER, BOTH, std::vector<Contact>{{0, 1, Contact::STUDS}, {Contact::BASE, 0, Contact::STUDS}}};
-}
+constexpr double WEIGHT_1X1 = BrickCantilever::WEIGHT_1X1;
+constexpr double WEIGHT_1X8 = BrickCantilever::WEIGHT_1X8;
 
 void expectRows(const Eigen::VectorXd& rows, const std::vector<double>& expected)
 {
@@ -46,12 +39,12 @@ std::size_t findForce(const EquilibriumProgram& program, std::size_t joint, Equi
 
 TEST(EquilibriumProgram, ItsLoadIsTheWeightsUpwards)
 {
-    expectRows(createCantilever().getLoad(), {0, 0, WEIGHT_1X1, 0, 0, 0, 0, 0, WEIGHT_1X8, 0, 0, 0});
+    expectRows(BrickCantilever::createProgram().getLoad(), {0, 0, WEIGHT_1X1, 0, 0, 0, 0, 0, WEIGHT_1X8, 0, 0, 0});
 }
 
 TEST(EquilibriumProgram, AStudHasFourPressuresFourDragsAndTwoFreeForces)
 {
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     EXPECT_EQ(program.getNumBodies(), 2u);
     EXPECT_EQ(program.getNumRows(), 12u);
     EXPECT_EQ(program.getNumForces(), 20u);
@@ -79,7 +72,7 @@ TEST(EquilibriumProgram, ForcesFoundByHandKeepACantileverInEquilibrium)
 {
     // The brick turns about the point a quarter pitch towards its end. Three drags hold it, whose distances from there
     // are 1/2, 1/4 and 1/4: each of them bears the weight times (3.5 - 1/4). Likewise below, where both weights act.
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(20);
     const auto hold = [&](std::size_t joint, double drag, double pressure)
     {
@@ -103,7 +96,7 @@ TEST(EquilibriumProgram, AForceActsOnTheUpperPartAndItsOppositeOnTheLower)
 {
     // A sideways force of 1 N at the joint, which is 0.6 pitches above one centre, and below the other and 3.5 to its
     // left.
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(20);
     forces[9] = 1.0;
     ASSERT_EQ(program.getWrench(9), Wrench::Unit(1));
@@ -116,7 +109,8 @@ TEST(EquilibriumProgram, NeighborsPressAtTheCornersWhereTheyTouch)
 {
     // A brick 2 x 4 to the right of a brick 2 x 2: they touch at 2 x 1.2 pitches.
     const std::vector<PartBox> boxes{{{0, 0, 0}, {2, 2, 3}, 1.0}, {{2, 0, 0}, {4, 4, 3}, 1.0}};
-    const EquilibriumProgram program(boxes, BOTH, std::vector<Contact>{{0, 1, Contact::SIDE_X}});
+    const EquilibriumProgram program(boxes, std::vector<std::uint32_t>{0, 1},
+                                     std::vector<Contact>{{0, 1, Contact::SIDE_X}});
     ASSERT_EQ(program.getNumForces(), 4u);
     EXPECT_EQ(program.getNumDrags(), 0u);
     Eigen::VectorXd rows(12);
@@ -154,7 +148,7 @@ TEST(EquilibriumProgram, ATableOnlyPresses)
 TEST(EquilibriumProgram, ForcesWorkAsMuchAsTheirSumsOnTheParts)
 {
     // For any forces f and motions v of the parts, f * (A^T v) = (A f) * v.
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (int round = 0; round < 10; ++round)

@@ -1,3 +1,5 @@
+#include "BrickCantilever.h"
+
 #include <osgLego/stability/InteriorPointSolver.h>
 
 #include <cstdint>
@@ -11,27 +13,14 @@ namespace osgLego::test
 namespace
 {
 
-constexpr double WEIGHT_1X8 = 9.8e-3 * 3.03; // newtons
-constexpr double LEVER = 3.25;               // pitches, of the weight about the point that presses
 constexpr double PENALTY = 1e4;
-
-/** A brick 1 x 8 on one stud of a base plate. The brick turns about the point a quarter pitch towards its end. Three
- * drags hold it, whose distances from there are 1/2, 1/4 and 1/4: with the tension t, weight * LEVER = t. */
-EquilibriumProgram createCantilever()
-{
-    // A brick 1 x 1 is between them, since a base plate has studs below all of a brick. Its weight relieves its joint
-    // with the plate.
-    static const std::vector<PartBox> BOXES{{{0, 0, 0}, {1, 1, 3}, 0.43}, {{0, 0, 3}, {8, 1, 6}, 3.03}};
-    return {BOXES, std::vector<std::uint32_t>{0, 1},
-            std::vector<Contact>{{0, 1, Contact::STUDS}, {Contact::BASE, 0, Contact::STUDS}}};
-}
 
 TEST(InteriorPointSolver, FindsTheLeastTensionOfACantilever)
 {
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     const Equilibrium result = *InteriorPointSolver(program).solve({PENALTY, 0.98, true});
     EXPECT_TRUE(result.hasConverged);
-    EXPECT_NEAR(result.tension, WEIGHT_1X8 * LEVER, 1e-7);
+    EXPECT_NEAR(result.tension, BrickCantilever::WEIGHT_1X8 * BrickCantilever::LEVER, 1e-7);
     EXPECT_LT(result.residuals.abs().maxCoeff(), 1e-8);
     Eigen::VectorXd rows;
     program.multiply(result.forces.matrix(), rows);
@@ -49,40 +38,40 @@ TEST(InteriorPointSolver, FindsTheLeastForceThatIsMissing)
 {
     // With a tension of 0.05 N, the cheapest help is a force that carries a share of the weight at the brick's centre.
     constexpr double TENSION = 0.05;
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     const Equilibrium result = *InteriorPointSolver(program).solve({1.0, TENSION, false});
     EXPECT_TRUE(result.hasConverged);
     EXPECT_EQ(result.tension, TENSION);
-    EXPECT_NEAR(result.residuals[8], WEIGHT_1X8 - TENSION / LEVER, 1e-6);
-    EXPECT_NEAR(result.residuals.abs().sum(), WEIGHT_1X8 - TENSION / LEVER, 1e-6);
+    EXPECT_NEAR(result.residuals[8], BrickCantilever::WEIGHT_1X8 - TENSION / BrickCantilever::LEVER, 1e-6);
+    EXPECT_NEAR(result.residuals.abs().sum(), BrickCantilever::WEIGHT_1X8 - TENSION / BrickCantilever::LEVER, 1e-6);
 }
 
 TEST(InteriorPointSolver, DoesNotExceedTheCapacityWhenItMinimizesTheTension)
 {
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     const Equilibrium result = *InteriorPointSolver(program).solve({PENALTY, 0.05, true});
     EXPECT_TRUE(result.hasConverged);
     EXPECT_NEAR(result.tension, 0.05, 1e-7);
-    EXPECT_NEAR(result.residuals.abs().sum(), WEIGHT_1X8 - 0.05 / LEVER, 1e-6);
+    EXPECT_NEAR(result.residuals.abs().sum(), BrickCantilever::WEIGHT_1X8 - 0.05 / BrickCantilever::LEVER, 1e-6);
 }
 
 TEST(InteriorPointSolver, DoesWithoutForcesThatCostLessThanTheyAvoidTension)
 {
     // A newton that is missing saves 3.25 N of tension: that pays if it costs 3 N, and not if it costs 3.5 N.
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     InteriorPointSolver solver(program);
     const Equilibrium loose = *solver.solve({3.0, 0.98, true});
     EXPECT_NEAR(loose.tension, 0.0, 1e-6);
-    EXPECT_NEAR(loose.residuals[8], WEIGHT_1X8, 1e-5);
+    EXPECT_NEAR(loose.residuals[8], BrickCantilever::WEIGHT_1X8, 1e-5);
     const Equilibrium held = *solver.solve({3.5, 0.98, true});
-    EXPECT_NEAR(held.tension, WEIGHT_1X8 * LEVER, 1e-6);
+    EXPECT_NEAR(held.tension, BrickCantilever::WEIGHT_1X8 * BrickCantilever::LEVER, 1e-6);
     EXPECT_NEAR(held.residuals.abs().sum(), 0.0, 1e-6);
 }
 
 TEST(InteriorPointSolver, PricesAreWhatMoreOfEachDragWouldSave)
 {
     // A force saves as much of the missing one as its share of the lever.
-    const EquilibriumProgram program = createCantilever();
+    const EquilibriumProgram program = BrickCantilever::createProgram();
     const Equilibrium result = *InteriorPointSolver(program).solve({1.0, 0.05, false});
     const EquilibriumProgram::Joint& joint = program.getJoints()[0];
     for (std::size_t force = joint.first; force < joint.end; ++force)
@@ -95,7 +84,7 @@ TEST(InteriorPointSolver, PricesAreWhatMoreOfEachDragWouldSave)
         }
         // The torque of a drag at (x, y) is (-y, x).
         const double distance = 0.25 - program.getWrench(force)[4];
-        EXPECT_NEAR(price, distance / LEVER, 1e-4) << force;
+        EXPECT_NEAR(price, distance / BrickCantilever::LEVER, 1e-4) << force;
     }
 }
 
