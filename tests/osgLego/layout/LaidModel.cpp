@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <random>
 #include <vector>
 
 namespace osgLego
@@ -55,6 +56,37 @@ LayoutProblem makeCells(const glm::ivec3& size, const std::function<int(int, int
                         {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)},
                          static_cast<std::uint16_t>(color)});
     return problem;
+}
+
+LayoutProblem makeRandomCells(const glm::ivec3& size, int percent, std::uint32_t seed, std::vector<LayoutColor> colors)
+{
+    std::mt19937 random(seed);
+    std::vector<int> blots(1000);
+    for (int& color : blots)
+    {
+        const auto choice = random() % (colors.size() + 1);
+        color = choice == colors.size() ? LayoutCell::ANY_COLOR : static_cast<int>(choice);
+    }
+    return makeCells(
+        size,
+        [&](int x, int y, int z)
+        {
+            const auto blot = static_cast<std::size_t>((x / 4 + 7 * (y / 3) + 49 * (z / 2)) % 1000);
+            return static_cast<int>(random() % 100) < percent ? blots[blot] : -1;
+        },
+        colors);
+}
+
+LayoutProblem makeDome(int radius, int thickness)
+{
+    const auto isInside = [](int x, int y, int z, int limit) { return x * x + y * y + z * z < limit * limit; };
+    return makeCells({2 * radius, 2 * radius, radius},
+                     [&](int x, int y, int z)
+                     {
+                         const bool isCell = isInside(x - radius, y - radius, z, radius) &&
+                                             !isInside(x - radius, y - radius, z, radius - thickness);
+                         return isCell ? 0 : -1;
+                     });
 }
 
 LaidModel::LaidModel(const LayoutProblem& problem, const LaidParts& parts) : _problem(problem), _parts(parts)

@@ -18,6 +18,13 @@ namespace osgLego
 LayoutProblem makeCells(const glm::ivec3& size, const std::function<int(int, int, int)>& getColor,
                         std::vector<LayoutColor> colors = {LayoutColor{}});
 
+/** Random cells, in blots of random colours, one of which is any colour. */
+LayoutProblem makeRandomCells(const glm::ivec3& size, int percent, std::uint32_t seed,
+                              std::vector<LayoutColor> colors = std::vector<LayoutColor>(3));
+
+/** A dome, one or more cells thick. */
+LayoutProblem makeDome(int radius, int thickness);
+
 /** A layout as tests look at it, by straightforward means. */
 class LaidModel
 {

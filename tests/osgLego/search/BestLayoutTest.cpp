@@ -74,6 +74,14 @@ TEST(BestLayout, HasFewerStackedSeams)
     Rows(6, 3).expectBetter({6, 2, 4, 4, 2}, {6, 2, 4, 2, 4});
 }
 
+TEST(BestLayout, HasAPartMoreToAvoidSixStackedSeamsButNotFour)
+{
+    // The lowest layer connects the next one, on which the highest one has its joints or none of them.
+    Rows(14, 3).expectBetter({1, 8, 4, 1, 2, 2, 2, 2, 2, 2, 2, 1, 2, 2, 2, 2, 2, 2, 1},
+                             {1, 8, 4, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2});
+    Rows(10, 3).expectBetter({1, 8, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}, {1, 8, 1, 2, 2, 2, 2, 2, 1, 2, 2, 2, 2, 1});
+}
+
 TEST(BestLayout, HasFewerComponents)
 {
     Rows(8, 2).expectBetter({4, 4, 2, 4, 2}, {4, 4, 4, 4});

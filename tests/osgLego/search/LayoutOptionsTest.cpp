@@ -1,0 +1,118 @@
+#include "../layout/LaidModel.h"
+
+#include <osgLego/search/Layout.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+LayoutOptions makeOptions(Effort effort, std::uint32_t seed = 0)
+{
+    LayoutOptions options;
+    options.effort = effort;
+    options.seed = seed;
+    return options;
+}
+
+} // namespace
+
+TEST(LayoutOptions, AnotherSeedGivesAnotherLayout)
+{
+    const LayoutProblem problem = makeDome(10, 1);
+    EXPECT_EQ(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 3)));
+    EXPECT_NE(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 4)));
+}
+
+TEST(LayoutOptions, MoreEffortGivesFewerPartsAndSeams)
+{
+    const LayoutProblem problem = makeDome(14, 14);
+    const LaidParts quick = layOut(problem, makeOptions(Effort::INSTANT));
+    const LaidParts good = layOut(problem, makeOptions(Effort::NORMAL));
+    EXPECT_LT(good.size(), quick.size());
+    EXPECT_LT(LaidModel(problem, good).countStackedSeams(), LaidModel(problem, quick).countStackedSeams());
+}
+
+TEST(LayoutOptions, ACancelledLayoutIsEmpty)
+{
+    const LayoutProblem problem = makeDome(12, 2);
+    for (const int numCalls : {0, 1, 5, 50, 500})
+    {
+        std::atomic<int> calls = 0;
+        LayoutOptions options;
+        options.isCancelled = [&] { return calls++ >= numCalls; };
+        EXPECT_TRUE(layOut(problem, options).empty()) << numCalls << " calls";
+        EXPECT_LT(calls, numCalls + 100) << "the layout continued";
+    }
+}
+
+TEST(LayoutOptions, ALayoutCancelledAtTheEndIsEmpty)
+{
+    const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+    const LayoutProblem problem = makeDome(5, 2);
+    int numCalls = 0;
+    int last = -1;
+    LayoutOptions options = makeOptions(Effort::INSTANT);
+    options.isCancelled = [&] { return numCalls++ == last; };
+    EXPECT_FALSE(layOut(problem, options).empty());
+    last = std::exchange(numCalls, 0) - 1;
+    EXPECT_TRUE(layOut(problem, options).empty());
+}
+
+TEST(LayoutOptions, AnEffortHasAsManyRoundsAsTheNumberOfPartsAllows)
+{
+    // Cells of alternating colours are parts of their own. Each round reports its progress, and so does the end.
+    const auto countRounds = [](int numCells, Effort effort)
+    {
+        LayoutOptions options = makeOptions(effort);
+        int numReports = 0;
+        options.progress = [&](double) { ++numReports; };
+        layOut(makeCells(
+                   {numCells, 1, 1}, [](int x, int, int) { return x % 2; }, std::vector<LayoutColor>(2)),
+               options);
+        return numReports - 1;
+    };
+    EXPECT_EQ(countRounds(1, Effort::INSTANT), 2);
+    EXPECT_EQ(countRounds(4000, Effort::INSTANT), 1);
+    EXPECT_EQ(countRounds(4001, Effort::INSTANT), 0);
+    EXPECT_EQ(countRounds(1, Effort::NORMAL), 40);
+    EXPECT_EQ(countRounds(20000, Effort::NORMAL), 5);
+    EXPECT_EQ(countRounds(60000, Effort::NORMAL), 2);
+    EXPECT_EQ(countRounds(1, Effort::BEST), 250);
+}
+
+TEST(LayoutOptions, MoreBondGivesFewerStackedSeams)
+{
+    const LayoutProblem problem = makeDome(9, 2);
+    const auto countSeams = [&problem](int bond)
+    {
+        LayoutOptions options = makeOptions(Effort::INSTANT);
+        options.bond = bond;
+        return LaidModel(problem, layOut(problem, options)).countStackedSeams();
+    };
+    EXPECT_LT(countSeams(10), countSeams(1));
+}
+
+TEST(LayoutOptions, ProgressIsReportedUpToOne)
+{
+    std::vector<double> fractions;
+    LayoutOptions options;
+    options.progress = [&](double fraction) { fractions.push_back(fraction); };
+    layOut(makeDome(8, 1), options);
+    ASSERT_GT(fractions.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_GT(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
+} // namespace osgLego
