@@ -80,7 +80,7 @@ TEST(LayoutWindow, NeverSeparatesParts)
         for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)
         {
             const int numParts = 1 + static_cast<int>(random.below(8));
-            if (!window.improve(laid.map.getAnchor(cell), numParts, 1000, laid.region, MANY_NODES, random)) continue;
+            if (!window.improve(laid.map.getAnchor(cell), numParts, 1000, laid.region, NODE_LIMIT, random)) continue;
             ++numChanges;
             const int numLeft = laid.countComponents();
             EXPECT_LE(numLeft, numComponents) << "model " << i << ", cell " << cell;
@@ -142,9 +142,9 @@ TEST(LayoutWindow, KeepsToItsRegion)
     LayoutWindow window(row.map, row.sizes);
     LayoutRandom random(1);
     row.region.zEnd = 1;
-    EXPECT_FALSE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+    EXPECT_FALSE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, NODE_LIMIT, random));
     row.region.zEnd = 2;
-    EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, MANY_NODES, random));
+    EXPECT_TRUE(window.improve(4, 4, LayoutCosts::HALF_SEAM, row.region, NODE_LIMIT, random));
 }
 
 /** Two towers, two cells broad, that stand on a common part, and three parts on top, which may become two. */
@@ -173,7 +173,7 @@ struct Towers : LayoutRow
     {
         LayoutWindow window(map, sizes);
         LayoutRandom random(1);
-        return window.improve(TOP, 3, LayoutCosts::HALF_SEAM, region, MANY_NODES, random);
+        return window.improve(TOP, 3, LayoutCosts::HALF_SEAM, region, NODE_LIMIT, random);
     }
 };
 
