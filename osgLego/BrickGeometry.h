@@ -19,8 +19,8 @@ namespace osgLego
  * if the upper side is open, the 46 triangles of the stud. As long as this order is kept, BrickIntersection::find can
  * identify the brick of a triangle; for this purpose the model is the user data of the geometry.
  *
- * If the cells are joined to parts, the triangles are those of the cells all the same: faces of one part are not
- * merged, because larger faces would have corners of other faces on their edges, where cracks appear, and most
+ * If the cells are joined to parts, the triangles are still those of the cells. Faces of one part are not merged,
+ * because larger faces would have corners of other faces on their edges, where cracks appear, and because most
  * triangles are those of studs. May be called from any thread. */
 OSGLEGO_EXPORT osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model);
 

@@ -105,8 +105,8 @@ public:
     /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
      * Off by default: the node keeps showing the previous bricks until the new ones are ready, and a newer change of
      * the source cancels work on an older one, though never twice in a row, so that bricks of a continually changing
-     * source are updated at intervals, as fast as they can be made. The first bricks are always waited for, since there
-     * is nothing else to show. */
+     * source are updated at intervals, as fast as they can be made. Frames always wait for the first bricks, since
+     * there is nothing else to show. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 

@@ -38,7 +38,7 @@ public:
     /** Several numbers within limits, separated by commas. */
     void addNumbers(const std::string& name, std::vector<unsigned int>& values, const std::string& help,
                     unsigned int least, unsigned int most);
-    /** Set what the command does after its options have been read. */
+    /** Set the function that runs the command once its options have been read. */
     void setRun(const std::function<void()>& run);
 
 private:

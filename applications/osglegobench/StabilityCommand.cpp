@@ -36,7 +36,7 @@ struct StabilityCommandOptions : BenchOptions
     bool usesClp = true;
 };
 
-/** A resolution, and the most milliseconds for the parts of about that number of cells along the mesh. */
+/** A number of cells along the mesh, and the maximum time in milliseconds for a model of that resolution. */
 struct StabilityGoal
 {
     unsigned int resolution;
@@ -72,8 +72,8 @@ EquilibriumProgram createProgram(const BrickModel& model)
     return {boxes, parts, contacts};
 }
 
-/** The time in which CLP's barrier method, without crossover, minimizes the sum of residuals of the same program with
- * all drags within the capacity. */
+/** The time that CLP's barrier method, without crossover, takes to minimize the sum of residuals of the same program,
+ * with all drags within the capacity. */
 double timeClp(const EquilibriumProgram& program)
 {
     const auto numRows = static_cast<int>(program.getNumRows());
@@ -203,12 +203,12 @@ void runStability(const StabilityCommandOptions& options)
 
 void addStabilityCommand(BenchCommandLine& commands)
 {
-    BenchCommand command = commands.add("stability", "Whether models of 700 and 5,000 parts stand, and the time");
+    BenchCommand command = commands.add("stability", "The time to compute whether models of 700 and 5,000 parts stand");
     const auto options = std::make_shared<StabilityCommandOptions>();
     command.addTexts("--mesh", options->meshes, "The mesh: a file, optionally NAME=FILE and ,up=y (the bunny)", "MESH");
     command.addFolder("--models", options->models, "Folder of bunny.ply (build/models)");
     command.addNumber("--runs", options->numRuns, "Timed runs (5)", 1u, 100u);
-    command.addFlag("!--no-clp", options->usesClp, "Leave out CLP");
+    command.addFlag("!--no-clp", options->usesClp, "Skip the comparison with CLP");
     command.addFlag("--quick", options->isQuick, "A short run that checks that everything works");
     command.addText("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)",
                     "FILE");

@@ -25,7 +25,7 @@ class ShaderLibrary
 public:
     using Sources = std::map<std::string_view, std::string_view>;
 
-    /** Add files by name, for a program that also draws with shaders of its own. The texts must outlive every use of
+    /** Add files by name, for a program that adds its own shaders. The texts must outlive every use of
      * the library. */
     static void add(const Sources& sources);
 

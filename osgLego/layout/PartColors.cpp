@@ -14,7 +14,7 @@ namespace
 using Index = CellLattice::Index;
 using Colors = std::vector<std::uint16_t>;
 
-/** Call visit(anchor) for each cell beside a part, with the anchor of its part. */
+/** For each cell beside a part, call visit(anchor) with the anchor of the neighbouring part. */
 template <typename Visit>
 void visitNeighbors(const PartMap& map, Index anchor, Visit visit)
 {
@@ -30,7 +30,7 @@ void visitNeighbors(const PartMap& map, Index anchor, Visit visit)
                   });
 }
 
-/** The commonest colour of the cells around a part in which it exists, or ANY_COLOR. */
+/** Of the colours of adjacent cells, the most frequent one in which the part exists; ANY_COLOR if there is none. */
 std::uint16_t findCommonest(const PartMap& map, const PartSizes& sizes, const Colors& colors, Index anchor)
 {
     std::map<std::uint16_t, int> counts;
@@ -57,7 +57,7 @@ std::uint16_t findFirst(const PartMap& map, const PartSizes& sizes, Index anchor
 
 using Anchors = std::vector<Index>;
 
-/** The parts without a colour beside some parts. */
+/** The parts without a colour that are beside any of the given parts. */
 Anchors findOpenNeighbors(const PartMap& map, const Colors& colors, const Anchors& anchors)
 {
     Anchors open;
@@ -73,8 +73,8 @@ Anchors findOpenNeighbors(const PartMap& map, const Colors& colors, const Anchor
     return open;
 }
 
-/** Spread the colours of neighbours to parts without a colour, and from there on, until no neighbour suits. In each
- * round, colours spread by one part in all directions at once. */
+/** Give parts without a colour the colours of their neighbours, until no part can take one. In each round, colours
+ * spread by one part in all directions. */
 void spread(const PartMap& map, const PartSizes& sizes, Anchors open, Colors& colors)
 {
     while (!open.empty())
@@ -90,7 +90,7 @@ void spread(const PartMap& map, const PartSizes& sizes, Anchors open, Colors& co
         }
         for (std::size_t i = 0; i < colored.size(); ++i)
             colors[static_cast<std::size_t>(colored[i])] = chosen[i];
-        // Only a part beside a new colour can get one in the next round.
+        // In the next round, only neighbours of parts that have just been coloured can get a colour.
         open = findOpenNeighbors(map, colors, colored);
     }
 }
@@ -108,8 +108,8 @@ Colors choosePartColors(const PartMap& map, const PartSizes& sizes)
         color = map.getColor(cell);
         if (color == LayoutCell::ANY_COLOR) open.push_back(cell);
     }
-    // Colours spread from the surface inwards, and then from parts that no neighbour suits, which get the first colour
-    // that does.
+    // Colours spread from the surface inwards. A part that exists in no neighbour's colour gets the first colour in
+    // which it exists, and colours spread from there.
     spread(map, sizes, open, colors);
     for (const Index anchor : open)
     {

@@ -23,7 +23,7 @@ namespace osgLego
 namespace
 {
 
-/** The time since it was asked last, in milliseconds. */
+/** The time since the last call, in milliseconds. */
 class Stopwatch
 {
 public:
@@ -37,7 +37,7 @@ private:
     osg::Timer_t _start = osg::Timer::instance()->tick();
 };
 
-/** Give the cells the colours of a palette, and measure the differences from their own. */
+/** Replace the colours of cells by those of a palette, and measure the differences. */
 osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLookup& lookup,
                                        LayoutStatistics& statistics)
 {
@@ -78,14 +78,14 @@ std::vector<Brick> selectCovered(const FilledCells& cells)
     return covered;
 }
 
-/** Parts, and what they cover. */
+/** Parts, and the cells that they cover. */
 struct Layout
 {
     LayoutProblem problem;
     LaidParts parts;
 };
 
-/** Make a layout stand. @return false if it was cancelled. */
+/** Change a falling layout so that it stands. @return false if it was cancelled. */
 bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& statistics)
 {
     SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
@@ -96,7 +96,7 @@ bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& sta
     return true;
 }
 
-/** Add the figures of a layout to those that are known. */
+/** Add the figures of a layout to its statistics. */
 LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
 {
     Stopwatch stopwatch;

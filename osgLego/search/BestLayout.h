@@ -14,7 +14,7 @@ namespace osgLego
 class BestLayout
 {
 public:
-    /** @param seamCost of half a unit of stacked seams. */
+    /** @param seamCost the cost of half a unit of stacked seams. */
     BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
 
     /** Keep a copy of a layout if it is the best so far. */

@@ -8,7 +8,7 @@
 namespace osgLego
 {
 
-/** A set of the cells of a window, one bit each. */
+/** A set of cells of a window, with one bit for each cell. */
 template <std::size_t NUM_WORDS>
 struct CellSet
 {

@@ -21,7 +21,7 @@ void ComponentJoiner::findComponents()
     }
 }
 
-/** The neighbouring cells that are in different components and may be in one part. */
+/** Pairs of neighbouring cells that are in different components and that one part may cover. */
 ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isActive)
 {
     const CellLattice& lattice = _map.getLattice();
@@ -39,7 +39,7 @@ ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isAct
     return pairs;
 }
 
-/** Whether nothing is above or below a part. */
+/** Whether a part touches no other part above or below. */
 bool ComponentJoiner::isAlone(Index anchor) const
 {
     const CellLattice& lattice = _map.getLattice();
@@ -85,11 +85,12 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
         for (const auto& [cell, other] : pairs)
         {
             if (isCancelled && isCancelled()) return false;
-            // Meanwhile, other joined parts may have connected these, too.
+            // An earlier pair may have joined these components already.
             if (_components.find(cell) == _components.find(other)) continue;
             const Index anchor = _map.getAnchor(cell);
             const Index otherAnchor = _map.getAnchor(other);
-            // The costs of windows already join parts that can't be connected to anything else.
+            // If each part touches no other part above or below, the cost of parts alone makes window search merge
+            // them.
             if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
             if (join(cell, other, limits, random)) _components.join(cell, other);
         }

@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** Joins components of a layout by parts that cover cells of both.
+/** Joins two components of a layout at a time by a part that covers cells of both.
  *
  * One thread at a time. */
 class ComponentJoiner
@@ -22,15 +22,15 @@ public:
 
     ComponentJoiner(PartMap& map, const PartSizes& sizes);
 
-    /** The most attempts. */
+    /** The maximum number of attempts. */
     struct Limits
     {
-        int perPair = 0; //!< of neighbouring cells
+        int perPair = 0; //!< for each pair of neighbouring cells
         int total = 0;
     };
 
     /** Join as many components as possible.
-     * @param isActive whether a cell may be one of a pair; empty: all cells.
+     * @param isActive for each cell, whether it may be one of a pair; empty: all cells may.
      * @return false if it was cancelled. */
     bool joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
                  const std::function<bool()>& isCancelled);

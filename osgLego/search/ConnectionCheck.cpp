@@ -34,7 +34,8 @@ std::int32_t ConnectionCheck::addOutside(Index anchor)
     return number;
 }
 
-/** Connect the first `end` parts outside to their neighbours, and those that no thread changes to their component. */
+/** Connect the first `end` parts outside the window to their neighbours. Connect those that no thread changes to their
+ * components. */
 void ConnectionCheck::connectOutside(std::size_t end)
 {
     const CellLattice& lattice = _map.getLattice();
@@ -90,7 +91,8 @@ void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& reg
     }
 }
 
-/** Connect the parts outside by the parts of the window that own its cells. */
+/** Connect the parts outside the window through the parts inside it. @param owners for each cell of the window, the
+ * index of its part. */
 void ConnectionCheck::partition(const std::vector<int>& owners, int numOwners, Partition& partition)
 {
     partition.sets = _base;
@@ -119,7 +121,7 @@ bool ConnectionCheck::keepsConnections(const std::vector<int>& chosen)
     for (std::size_t i = 0; i < chosen.size(); ++i)
         _window->getParts().parts[static_cast<std::size_t>(chosen[i])].cells.visit(
             [&](int cell) { _owners[static_cast<std::size_t>(cell)] = static_cast<int>(i); });
-    // Most windows are connected by their next neighbours: look farther only if they are not.
+    // The nearest neighbours connect the parts around most windows. Look farther only if they don't.
     for (const std::size_t numParts : {_outside.size(), MAXIMUM_PARTS})
     {
         while (_numConnected < std::min(_outside.size(), numParts))
@@ -132,7 +134,7 @@ bool ConnectionCheck::keepsConnections(const std::vector<int>& chosen)
 bool ConnectionCheck::joinsComponents(const std::vector<int>& chosen)
 {
     if (keepsConnections(chosen)) return _after.numComponents < _before.numComponents;
-    // Parts may be separated from one component to join another, which needs a view of all of these components.
+    // Parts may leave one component to join another. To count components, all parts of these components must be known.
     while (_numConnected < std::min(_outside.size(), COMPLETE_VIEW))
         connectOutside(std::min(_outside.size(), COMPLETE_VIEW));
     if (_numConnected < _outside.size()) return false;
@@ -140,7 +142,7 @@ bool ConnectionCheck::joinsComponents(const std::vector<int>& chosen)
     return _after.numComponents < _before.numComponents;
 }
 
-/** Whether the chosen parts connect all parts that the present ones connect. */
+/** Whether the chosen parts connect all parts outside the window that the present parts connect. */
 bool ConnectionCheck::isCoarser(const std::vector<int>& chosen)
 {
     partition(_presentOwners, static_cast<int>(_window->getAnchors().size()), _before);

@@ -11,11 +11,11 @@
 namespace osgLego
 {
 
-/** Decides whether laying a window again may separate parts of the model from each other.
+/** Determines whether new parts in a window may separate parts of the model from each other.
  *
- * It examines only a limited number of parts around the window, and components of parts that no thread changes. Parts
- * that are connected only farther away count as separate. So a layout that passes never has more components, but a few
- * harmless layouts fail.
+ * The check examines a limited number of parts around the window, and components of parts that no thread changes. Parts
+ * that are connected only farther away count as separate. Therefore layouts that pass never have more components, but a
+ * few layouts fail although they separate nothing.
  *
  * Keeps its memory from one window to the next. One thread at a time. */
 class ConnectionCheck
@@ -25,11 +25,11 @@ public:
 
     ConnectionCheck(const PartMap& map);
 
-    /** Look at the surroundings of a window. */
+    /** Examine the surroundings of a window. */
     void start(const WindowBuilder& window, const LayoutRegion& region);
-    /** Whether parts that are connected by the present parts of the window are connected by the chosen ones too. */
+    /** Whether the chosen parts connect all parts that the present parts of the window connect. */
     bool keepsConnections(const std::vector<int>& chosen);
-    /** Whether there are fewer components too. */
+    /** Whether the chosen parts leave fewer components than the present parts. */
     bool joinsComponents(const std::vector<int>& chosen);
 
 private:
@@ -37,7 +37,7 @@ private:
     {
         UnionFind sets;
         int numComponents = 0;
-        int numLoose = 0; //!< components inside the window that no part outside is connected to
+        int numLoose = 0; //!< components that consist of parts in the window only
     };
 
     bool isCoarser(const std::vector<int>& chosen);
@@ -48,15 +48,15 @@ private:
     const PartMap& _map;
     const WindowBuilder* _window = nullptr;
     const LayoutRegion* _region = nullptr;
-    std::vector<std::int32_t> _numbers; //!< of the anchors of parts outside; -1 for others
+    std::vector<std::int32_t> _numbers; //!< for each anchor of a part outside the window, its number; -1 for others
     std::vector<Index> _outside;
-    std::size_t _numConnected = 0;                       //!< parts outside whose neighbours are known
+    std::size_t _numConnected = 0;                       //!< the number of parts outside whose neighbours are known
     std::vector<std::pair<int, std::int32_t>> _contacts; //!< a cell of the window, and a part outside
-    UnionFind _base;                                     //!< the parts outside
+    UnionFind _base;                                     //!< of parts outside, without the window
     std::vector<int> _presentOwners;
     Partition _before;
     Partition _after;
-    std::vector<int> _owners; //!< of each cell of the window, the index of its part
+    std::vector<int> _owners; //!< for each cell of the window, the index of its part
     std::vector<std::int32_t> _roots;
 };
 

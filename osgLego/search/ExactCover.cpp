@@ -14,7 +14,7 @@ constexpr std::size_t NUM_KNOWN = 4096; // a power of two
 
 } // namespace
 
-/** Raise the price of each cell as far as the parts that contain it allow, cells with the fewest such parts first.
+/** Raise the price of each cell as far as the parts that contain it allow, first that of cells in the fewest parts.
  * @return the sum of the prices. */
 int ExactCover::computePrices()
 {
@@ -76,7 +76,7 @@ void ExactCover::sortParts()
                   });
 }
 
-/** Whether these cells were left uncovered at this cost or less before; if not, remember them. */
+/** Whether an earlier step reached the same set of uncovered cells at this cost or less. If not, remember the set. */
 bool ExactCover::isKnown(const WindowCells& uncovered, int cost)
 {
     constexpr std::size_t PROBES = 4;

@@ -13,17 +13,17 @@ namespace osgLego
  * Depth-first branch and bound: the first uncovered cell is covered by each part that begins there. A feasible solution
  * of the dual of the linear program, prices of cells whose sum over a part is at most the part's cost, gives both a
  * bound and an order: a cover costs the sum of all prices plus the reduced costs of its parts, which are not negative.
- * A table of sets of uncovered cells prunes those that were reached at a lower cost before.
+ * A table of sets of uncovered cells prunes sets that an earlier step reached at a lower cost.
  *
  * Keeps its memory from one call to the next. One thread at a time. */
 class ExactCover
 {
 public:
-    /** Find the cheapest cover that costs less than `limit`, and give up after `maximumNodes` steps.
+    /** Find the cheapest cover that costs less than `limit`. Give up after `maximumNodes` steps.
      * @param chosen the indices of its parts; unchanged if the function returns false. */
     bool findCheaper(const WindowParts& window, int limit, int maximumNodes, std::vector<int>& chosen);
 
-    /** The steps of the last search. */
+    /** The number of steps of the last search. */
     int getNumNodes() const { return _numNodes; }
 
 private:
@@ -44,12 +44,12 @@ private:
     std::vector<int> _order; //!< indices of parts, sorted by reduced cost for each first cell
     std::vector<int> _users; //!< the parts that contain a cell, cell by cell
     std::vector<int> _userStarts;
-    std::vector<int> _cells; //!< in the order of pricing
+    std::vector<int> _cells; //!< in the order in which they get their prices
     std::vector<Known> _known;
     std::uint32_t _numSearches = 0;
     std::vector<int> _path;
     std::vector<int> _best;
-    int _limit = 0; //!< of the sum of reduced costs
+    int _limit = 0; //!< for the sum of reduced costs
     int _numNodes = 0;
     int _maximumNodes = 0;
 };

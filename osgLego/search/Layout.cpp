@@ -19,12 +19,12 @@ namespace osgLego
 namespace
 {
 
-/** The work for an effort. Only counts bound it, not time, so that the same parts are laid on any machine. */
+/** The amount of work for an effort: counts rather than a time limit, so that every machine finds the same layout. */
 struct Work
 {
-    int numWindows = 0; //!< altogether, for models of which each part gets between the fewest and the most
-    int fewest = 0;
-    int most = 0;
+    int numWindows = 0; //!< in all rounds, if that gives a number of rounds from `fewest` to `most`
+    int fewest = 0;     //!< rounds
+    int most = 0;       //!< rounds
     WindowSearch::Limits windows;
     ComponentJoiner::Limits joins;
 };
@@ -33,8 +33,8 @@ constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
                                     {100000, 2, 40, {1, 300}, {4, 1000}},
                                     {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
 constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
-constexpr int FEWEST_ALTERNATING = 12; // rounds: fewer don't lead back to a good layout
-constexpr int NEIGHBORHOOD = 8;        // cells around changed ones whose parts may change too
+constexpr int FEWEST_ALTERNATING = 12; // rounds; fewer don't recover from rounds that ignore seams
+constexpr int NEIGHBORHOOD = 8;        // distance in cells from a change within which parts may change, too
 
 /** Improve a layout of all cells.
  * @return false if it was cancelled. */
@@ -52,7 +52,7 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     BestLayout best(sizes, seamCost);
     for (int round = 0; round < numRounds; ++round)
     {
-        // Rounds that ignore seams, between others, lead out of layouts that single windows can't improve.
+        // The search alternates between rounds that ignore seams and rounds that count them, to escape local minima.
         const int roundsLeft = numRounds - 1 - round;
         const bool hasSeams = roundsLeft / phase % 2 == 0;
         if (!search.runRound(hasSeams ? seamCost : 0, work.windows)) return false;

@@ -8,8 +8,7 @@ namespace osgLego
 
 /** Cover every cell with one part, of a size that exists in its colour.
  *
- * @param previous a layout of similar cells, parts of which are kept where the cells are the same; empty if there is
- * none.
+ * @param previous a layout of similar cells: its parts are kept where the cells are the same. Empty if there is none.
  * @return parts sorted by z, y and x of their place, the same for any number of threads; empty if it was cancelled. */
 LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts& previous = {});
 

@@ -19,7 +19,7 @@ public:
         bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
         return bits ^ (bits >> 31);
     }
-    /** A number in [0, count); count is in [1, 2^32]. */
+    /** A number from 0 to count - 1. @param count 1 to 2^32. */
     std::size_t below(std::size_t count) { return static_cast<std::size_t>((next() >> 32) * count >> 32); }
 
 private:

@@ -7,7 +7,7 @@
 namespace osgLego
 {
 
-/** The cells whose parts one thread changes, and the cells around them that no thread changes meanwhile. */
+/** The cells in which one thread changes parts, and margins around them that no thread changes at the same time. */
 struct LayoutRegion
 {
     int zBegin = 0;
@@ -16,7 +16,8 @@ struct LayoutRegion
     int yEnd = 0;
     int zMargin = 0; //!< layers above and below that may be read
     int yMargin = 0; //!< rows on both sides that may be read
-    /** Of each anchor of a part that no thread changes, an anchor of its component of such parts; NONE for others. */
+    /** For each anchor of a part that no thread changes, the anchor that stands for its component of such parts; NONE
+     * for other cells. */
     const std::vector<CellLattice::Index>* fixedComponents = nullptr;
 
     /** Whether a part lies inside. */
@@ -28,7 +29,7 @@ struct LayoutRegion
         const int z = lattice.getZ(anchor);
         return z >= zBegin && z + shape.height <= zEnd && y >= yBegin && y + shape.depth <= yEnd;
     }
-    /** Whether the part of a cell may be read. */
+    /** Whether the part that covers a cell may be read. */
     bool isReadable(const CellLattice& lattice, CellLattice::Index cell) const
     {
         const int y = lattice.getY(cell);

@@ -42,7 +42,7 @@ bool LayoutWindow::join(Index cell, Index other, int numParts, const LayoutRegio
     return true;
 }
 
-/** Fill the window with the first parts and, repeatedly, random neighbours of its parts. */
+/** Add the first parts to the window, then repeatedly a random neighbour of its parts. */
 void LayoutWindow::gather(std::span<const Index> first, int numParts, const LayoutRegion& region, bool hasLayers,
                           LayoutRandom& random)
 {
@@ -61,8 +61,8 @@ void LayoutWindow::gather(std::span<const Index> first, int numParts, const Layo
     }
 }
 
-/** Record the neighbours of a part in its layer with which it could share a part, and those in other layers on request.
- */
+/** Record neighbours of a part: those in its layer whose cells one part could cover together with its own, and, if
+ * `hasLayers`, those above and below. */
 void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region, bool hasLayers)
 {
     const CellLattice& lattice = _map.getLattice();

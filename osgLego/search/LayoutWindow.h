@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** Improves a layout by laying a few neighbouring parts again, as cheaply as possible.
+/** Improves a layout by replacing a few neighbouring parts with the cheapest cover of their cells.
  *
  * Keeps its memory from one window to the next. One thread at a time; several objects may work on regions of one layout
  * that don't touch. */
@@ -23,17 +23,17 @@ public:
 
     LayoutWindow(PartMap& map, const PartSizes& sizes);
 
-    /** Lay a part and up to `numParts` - 1 parts near it again, if that is cheaper and separates no parts.
-     * @param seamCost of half a unit of stacked seams.
+    /** Replace a part and up to `numParts` - 1 parts near it, if that is cheaper and separates no parts.
+     * @param seamCost the cost of half a unit of stacked seams.
      * @param region contains all of these parts.
-     * @param maximumNodes steps of the search.
-     * @return whether it changed the layout. */
+     * @param maximumNodes the maximum number of steps of the search.
+     * @return whether the layout has changed. */
     bool improve(Index anchor, int numParts, int seamCost, const LayoutRegion& region, int maximumNodes,
                  LayoutRandom& random);
 
-    /** Lay the parts of two neighbouring cells and some parts near them again, so that one part covers both cells, if
+    /** Replace the parts of two neighbouring cells and some parts near them, so that one part covers both cells, if
      * that connects components, separates no parts and costs at most `maximumCost` more.
-     * @return whether it changed the layout. */
+     * @return whether the layout has changed. */
     bool join(Index cell, Index other, int numParts, const LayoutRegion& region, int maximumCost, LayoutRandom& random);
 
 private:
@@ -43,7 +43,7 @@ private:
     void apply();
 
     PartMap& _map;
-    bool _hasBricks; //!< parts may be higher than a cell
+    bool _hasBricks; //!< whether parts may be higher than one cell
     WindowBuilder _window;
     ExactCover _cover;
     ConnectionCheck _connections;

@@ -66,7 +66,7 @@ void WindowBuilder::linkCells()
             _neighbors[i][side] = findCell(_map.getLattice().getNeighbor(_cells[i], side));
 }
 
-/** Half the cost of a joint between a cell and the cell on a side of it. */
+/** Half the cost of a seam between a cell and its neighbour on one side. */
 int WindowBuilder::computeSeam(Index cell, CellLattice::Side side, LayoutRandom& random) const
 {
     const CellLattice& lattice = _map.getLattice();
@@ -76,7 +76,7 @@ int WindowBuilder::computeSeam(Index cell, CellLattice::Side side, LayoutRandom&
     {
         const Index near = lattice.getNeighbor(cell, vertical);
         const Index far = lattice.getNeighbor(other, vertical);
-        // Cells of the window are laid again too, and their joints are not known yet.
+        // Parts of cells in the window will be replaced, so their seams are not known yet.
         if (near == CellLattice::NONE || far == CellLattice::NONE || findCell(near) != NO_CELL) continue;
         if (_map.getAnchor(near) != _map.getAnchor(far)) cost += _seamCost;
     }
@@ -102,7 +102,7 @@ void WindowBuilder::Contacts::add(Index anchor)
     first = anchor;
 }
 
-/** The part above or below a cell of the window. */
+/** The part above or below a cell; UNKNOWN if that cell is in the window. */
 WindowBuilder::Index WindowBuilder::findContact(int cell, CellLattice::Side side) const
 {
     const Index other = _map.getLattice().getNeighbor(_cells[static_cast<std::size_t>(cell)], side);
@@ -151,7 +151,7 @@ void WindowBuilder::addPartsAt(int cell, int height, const std::vector<Column>& 
     extend(cell, height, columns, false, 2, 3);
 }
 
-/** Add the parts that begin at a cell, are one or two columns broad and extend along x or y, from the shortest on. */
+/** Add the parts that begin at a cell, are one or two columns wide and extend along x or y, the shortest first. */
 void WindowBuilder::extend(int cell, int height, const std::vector<Column>& columns, bool isAlongX, int breadth,
                            int shortest)
 {
@@ -191,7 +191,7 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
             if (contacts.first >= 0 && !contacts.areSeveral) part.cost += _leafCost;
             _parts.parts.push_back(part);
         }
-        // The next columns join these: no seams between them.
+        // There are no seams between these columns and the next ones of the same part.
         beside = next;
         for (int i = 0; i < breadth; ++i)
         {

@@ -11,10 +11,10 @@
 namespace osgLego
 {
 
-/** The cells of a few parts that are laid again, and the parts that could be laid in them.
+/** The cells of a few parts that may be replaced, and the parts that could cover them instead.
  *
- * A part costs LayoutCosts::PART, and half a stacked seam for each of its sides where the joint would lie above or
- * below another joint: the cost of a cover is exact while the layers above and below stay the same.
+ * A part costs LayoutCosts::PART, plus half a stacked seam for each length of its sides that would lie above or below
+ * another seam. The cost of a cover is exact as long as the layers above and below stay the same.
  *
  * Keeps its memory from one window to the next. One thread at a time. */
 class WindowBuilder
@@ -28,11 +28,11 @@ public:
 
     void clear();
     /** Add the cells of a part, which must not be in the window.
-     * @return false if they are too many. */
+     * @return false if the window would have too many cells. */
     bool addPart(Index anchor);
     /** List the parts that could be laid, once all cells are known. Small random costs of joints decide between equal
      * covers.
-     * @param seamCost of half a unit of stacked seams. */
+     * @param seamCost the cost of half a unit of stacked seams. */
     void build(LayoutRandom& random, int seamCost);
 
     /** Remove the parts that contain one of two cells and not the other. */
@@ -41,7 +41,7 @@ public:
     /** The anchors of the present parts, in the order in which they were added. */
     const std::vector<Index>& getAnchors() const { return _anchors; }
     const WindowParts& getParts() const { return _parts; }
-    /** The cost of the present parts, by build(). */
+    /** The cost of the present parts. Valid after build(). */
     int getCost() const { return _cost; }
 
     /** The cells of the window in their order. Valid after build(). */
@@ -52,7 +52,7 @@ public:
     int getFirstCell(int part) const { return _parts.parts[static_cast<std::size_t>(part)].cells.getFirst(); }
 
 private:
-    /** The parts above and below a part: none, one, or several. */
+    /** The parts above or below a part: none, one, or several. */
     struct Contacts
     {
         Index first = CellLattice::NONE;
@@ -61,16 +61,16 @@ private:
         void add(Index anchor);
     };
 
-    /** Cells above each other that a part covers together. */
+    /** Stacked cells that one part covers together. */
     struct Column
     {
         WindowCells cells;
-        int sum = 0;      //!< the seams on all its sides
-        int eastSeam = 0; //!< the seams between it and the column to the east
+        int sum = 0;      //!< the cost of the seams on all sides
+        int eastSeam = 0; //!< the cost of the seams between it and the column to the east
         int northSeam = 0;
         std::uint16_t color = 0;
         bool exists = false;
-        std::array<Index, 2> contacts{}; //!< the parts above and below; NONE, and UNKNOWN in the window
+        std::array<Index, 2> contacts{}; //!< the parts above and below; NONE without a part, UNKNOWN in the window
     };
 
     Index findContact(int cell, CellLattice::Side side) const;
@@ -85,12 +85,12 @@ private:
     const PartMap& _map;
     const PartSizes& _sizes;
     int _leafCost;
-    std::vector<std::int16_t> _places; //!< of each cell of the lattice
+    std::vector<std::int16_t> _places; //!< for each cell of the lattice, its number in the window
     std::vector<Index> _anchors;
     std::vector<Index> _cells;
     std::vector<std::array<int, 6>> _neighbors;  //!< in the window
-    std::vector<std::array<int, 2>> _seams;      //!< to the east and the north: the cost of half a joint there
-    std::array<std::vector<Column>, 2> _columns; //!< of each height
+    std::vector<std::array<int, 2>> _seams;      //!< half the cost of the seams to the east and to the north
+    std::array<std::vector<Column>, 2> _columns; //!< for each height
     WindowParts _parts;
     int _seamCost = 0;
     int _cost = 0;

@@ -22,7 +22,7 @@ struct WindowPart
 struct WindowParts
 {
     std::vector<WindowPart> parts;
-    std::vector<int> starts; //!< of each cell, the first part that begins there; then the number of parts
+    std::vector<int> starts; //!< for each cell, the first part that begins there; then the number of parts
 
     int getNumCells() const { return static_cast<int>(starts.size()) - 1; }
 };

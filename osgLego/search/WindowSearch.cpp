@@ -14,8 +14,8 @@ namespace
 
 constexpr int SMALLEST_WINDOW = 4;
 constexpr int LARGEST_WINDOW = 14;
-/** Rows of a region in a large layer: more than parts near a window reach, so that rows between regions separate them.
- */
+/** The rows of a region in a large layer: more than the parts of a window extend, so that the rows between two regions
+ * separate them. */
 constexpr int NUM_ROWS = 48;
 constexpr std::size_t WINDOWS_PER_CHECK = 16;
 constexpr int LARGE_LAYER = 2500; // cells
@@ -60,7 +60,7 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
     return regions;
 }
 
-/** Find the components of the parts that no region contains. */
+/** Find the components of the parts outside all regions. */
 void WindowSearch::findFixedComponents(const std::vector<LayoutRegion>& regions)
 {
     const CellLattice& lattice = _map.getLattice();
@@ -127,7 +127,7 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limit
     for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {
         if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
-        // The part that began here may have changed since.
+        // An earlier window may have replaced the part that began here.
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
         const int numParts =
             SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));

@@ -16,30 +16,30 @@ namespace osgLego
 
 /** Improves a layout window by window, in several threads.
  *
- * A round has phases, in each of which threads work on regions with
- * layers or rows between them that nobody changes, so that the result does not depend on the number of threads. */
+ * A round has phases. In each phase, threads work on regions that unchanged layers or rows separate, so that the result
+ * does not depend on the number of threads. */
 class WindowSearch
 {
 public:
     using Index = CellLattice::Index;
 
-    /** The work of a round. */
+    /** The amount of work in a round. */
     struct Limits
     {
-        std::size_t partsPerWindow = 1; //!< the number of parts for each window that is laid
-        int maximumNodes = 0;           //!< steps of the search for one window
+        std::size_t partsPerWindow = 1; //!< number of parts in the model for each window
+        int maximumNodes = 0;           //!< maximum number of steps of the search in one window
     };
 
-    /** @param isActive whether windows may begin at a cell; empty: at all cells. */
+    /** @param isActive for each cell, whether windows may begin there; empty: windows may begin anywhere. */
     WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive);
 
-    /** Lay windows throughout the model.
-     * @param seamCost of half a unit of stacked seams.
+    /** Improve windows throughout the model.
+     * @param seamCost the cost of half a unit of stacked seams.
      * @return false if it was cancelled. */
     bool runRound(int seamCost, const Limits& limits);
 
-    /** The regions on which threads work at the same time in a phase of the next round. Each is farther from the others
-     * than its margins reach, in layers or in rows. @param layerPhase 0 or 1. @param rowPhase 0 or 1. */
+    /** The regions on which threads work at the same time in a phase of the next round. The distance between two
+     * regions is greater than their margins, in layers or in rows. @param layerPhase 0 or 1. @param rowPhase 0 or 1. */
     std::vector<LayoutRegion> makeRegions(int layerPhase, int rowPhase) const;
 
 private:
@@ -49,7 +49,7 @@ private:
 
     PartMap& _map;
     const LayoutOptions& _options;
-    int _thickness; //!< of regions, in layers
+    int _thickness; //!< of a region, in layers
     const std::vector<bool>& _isActive;
     std::uint32_t _round = 0;
     std::vector<Index> _fixedComponents;

@@ -14,19 +14,20 @@ namespace osgLego
 
 /** Factorizes symmetric positive definite matrices of blocks of 6 x 6 numbers, all with blocks at the same places.
  *
- * Rows of zeros are allowed: their part of the solution is 0. If other rows depend on each other, add a little to the
- * diagonal, since rounding errors hide that.
+ * Rows of zeros are allowed; their entries in the solution are 0. If other rows are linearly dependent, add a small
+ * number to the diagonal, because rounding errors hide the dependence.
  *
  * Usage:
  *
  *     BlockCholesky cholesky(numBlocks, places, isCancelled);
  *     cholesky.setZero();
- *     cholesky.getDiagonal(row) += ...; // and cholesky.add(place, block)
+ *     cholesky.getDiagonal(row) += ...; // and cholesky.setBlock(place, block)
  *     cholesky.factorize();
  *     cholesky.solve(vector);
  *
- * Eigen's SimplicialLLT does not know of the blocks and takes 4.5 times as long: 552 ms instead of 123 ms for the 5,587
- * parts of the bunny at 86 (`osglegobench stability` prints both), and CHOLMOD's simplicial factorization 6 times.
+ * Eigen's SimplicialLLT works on single numbers instead of blocks and takes 4.5 times as long: 552 ms instead of 123 ms
+ * for the 5,587 parts of the bunny at 86 (`osglegobench stability` prints both), and CHOLMOD's simplicial factorization
+ * 6 times.
  *
  * One thread at a time. */
 class BlockCholesky
@@ -35,8 +36,8 @@ public:
     using Block = Eigen::Matrix<double, 6, 6>;
 
     /** Choose the order of elimination.
-     * @param places the row and the column of each block off the diagonal, each pair of different numbers once, and
-     * not also the other way round. */
+     * @param places the row and the column of each block off the diagonal. For two blocks that are each other's
+     * transpose, give only one of the two. */
     BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
                   std::function<bool()> isCancelled = {});
 
@@ -45,7 +46,7 @@ public:
 
     void setZero();
     Block& getDiagonal(std::size_t row) { return _diagonal[_ranks[row]]; }
-    /** Set the block at the place of this index. */
+    /** Set the block whose row and column are `places[place]`. */
     void setBlock(std::size_t place, const Block& block);
 
     void factorize();
@@ -55,7 +56,7 @@ public:
 private:
     void analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
 
-    /** Ask whether to go on. */
+    /** Ask whether the caller has cancelled. */
     bool mustStop();
 
     std::function<bool()> _isCancelled;

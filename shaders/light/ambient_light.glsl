@@ -1,6 +1,5 @@
 // Environment light: diffuse light from nine spherical harmonics (Ramamoorthi and Hanrahan 2001) or, with CONVOLVED_MAP, from
-// a convolved map;
-// reflections from maps that are filtered for each roughness.
+// a convolved map; reflections from maps that are filtered for each roughness.
 
 #if defined(CONVOLVED_MAP)
 uniform sampler2D convolvedMap;

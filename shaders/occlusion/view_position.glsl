@@ -33,7 +33,7 @@ float pixelWidthAt(float eyeDepth)
     return abs(spreadAt(eyeDepth) * pixelSize.x / sceneProjection[0][0]);
 }
 
-// To what degree, 0 to 1, surfaces within the occlusion radius can be distinguished. If bricks are as small as pixels,
+// The degree, 0 to 1, to which surfaces within the occlusion radius can be distinguished. If bricks are as small as pixels,
 // every pixel is a different surface, and only averages over neighbours are meaningful.
 float distinctnessOf(float radius, float eyeDepth)
 {

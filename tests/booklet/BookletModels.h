@@ -13,7 +13,7 @@ namespace osgLego::test
 /** A step that places parts and attaches submodels, seen from the front. */
 BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {});
 
-/** What is unusual in a tower. */
+/** The variations of a tower. */
 struct TowerSetting
 {
     std::vector<std::size_t> fallingSteps{}; //!< of the model

@@ -121,7 +121,7 @@ TEST_F(LDrawFile, AShortageOfMemoryIsAnErrorAndNoException)
     ASSERT_TRUE(plugin);
     BufferWithoutMemory buffer;
     std::iostream stream(&buffer);
-    stream.exceptions(std::ios::badbit); // pass on what the buffer throws
+    stream.exceptions(std::ios::badbit); // rethrow the buffer's exceptions
     const osgDB::ReaderWriter::ReadResult read = plugin->readNode(stream, nullptr);
     EXPECT_FALSE(read.success());
     EXPECT_NE(read.message().find("there is not enough memory for it"), std::string::npos) << read.message();

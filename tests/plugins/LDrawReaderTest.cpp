@@ -71,7 +71,8 @@ TEST_F(LDrawReaderTest, BricksInBothDirectionsCoverTheirCellsInAGridInMillimetre
     EXPECT_EQ(model->getGrid().cellSize, glm::dvec3(8.0, 8.0, 0.4 * 24.0));
     EXPECT_EQ(model->getGrid().dimensions, glm::ivec3(4, 3, 2));
     EXPECT_EQ(model->getGrid().origin, glm::dvec3(0.0, -8.0, 0.0));
-    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 1, 0}, {4, 2, 1}, 4), expectedPart({1, 0, 1}, {2, 3, 1}, 1)}));
+    EXPECT_EQ(model->getParts(),
+              (std::vector{expectedPart({0, 1, 0}, {4, 2, 1}, 4), expectedPart({1, 0, 1}, {2, 3, 1}, 1)}));
 }
 
 TEST_F(LDrawReaderTest, OnePlateMakesAGridOfPlates)
@@ -79,7 +80,8 @@ TEST_F(LDrawReaderTest, OnePlateMakesAGridOfPlates)
     const auto model = read("1 4 0 -24 0" + ALONG_X + "3005.dat\n1 14 0 -32 0" + ALONG_X + "3024.dat\n");
     ASSERT_TRUE(model) << _error;
     EXPECT_EQ(model->getGrid().cellSize, glm::dvec3(8.0, 8.0, 0.4 * 8.0));
-    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 0, 0}, {1, 1, 3}, 4), expectedPart({0, 0, 3}, {1, 1, 1}, 14)}));
+    EXPECT_EQ(model->getParts(),
+              (std::vector{expectedPart({0, 0, 0}, {1, 1, 3}, 4), expectedPart({0, 0, 3}, {1, 1, 1}, 14)}));
 }
 
 TEST_F(LDrawReaderTest, BricksAThirdApartMakeAGridOfPlates)
@@ -113,7 +115,8 @@ TEST_F(LDrawReaderTest, SubmodelsPassOnTheirTransformAndColour)
     EXPECT_TRUE(_warnings.empty());
     // 3004 lies along z: x 90 to 110, z -40 to 0. 3005 stands above: x 110 to 130, z -60 to -40.
     EXPECT_EQ(model->getGrid().origin, 0.4 * glm::dvec3(90.0, -60.0, 24.0));
-    EXPECT_EQ(model->getParts(), (std::vector{expectedPart({0, 1, 0}, {1, 2, 1}, 4), expectedPart({1, 0, 1}, {1, 1, 1}, 1)}));
+    EXPECT_EQ(model->getParts(),
+              (std::vector{expectedPart({0, 1, 0}, {1, 2, 1}, 4), expectedPart({1, 0, 1}, {1, 1, 1}, 1)}));
 }
 
 TEST_F(LDrawReaderTest, PartsInTheColourOfEdgesHaveThatOfTheReferenceToTheirSubmodel)
@@ -247,7 +250,7 @@ TEST_F(LDrawReaderTest, BlackHasTheColourOfThePlasticWhateverTheLibrarySays)
 
 TEST_F(LDrawReaderTest, UnknownPartsAreDrawnFromTheLibrary)
 {
-    // A part of two triangles, one of them in a file of its own below s, in any case.
+    // A part of two triangles, one of them in a separate file in the folder s. Names ignore case.
     write("library/PARTS/4070.DAT",
           "0 Part\r\n3 16 0 0 0 20 0 0 0 0 20\r\n1 14 0 0 0 1 0 0 0 1 0 0 0 1 s\\4070s01.dat\r\n");
     write("library/PARTS/S/4070s01.dat", "1 16 0 10 0 1 0 0 0 1 0 0 0 1 tri.dat\n");

@@ -33,7 +33,7 @@ inline std::vector<std::uint32_t> createRandomOrder(const BrickModel& model, std
     return order;
 }
 
-/** A model of those parts alone that come first in an order. */
+/** A model that consists of the first parts of an order. */
 inline osg::ref_ptr<const BrickModel> createPlacedModel(const BrickModel& model,
                                                         const std::vector<std::uint32_t>& order, std::size_t numPlaced)
 {

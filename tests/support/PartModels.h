@@ -30,7 +30,7 @@ struct PartFilling
 /** Fill cells with parts of random real sizes and colours; equal seeds give equal models. */
 osg::ref_ptr<const BrickModel> createParts(const BrickGrid& grid, const PartFilling& filling);
 
-/** A model with the same cells, in the same colours, not joined to parts. */
+/** A model of the same cells in the same colours, without parts. */
 osg::ref_ptr<const BrickModel> createCells(const BrickModel& parts);
 
 /** A node that shows a model, with settings in their text form. */

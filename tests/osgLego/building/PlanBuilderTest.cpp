@@ -51,8 +51,8 @@ TEST(PlanBuilder, ASubmodelThatFallsUprightIsBuiltUpsideDownInASecondAttempt)
 
 TEST(PlanBuilder, ASubmodelThatFallsBothWaysStaysUpright)
 {
-    // Both the foot and the brick are at the same end of the arm. To make it stand, the arm hangs from the brick in a
-    // submodel of its own, in vain.
+    // Both the foot and the brick are at the same end of the arm. Hanging the arm from the brick,
+    // in a separate submodel, does not help.
     const auto built = plan(2, true);
     ASSERT_TRUE(built);
     ASSERT_EQ(built->getSubmodels().size(), 2u);
@@ -96,7 +96,7 @@ TEST(PlanBuilder, ASubmodelIsBuiltUprightIfItNeedsFewerSubmodelsThen)
 TEST(PlanBuilder, ViewsOfStepsShowTheSubmodelsThatAreAttached)
 {
     // In front of a high wall are three bricks, and behind it a column with a beam, from which four bricks hang. From
-    // the front, four of ten parts are visible; from the right and behind, the beam, what hangs from it, and the wall.
+    // the front, four of ten parts are visible; from the right and behind, the beam, the bricks below it, and the wall.
     std::vector<Part> parts{createBrick({0, 4, 0}, 20, 1)};
     parts.back().size[2] = 20;
     for (const int x : {4, 8, 12})

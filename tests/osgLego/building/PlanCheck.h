@@ -11,15 +11,15 @@
 namespace osgLego::test
 {
 
-/** Builds a model as a plan says, cell by cell, and counts the mistakes that hands would notice. */
+/** Builds a model by a plan, cell by cell, and counts the mistakes that would prevent building it by hand. */
 class PlanCheck
 {
 public:
     PlanCheck(const BrickModel& model, const BuildingPlan& plan);
 
-    /** Parts and submodels that nothing holds when they are placed; those that the plan itself lists are left out. */
+    /** Parts and submodels that nothing holds when they are placed, except those that the plan lists as such. */
     const std::vector<std::string>& getUnheld() const { return _unheld; }
-    /** Parts and submodels that are placed below others, where no hand comes from above. */
+    /** Parts and submodels that are placed below others, where they can't be reached from above. */
     const std::vector<std::string>& getUnreachable() const { return _unreachable; }
     /** Submodels that joints do not connect. */
     const std::vector<std::string>& getDisconnected() const { return _disconnected; }

@@ -129,7 +129,7 @@ TEST(StepBuilder, HangsPartsFromOneAboveThatIsTooFarForTheSameStep)
 
 TEST(StepBuilder, PartsThatFallWhateverIsDoneArePlacedOnce)
 {
-    // The upper half of a column falls, on which nothing else depends.
+    // The upper half of a column falls. Nothing else depends on it.
     const Building building(createColumns({{0, 16}}),
                             [](std::uint32_t part, const std::vector<bool>&) { return part >= 8; });
     const std::vector<AssemblyStep> steps = building.build();

@@ -238,7 +238,7 @@ Part createPart(const glm::ivec3& cell, const glm::ivec3& size, std::int32_t cod
     return part;
 }
 
-/** Whether the parts are within the grid and in cells of their own. */
+/** Whether the parts are within the grid and do not overlap. */
 bool arePossible(const BrickModel& model)
 {
     std::size_t numCells = 0;

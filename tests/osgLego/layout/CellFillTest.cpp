@@ -98,7 +98,7 @@ TEST(CellFill, AHoleInTheWallLetsTheOutsideIn)
     EXPECT_EQ(fill(*createHolly({0, 0, 3}), Fill::SOLID).numInterior, 64u);
 }
 
-/** The empty cells that a flood from outside, cell by cell, does not reach; and its distances into the rest. */
+/** The empty cells that a flood fill from outside does not reach, and its distances to the other cells. */
 std::set<Cell> findInside(const BrickModel& model)
 {
     const glm::ivec3 size = model.getGrid().dimensions;

@@ -18,21 +18,21 @@ namespace osgLego
 LayoutProblem makeCells(const glm::ivec3& size, const std::function<int(int, int, int)>& getColor,
                         std::vector<LayoutColor> colors = {LayoutColor{}});
 
-/** Random cells, in blots of random colours, one of which is any colour. */
+/** Random cells in patches of random colours; one of the colours is ANY_COLOR. */
 LayoutProblem makeRandomCells(const glm::ivec3& size, int percent, std::uint32_t seed,
                               std::vector<LayoutColor> colors = std::vector<LayoutColor>(3));
 
 /** A dome, one or more cells thick. */
 LayoutProblem makeDome(int radius, int thickness);
 
-/** A layout as tests look at it, by straightforward means. */
+/** A layout that tests examine by brute force. */
 class LaidModel
 {
 public:
     LaidModel(const LayoutProblem& problem, const LaidParts& parts);
 
-    /** The first reason for which these are not valid parts of the cells: a cell covered never or twice, a size that
-     * was never made, except for single cells, or a wrong colour. Empty if they are valid. */
+    /** The first error in the parts: a cell that no part or two parts cover, a size that was never made (except for
+     * single cells), or a wrong colour. Empty if there is none. */
     std::string findMistake() const;
     /** The number of components of parts with a stud under another. */
     int countComponents() const;

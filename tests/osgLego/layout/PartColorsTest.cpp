@@ -23,7 +23,7 @@ constexpr std::uint16_t ONLY_1X1 = 1;
 constexpr std::uint16_t ONLY_1X2 = 2;
 constexpr std::uint16_t ANY = LayoutCell::ANY_COLOR;
 
-/** The part of each cell beside a part, found by looking at all cells. */
+/** For each cell beside a part, the part of that cell; finds them by comparing all cells. */
 std::vector<Index> findNeighbors(const PartMap& map, Index anchor)
 {
     const CellLattice& lattice = map.getLattice();
@@ -37,7 +37,8 @@ std::vector<Index> findNeighbors(const PartMap& map, Index anchor)
     return neighbors;
 }
 
-/** The colour that most cells beside a part have, of those in which it is made; the least of equally common ones. */
+/** Of the colours in which a part is made, the most frequent one among the cells beside it; of equally frequent
+ * colours, the one with the lowest index. */
 std::uint16_t findCommonest(const PartMap& map, const PartSizes& sizes, const Colors& colors, Index anchor)
 {
     std::map<std::uint16_t, int> counts;
@@ -78,7 +79,7 @@ Colors chooseByRounds(const PartMap& map, const PartSizes& sizes)
     }
 }
 
-/** Lay some pairs of cells, where their colours allow it, and each other cell by itself. */
+/** Cover some pairs of cells by one part, where their colours allow it, and each other cell by a part of one cell. */
 void layPairs(PartMap& map, std::mt19937& engine)
 {
     const CellLattice& lattice = map.getLattice();
@@ -132,7 +133,7 @@ TEST(PartColors, APartThatNoNeighborSuitsGetsTheFirstColorInWhichItIsMadeAndSpre
     EXPECT_EQ(colors[3], 2);
 }
 
-// Each of the pockets needs a round of its own. Work that grows with their square would take an hour.
+// Each pocket needs a round. If the work grew with the square of their number, the test would take an hour.
 TEST(PartColors, AHundredThousandPocketsThatNoNeighborSuitsGetAColor)
 {
     constexpr int NUM_POCKETS = 20000; // in each of five rows

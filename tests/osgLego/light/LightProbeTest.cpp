@@ -266,7 +266,7 @@ TEST(LightProbe, TheFirstReflectionIsThePicture)
         const osg::Image& map = *probe->getReflectionMap(0);
         ASSERT_EQ(map.s(), 256);
         ASSERT_EQ(map.t(), 128);
-        // Not at the poles, where the mean over a pixel differs from the value at its centre.
+        // Except at the poles, where the mean over a pixel differs from the value at its centre.
         for (int row = 8; row < 120; row += 9)
             for (int column = 3; column < 256; column += 7)
                 expectNear(pixelOf(map, column, row), pattern(latitudeLongitudeDirection(column, row, 256, 128)),

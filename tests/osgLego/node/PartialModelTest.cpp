@@ -21,7 +21,7 @@ osg::ref_ptr<const BrickModel> createTower(int height)
     return BrickModel::createOfParts(createPartGrid({1, 1, height}), parts);
 }
 
-/** What a ray straight down through the middle of a cell hits first. */
+/** The first hit of a vertical ray that goes down through the middle of a cell. */
 std::optional<BrickIntersection> pickFromAbove(osg::Node& scene)
 {
     const osg::ref_ptr<osgUtil::LineSegmentIntersector> ray =

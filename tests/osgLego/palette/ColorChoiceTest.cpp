@@ -95,7 +95,7 @@ TEST(ColorChoice, HasTheLeastErrorOfAllSubsets)
             ASSERT_LT(error, 1.15 * least) << round << ' ' << count;
         }
     }
-    // No exchange of one colour finds the rest.
+    // Exchanging one colour at a time does not find the best choice.
     EXPECT_GE(numBest, numCases * 95 / 100);
 }
 
@@ -167,7 +167,7 @@ TEST(ColorChoice, KeepsThePaletteIfItHasNoMoreColours)
 
 TEST(ColorChoice, EqualChoicesShareAPalette)
 {
-    // Tables are expensive, and a source that changes in each frame mostly needs the same colours.
+    // Creating tables is expensive, and a source that changes in every frame usually needs the same colours.
     std::mt19937 engine(4);
     const osg::ref_ptr<const Palette> palette = randomPalette(engine, 10);
     const ColorHistogram histogram = randomHistogram(engine, 20);

@@ -27,7 +27,7 @@ TEST_F(DitherFunction, IsTheSameInGlsl)
         for (std::size_t channel = 0; channel < 3; ++channel)
         {
             color[channel] = static_cast<std::uint8_t>(engine());
-            // Near enough that the distance limits the offsets of many.
+            // So close that the distance limits many of the offsets.
             nearest[channel] = static_cast<std::uint8_t>(engine() % 2 ? color[channel] ^ (engine() & 15u) : engine());
             cell[channel] = static_cast<std::uint16_t>(engine() % 2560);
         }

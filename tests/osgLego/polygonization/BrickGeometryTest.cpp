@@ -77,7 +77,7 @@ TEST(BrickGeometry, EnclosesTheVolumeOfBricksAndStudsWindingOutwards)
             const double cell = grid.cellSize.x * grid.cellSize.y * grid.cellSize.z;
             const auto [feet, numStuds] = sumOfStudFeet(*model);
             const double expected = cell * static_cast<double>(model->getBricks().size()) + stud * numStuds;
-            // A stud stands on its brick and has no foot of its own, which would add this to the flux.
+            // Studs have no bottom face, which would add this to the flux.
             measure.volume -= disk * feet / 3.0;
             EXPECT_NEAR(measure.volume, expected, 1e-4 * expected);
         }

@@ -106,7 +106,7 @@ TEST_F(BrickLight, BlackStaysBlackAndRedStaysRed)
     }
 }
 
-/** How far the levels of pixels go apart from picture to picture, away from the silhouette of a ball that fills them.
+/** The range of the levels of each pixel over several pictures of a ball that fills them, except near its silhouette.
  */
 double flickerOf(const std::vector<osg::ref_ptr<osg::Image>>& images)
 {
@@ -137,8 +137,8 @@ TEST_F(BrickLight, DistantBricksDoNotFlickerAsTheCameraMoves)
             std::vector<osg::ref_ptr<osg::Image>> images;
             for (const double shift : {0.0, 0.07, 0.14, 0.21})
             {
-                // Bricks of 0.6 and of 0.3 pixels, of which all kinds of faces are seen; by parts of a pixel further
-                // on.
+                // Bricks of 0.6 and of 0.3 pixels with visible faces of all kinds; each picture is shifted by a
+                // fraction of a pixel.
                 const osg::Vec3d target = osg::Vec3d(0.5, 0.3, 0.8) * shift;
                 images.push_back(draw(*ball, {target + osg::Vec3d(20, -35, 25), target, {0, 0, 1}, 33.0}));
             }

@@ -20,7 +20,8 @@ namespace osgLego::test
 namespace
 {
 
-/** Compares bricks drawn as splats, or as triangles without back-facing ones, with every face and stud drawn. */
+/** Compares bricks drawn as splats, or as triangles with back-face culling, with bricks whose faces and studs are all
+ * drawn. */
 class BrickSplats : public LookTest
 {
 protected:

@@ -36,7 +36,7 @@ public:
         return map;
     }
 
-    /** The parts that remain of two layouts. */
+    /** The parts of the layout that is kept of two. */
     LaidParts findBetter(const std::vector<int>& first, const std::vector<int>& second) const
     {
         BestLayout best(sizes, LayoutCosts::HALF_SEAM);

@@ -17,7 +17,7 @@ namespace
 constexpr int NO_COVER = std::numeric_limits<int>::max();
 constexpr int MANY_NODES = 1000000;
 
-/** Random sets of up to five cells, in the order of their first cells; each cell is also a set of its own. */
+/** Random sets of up to five cells, in the order of their first cells; each cell alone is also a set. */
 WindowParts makeRandomWindow(int numCells, std::mt19937& random)
 {
     WindowParts window;

@@ -37,7 +37,7 @@ void expectValid(const LayoutProblem& problem, const LaidParts& parts)
     EXPECT_EQ(LaidModel(problem, parts).findMistake(), "");
 }
 
-/** A row of cells in random colours, which have random sizes, with gaps. */
+/** A row of cells with gaps. The colours are random, and parts of random sizes exist in each. */
 LayoutProblem makeRandomRow(std::uint32_t seed)
 {
     constexpr int NUM_COLORS = 3;
@@ -60,7 +60,7 @@ LayoutProblem makeRandomRow(std::uint32_t seed)
     return makeCells({1 + static_cast<int>(random() % 30), 1, 1}, getColor, colors);
 }
 
-/** The cost of a part of a row: nothing connects it to another. ANY_COLOR stands for the colour that suits it best. */
+/** The cost of a part of a row, which nothing connects to another part. ANY_COLOR stands for the cheapest colour. */
 std::int64_t costInRow(const LayoutProblem& problem, int length, std::uint16_t color)
 {
     const std::size_t size = findPartType(PartFamily::BRICK, 1, length)->getSizeIndex();
@@ -71,7 +71,7 @@ std::int64_t costInRow(const LayoutProblem& problem, int length, std::uint16_t c
     return LayoutCosts::PART + LayoutCosts::COMPONENT + (isMade ? 0 : LayoutCosts::UNMADE);
 }
 
-/** The least cost of a row, from left to right: that of the best last part and of the row before it. */
+/** The least cost of a row, by dynamic programming from left to right over the length of the last part. */
 std::int64_t findLeastCostOfRow(const LayoutProblem& problem)
 {
     const std::vector<LayoutCell>& cells = problem.cells;

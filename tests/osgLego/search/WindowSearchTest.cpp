@@ -21,7 +21,7 @@ namespace
 
 constexpr int NUM_ROUNDS = 3;
 
-/** Cells of two colours in blots, with some cells missing. */
+/** Cells in patches of two colours, with some cells missing. */
 LayoutProblem makeBlots(const glm::ivec3& size, bool isOfPlates)
 {
     std::mt19937 random(3);
