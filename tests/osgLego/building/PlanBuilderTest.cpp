@@ -2,7 +2,9 @@
 
 #include <osgLego/building/PlanBuilder.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -113,6 +115,77 @@ TEST(PlanBuilder, ViewsOfStepsShowTheSubmodelsThatAreAttached)
     ASSERT_EQ(built->getSteps()[0].submodels.size(), 1u);
     EXPECT_EQ(built->getSteps()[0].parts.size(), 5u);
     EXPECT_EQ(built->getSteps()[0].turns, 1);
+}
+
+TEST(PlanBuilder, ASubmodelIsBuiltUpsideDownOnAFarLargerArea)
+{
+    // Two legs of 4x1 and 2x1 below a beam of 8x2: six and sixteen studs.
+    const auto built = planBelowBeam({createBrick({4, 0, 4}, 4, 1), createBrick({0, 0, 4}, 2, 1)});
+    ASSERT_EQ(built->getSubmodels().size(), 1u);
+    EXPECT_TRUE(built->getSubmodels()[0].steps[0].isFromBelow);
+}
+
+TEST(PlanBuilder, EachSubmodelThatFallsUprightIsBuiltUpsideDownInASecondAttempt)
+{
+    std::vector<Part> parts = createArm(5)->getParts();
+    for (const Part& part : createArm(5)->getParts())
+        parts.push_back(createBrick(part.getCell() + glm::ivec3(20, 0, 0), part.size[0], part.size[1]));
+    const auto built = PlanBuilder(*createPartModel(std::move(parts)), {}).build();
+    ASSERT_EQ(built->getSubmodels().size(), 2u);
+    for (const Submodel& submodel : built->getSubmodels())
+    {
+        EXPECT_TRUE(submodel.steps[0].isFromBelow);
+        EXPECT_TRUE(submodel.steps[0].stands);
+    }
+}
+
+TEST(PlanBuilder, StepsOfSubmodelsThatAreUpsideDownAreNotTurned)
+{
+    // From a plate on a column hang a high wall and, behind it, four bricks, which it hides if the plate is turned
+    // over.
+    std::vector<Part> parts{createBrick({0, 0, 0}, 1, 1), createBrick({0, 0, 21}, 20, 16)};
+    parts.front().size[2] = 21;
+    parts.push_back(createBrick({1, 6, 2}, 19, 1));
+    parts.back().size[2] = 19;
+    for (const int x : {4, 7, 13, 16})
+        for (const int y : {3, 10})
+            parts.push_back(createBrick({x, y, 20}, 1, 1));
+    PlanningOptions options;
+    options.checksStability = false;
+    const auto built = PlanBuilder(*createPartModel(std::move(parts)), options).build();
+    ASSERT_EQ(built->getSubmodels().size(), 1u);
+    for (const BuildingStep& step : built->getSubmodels()[0].steps)
+    {
+        EXPECT_TRUE(step.isFromBelow);
+        EXPECT_EQ(step.turns, 0);
+    }
+}
+
+TEST(PlanBuilder, ProgressRisesThoughSubmodelsArePlannedLater)
+{
+    PlanningOptions options;
+    std::vector<double> fractions;
+    options.progress = [&fractions](double fraction) { fractions.push_back(fraction); };
+    ASSERT_EQ(PlanBuilder(*createArm(5), options).build()->getSubmodels().size(), 1u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
+TEST(PlanBuilder, APlanIsNullWheneverItIsCancelled)
+{
+    PlanningOptions options;
+    options.checksStability = false;
+    int numCalls = 0;
+    options.isCancelled = [&numCalls] { return ++numCalls < 0; };
+    ASSERT_TRUE(PlanBuilder(*createArm(5), options).build());
+    const int last = numCalls;
+    ASSERT_GE(last, 2) << "at least once for the model and for its submodel";
+    for (int call = 1; call <= last; ++call)
+    {
+        numCalls = 0;
+        options.isCancelled = [&] { return ++numCalls == call; };
+        EXPECT_FALSE(PlanBuilder(*createArm(5), options).build()) << call;
+    }
 }
 
 } // namespace

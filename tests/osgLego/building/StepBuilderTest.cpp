@@ -182,6 +182,28 @@ TEST(StepBuilder, IsGivenUpAfterAStepIfItMayNotProceed)
     EXPECT_EQ(numPlaced, (std::vector<std::size_t>{8, 16}));
 }
 
+TEST(StepBuilder, AClampedStepContainsTheOtherPartsOfTheStepToo)
+{
+    // A column of six bricks, and a higher one whose second brick falls unless the third is on it.
+    const Building building(createColumns({{0, 6}, {20, 16}}), [](std::uint32_t part, const std::vector<bool>& isPlaced)
+                            { return part == 7 && !isPlaced[8]; });
+    const std::vector<AssemblyStep> steps = building.build();
+    EXPECT_TRUE(allStand(steps));
+    EXPECT_EQ(toPlaced(steps).front(), (PartList{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
+TEST(StepBuilder, StepsAreNotRepairedAfterAPartThatFallsWhateverIsDone)
+{
+    // The lowest part of a column falls, and a part in the middle, which might hang from those above it.
+    const Building building(createColumns({{0, 24}}),
+                            [](std::uint32_t part, const std::vector<bool>&) { return part == 0 || part == 12; });
+    const std::vector<AssemblyStep> steps = building.build();
+    EXPECT_FALSE(haveSubmodels(steps));
+    EXPECT_EQ(toPlaced(steps),
+              (std::vector<PartList>{
+                  {0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14, 15}, {16, 17, 18, 19, 20, 21, 22, 23}}));
+}
+
 } // namespace
 
 } // namespace osgLego::test

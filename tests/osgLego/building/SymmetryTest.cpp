@@ -63,6 +63,11 @@ TEST(Symmetry, NeedsATwinForNineTenthsOfTheCells)
     EXPECT_FALSE(Symmetry({}).hasPlane());
 }
 
+TEST(Symmetry, OfTwoPlanesThatFitEquallyWellThatAcrossXIsTaken)
+{
+    EXPECT_EQ(Symmetry({{{0, 0, 0}, {4, 4, 1}}}).fold({1, 1, 0}), glm::ivec3(3, 1, 0)) << "the plane is at x = 2";
+}
+
 } // namespace
 
 } // namespace osgLego::test

@@ -91,6 +91,70 @@ TEST(UnitQueue, AddsAtMostTwelveUnitsBelowOne)
     }
 }
 
+/** The weight of the first step of islands of bricks 1x1, far from each other, each of which is a group. */
+std::size_t weighFirstStep(const std::vector<int>& islands)
+{
+    std::vector<BuildingBox> boxes;
+    for (std::size_t island = 0; island < islands.size(); ++island)
+        for (int number = 0; number < islands[island]; ++number)
+        {
+            // Two sides of a square, so that nothing is symmetric.
+            const bool isFirst = 2 * number < islands[island];
+            const glm::ivec3 place(40 * static_cast<int>(island) + (isFirst ? number : 0),
+                                   isFirst ? 0 : number - (islands[island] - 1) / 2, 0);
+            boxes.push_back({place, place + 1});
+        }
+    const std::size_t numParts = boxes.size();
+    Queue queue(std::move(boxes), std::vector<bool>(numParts, false));
+    UnitQueue units = queue.create();
+    return units.propose({}).size();
+}
+
+TEST(UnitQueue, StepsHaveEightPartsOrEndWithAGroupOrLeaveEnoughForTheNextStep)
+{
+    EXPECT_EQ(weighFirstStep({30}), 8u);
+    EXPECT_EQ(weighFirstStep({7, 30}), 7u);
+    EXPECT_EQ(weighFirstStep({9, 30}), 9u);
+    EXPECT_EQ(weighFirstStep({10, 30}), 10u);
+    EXPECT_EQ(weighFirstStep({11, 30}), 8u) << "more than ten parts are too many";
+    EXPECT_EQ(weighFirstStep({5, 30}), 8u) << "of two equally good steps, the larger one";
+    EXPECT_EQ(weighFirstStep({10, 7}), 10u);
+    EXPECT_EQ(weighFirstStep({10, 4}), 8u) << "four parts would be too few for the last step";
+    EXPECT_EQ(weighFirstStep({9, 3}), 7u) << "five parts are enough for the last step";
+}
+
+TEST(UnitQueue, APartAboveASubmodelIsNotInTheSameStep)
+{
+    // A column, in place, with a beam on it, a brick below the end of the beam, and one on it.
+    Queue beam({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 2}, {8, 2, 3}}, {{6, 0, 1}, {8, 2, 2}}, {{4, 0, 3}, {6, 2, 4}}},
+               {true, false, false, false});
+    const UnitQueue queue = beam.create();
+    const std::uint32_t submodel = beam.units.getUnitOf(1);
+    const std::uint32_t above = beam.units.getUnitOf(3);
+    ASSERT_EQ(beam.units.getUnitOf(2), submodel);
+    EXPECT_TRUE(queue.isOneStep({submodel}));
+    EXPECT_TRUE(queue.isOneStep({above}));
+    EXPECT_FALSE(queue.isOneStep({submodel, above}));
+}
+
+TEST(UnitQueue, ASubmodelComesWhenItsLastPartWould)
+{
+    // A column with a beam, from which a leg hangs. Beside it is a slab with two towers, which begin above the foot of
+    // the leg and below the beam.
+    Queue model({{{0, 0, 0}, {2, 2, 3}},
+                 {{0, 0, 3}, {8, 2, 4}},
+                 {{6, 0, 1}, {8, 2, 3}},
+                 {{0, 10, 0}, {9, 12, 2}},
+                 {{0, 10, 2}, {2, 12, 3}},
+                 {{7, 10, 2}, {9, 12, 3}}},
+                std::vector<bool>(6, false));
+    UnitQueue queue = model.create();
+    const UnitList units = queue.propose({});
+    ASSERT_EQ(units.size(), 5u);
+    EXPECT_EQ(units.back(), model.units.getUnitOf(1));
+    EXPECT_EQ(model.units.getUnitOf(1), model.units.getUnitOf(2));
+}
+
 } // namespace
 
 } // namespace osgLego::test
