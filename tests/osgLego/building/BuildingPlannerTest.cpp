@@ -140,6 +140,7 @@ TEST(BuildingPlanner, PartsThatTouchNothingAreListedAndComeLast)
 
 TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
 {
+    std::size_t numUnreachable = 0;
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
         for (std::uint32_t seed = 1; seed < 9; ++seed)
         {
@@ -155,7 +156,9 @@ TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
             EXPECT_TRUE(check.getDisconnected().empty()) << check.toString();
             EXPECT_TRUE(check.getLong().empty()) << check.toString();
             EXPECT_LE(check.getUnreachable().size(), 1u) << "interlocking hooks";
+            numUnreachable += check.getUnreachable().size();
         }
+    EXPECT_LE(numUnreachable, 4u) << "in all 16 models";
 }
 
 osg::ref_ptr<const BrickModel> createBricks(const osg::Node& node, const std::string& text)

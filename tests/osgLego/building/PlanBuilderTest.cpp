@@ -127,9 +127,12 @@ TEST(PlanBuilder, ASubmodelIsBuiltUpsideDownOnAFarLargerArea)
 
 TEST(PlanBuilder, EachSubmodelThatFallsUprightIsBuiltUpsideDownInASecondAttempt)
 {
-    std::vector<Part> parts = createArm(5)->getParts();
-    for (const Part& part : createArm(5)->getParts())
-        parts.push_back(createBrick(part.getCell() + glm::ivec3(20, 0, 0), part.size[0], part.size[1]));
+    // Two arms as above, which touch nothing else.
+    std::vector<Part> parts{createBrick({0, 0, 0}, 2, 2)};
+    for (const int x : {4, 24})
+        for (const Part& part :
+             {createBrick({x, 0, 3}, 2, 2), createBrick({x, 0, 4}, 8, 2), createBrick({x + 3, 0, 5}, 2, 4)})
+            parts.push_back(part);
     const auto built = PlanBuilder(*createPartModel(std::move(parts)), {}).build();
     ASSERT_EQ(built->getSubmodels().size(), 2u);
     for (const Submodel& submodel : built->getSubmodels())
@@ -148,8 +151,7 @@ TEST(PlanBuilder, StepsOfSubmodelsThatAreUpsideDownAreNotTurned)
     parts.push_back(createBrick({1, 6, 2}, 19, 1));
     parts.back().size[2] = 19;
     for (const int x : {4, 7, 13, 16})
-        for (const int y : {3, 10})
-            parts.push_back(createBrick({x, y, 20}, 1, 1));
+        parts.push_back(createBrick({x, 10, 20}, 1, 1));
     PlanningOptions options;
     options.checksStability = false;
     const auto built = PlanBuilder(*createPartModel(std::move(parts)), options).build();

@@ -258,6 +258,28 @@ TEST(ModelBuilder, PartsAreKeptOnlyIfThePaletteAndTheSettingsAreTheSame)
     EXPECT_LT(numPartsAfter(parseSettings("12,parts=bricks,seed=1"), palette), numCells / 2);
 }
 
+TEST(ModelBuilder, ErrorsOfColorsAreThoseOfVisibleCells)
+{
+    // A cube of 27 cells, of which the one in the middle is blue. The palette has the colour of the others.
+    BrickGrid grid;
+    grid.cellSize = {1.0, 1.0, 1.2};
+    grid.dimensions = glm::ivec3(3);
+    std::vector<Brick> bricks;
+    for (std::uint16_t z = 0; z < 3; ++z)
+        for (std::uint16_t y = 0; y < 3; ++y)
+            for (std::uint16_t x = 0; x < 3; ++x)
+            {
+                Brick& brick = bricks.emplace_back();
+                brick.cell = {x, y, z};
+                brick.color = {200, 0, 0};
+                if (x == 1 && y == 1 && z == 1) brick.color = {0, 0, 200};
+            }
+    ModelBuilder builder(parseSettings("3,parts=bricks"), PaletteLookup(createRed(PaletteColor::ALL_SIZES)));
+    ASSERT_TRUE(builder.build(*BrickModel::create(grid, std::move(bricks))));
+    EXPECT_EQ(builder.getMeasurement()().meanColorError, 0.0);
+    EXPECT_EQ(builder.getMeasurement()().maximumColorError, 0.0);
+}
+
 } // namespace
 
 } // namespace osgLego::test

@@ -96,6 +96,7 @@ TEST(SupportBuilder, PutsColumnsUnderAModelThatTipsOver)
     EXPECT_EQ(layout.numColumns, 1u);
     EXPECT_EQ(layout.numColumnParts, 2u);
     EXPECT_EQ(layout.parts.size(), parts.size() + 2);
+    EXPECT_FALSE(layout.isLaidAgain) << "no other layout is better";
 }
 
 TEST(SupportBuilder, PutsColumnsUnderPartsThatFloat)
@@ -196,6 +197,47 @@ TEST(SupportBuilder, LargeGroupsGetColumnsFirstIfThereAreTooManyGroups)
     const std::vector<std::uint32_t> falling = computeStanding(layout.problem, layout.parts, {})->falling;
     ASSERT_EQ(falling.size(), 1u);
     EXPECT_NE(layout.parts[falling[0]], upper);
+}
+
+TEST(SupportBuilder, ReportsNoProgressOfItsAttempts)
+{
+    const LayoutProblem problem = drawProblem({{"a......."}, {"a......."}, {"aaaaaaaa"}});
+    SupportedLayout layout{problem, {{{0, 0, 0}}, {{0, 0, 1}}, {{0, 0, 2}, {8, 1, 1}}}};
+    LayoutOptions options;
+    options.progress = [](double) { ADD_FAILURE() << "the layout has reported that it is complete"; };
+    EXPECT_TRUE(SupportBuilder(options).build(layout));
+    EXPECT_TRUE(layout.stands);
+}
+
+TEST(SupportBuilder, PutsColumnsBelowPartsThatStandIfThoseOnThemTipOver)
+{
+    // A pile on the end of an arm: the only places for columns are below the arm.
+    const LayoutProblem problem = drawProblem({{"a......."}, {"a......."}, {"aaaaaaaa"}, {".......a"}, {".......a"}});
+    const LaidParts parts{{{0, 0, 0}}, {{0, 0, 1}}, {{0, 0, 2}, {8, 1, 1}}, {{7, 0, 3}}, {{7, 0, 4}}};
+    const SupportedLayout layout = support(problem, parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_EQ(layout.numColumns, 1u);
+}
+
+TEST(SupportBuilder, LaysAllWeakPlacesAgainAtOnce)
+{
+    // More bridges than attempts, like that above.
+    constexpr int NUM_BRIDGES = 8;
+    LaidParts parts;
+    for (int bridge = 0; bridge < NUM_BRIDGES; ++bridge)
+    {
+        const auto y = static_cast<std::uint16_t>(20 * bridge);
+        for (std::uint16_t z = 0; z < 4; ++z)
+        {
+            parts.push_back({{0, y, z}, {2, 2, 1}});
+            parts.push_back({{6, y, z}, {2, 2, 1}});
+            if (z >= 2) parts.push_back({{2, y, z}, {4, 2, 1}});
+        }
+    }
+    const SupportedLayout bare = createLayout(parts, {8, 20 * NUM_BRIDGES, 4});
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_EQ(layout.numColumns, 0u);
 }
 
 } // namespace

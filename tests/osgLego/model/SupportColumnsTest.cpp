@@ -32,8 +32,19 @@ TEST(SupportColumns, ReachFromTheGroundToThePart)
         EXPECT_EQ(column.width, 1); // the grid has a single row
         EXPECT_GE(column.place.x, 1);
     }
+    EXPECT_EQ(columns.front().place.x, 3) << "the middle comes first";
     const auto isOuter = [](const SupportColumn& column) { return column.place.x == 5; };
     EXPECT_TRUE(std::any_of(columns.begin(), columns.end(), isOuter));
+}
+
+TEST(SupportColumns, HaveTheColourOfThePartThatTheyHold)
+{
+    const LayoutProblem problem = drawProblem({{"a....."}, {"abbbbb"}});
+    const LaidParts parts{{{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 1}, {5, 1, 1}, 1}};
+    const std::vector<SupportColumn> columns = SupportColumns(problem, parts).find({2});
+    ASSERT_FALSE(columns.empty());
+    for (const SupportColumn& column : columns)
+        EXPECT_EQ(column.color, 1);
 }
 
 TEST(SupportColumns, StandOnPartsBelow)
