@@ -17,7 +17,7 @@ namespace osgLego
 namespace
 {
 
-LayoutOptions makeOptions(Effort effort, std::uint32_t seed = 0)
+LayoutOptions withEffort(Effort effort, std::uint32_t seed = 0)
 {
     LayoutOptions options;
     options.effort = effort;
@@ -30,15 +30,15 @@ LayoutOptions makeOptions(Effort effort, std::uint32_t seed = 0)
 TEST(LayoutOptions, AnotherSeedGivesAnotherLayout)
 {
     const LayoutProblem problem = makeDome(10, 1);
-    EXPECT_EQ(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 3)));
-    EXPECT_NE(layOut(problem, makeOptions(Effort::INSTANT, 3)), layOut(problem, makeOptions(Effort::INSTANT, 4)));
+    EXPECT_EQ(layOut(problem, withEffort(Effort::INSTANT, 3)), layOut(problem, withEffort(Effort::INSTANT, 3)));
+    EXPECT_NE(layOut(problem, withEffort(Effort::INSTANT, 3)), layOut(problem, withEffort(Effort::INSTANT, 4)));
 }
 
 TEST(LayoutOptions, MoreEffortGivesFewerPartsAndSeams)
 {
     const LayoutProblem problem = makeDome(14, 14);
-    const LaidParts quick = layOut(problem, makeOptions(Effort::INSTANT));
-    const LaidParts good = layOut(problem, makeOptions(Effort::NORMAL));
+    const LaidParts quick = layOut(problem, withEffort(Effort::INSTANT));
+    const LaidParts good = layOut(problem, withEffort(Effort::NORMAL));
     EXPECT_LT(good.size(), quick.size());
     EXPECT_LT(LaidModel(problem, good).countStackedSeams(), LaidModel(problem, quick).countStackedSeams());
 }
@@ -62,7 +62,7 @@ TEST(LayoutOptions, ALayoutCancelledAtTheEndIsEmpty)
     const LayoutProblem problem = makeDome(5, 2);
     int numCalls = 0;
     int last = -1;
-    LayoutOptions options = makeOptions(Effort::INSTANT);
+    LayoutOptions options = withEffort(Effort::INSTANT);
     options.isCancelled = [&] { return numCalls++ == last; };
     EXPECT_FALSE(layOut(problem, options).empty());
     last = std::exchange(numCalls, 0) - 1;
@@ -74,7 +74,7 @@ TEST(LayoutOptions, AnEffortHasAsManyRoundsAsTheNumberOfPartsAllows)
     // Cells of alternating colours are parts of their own. Each round reports its progress, and so does the end.
     const auto countRounds = [](int numCells, Effort effort)
     {
-        LayoutOptions options = makeOptions(effort);
+        LayoutOptions options = withEffort(effort);
         int numReports = 0;
         options.progress = [&](double) { ++numReports; };
         layOut(makeCells(
@@ -96,7 +96,7 @@ TEST(LayoutOptions, MoreBondGivesFewerStackedSeams)
     const LayoutProblem problem = makeDome(9, 2);
     const auto countSeams = [&problem](int bond)
     {
-        LayoutOptions options = makeOptions(Effort::INSTANT);
+        LayoutOptions options = withEffort(Effort::INSTANT);
         options.bond = bond;
         return LaidModel(problem, layOut(problem, options)).countStackedSeams();
     };
