@@ -107,7 +107,8 @@ void ExactCover::search(const WindowCells& uncovered, int cost)
         _best = _path;
         return;
     }
-    if (++_numNodes > _maximumNodes || isKnown(uncovered, cost)) return;
+    ++_numNodes;
+    if (isKnown(uncovered, cost)) return;
     const auto first = static_cast<std::size_t>(uncovered.getFirst());
     for (int i = _window->starts[first]; i < _window->starts[first + 1]; ++i)
     {

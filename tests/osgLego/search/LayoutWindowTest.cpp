@@ -135,6 +135,17 @@ TEST(LayoutWindow, JoinsNoPartsOfOneComponent)
         EXPECT_FALSE(window.join(1, 2, numParts, row.region, LayoutCosts::COMPONENT, random));
 }
 
+TEST(LayoutWindow, ReplacesThreePlatesByABrick)
+{
+    LayoutProblem plates = makeCells({1, 1, 3}, [](int, int, int) { return 0; });
+    plates.isOfPlates = true;
+    LayoutRow row(plates, {{1}, {1}, {1}});
+    LayoutWindow window(row.map, row.sizes);
+    LayoutRandom random(1);
+    EXPECT_TRUE(window.improve(1, 3, LayoutCosts::HALF_SEAM, row.region, NODE_LIMIT, random));
+    EXPECT_EQ(row.getParts(), (LaidParts{{{0, 0, 0}, {1, 1, 3}, 0}}));
+}
+
 TEST(LayoutWindow, KeepsToItsRegion)
 {
     // Fewer parts suffice, but the parts next to the first one are outside.
