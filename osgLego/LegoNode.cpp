@@ -166,6 +166,16 @@ osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
     return _pipeline->getModel();
 }
 
+LegoProgress LegoNode::getProgress() const
+{
+    return _pipeline->getProgress();
+}
+
+void LegoNode::cancel()
+{
+    _pipeline->cancel();
+}
+
 osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
 {
     return getReadBack() ? _pipeline->getStore().getContext(contextID)->getModel() : nullptr;

@@ -4,6 +4,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>
 #include <osgLego/Export.h>
+#include <osgLego/LegoProgress.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/LightProbe.h>
@@ -190,6 +191,15 @@ public:
      *
      * The cells of a source are those of VoxelizationMethod::EXACT, regardless of the settings. Needs no GL context. */
     osg::ref_ptr<const BrickModel> getBricks() const;
+
+    /** The progress of bricks that are being made on the CPU, for getBricks() or a frame. May be called from any
+     * thread.
+     */
+    LegoProgress getProgress() const;
+
+    /** Cancel the making of bricks on the CPU, and return at once: a getBricks() that waits for them soon returns null.
+     * The next frame or getBricks() begins again. May be called from any thread. */
+    void cancel();
 
     /** Every covered cell, as made for a context; null until its bricks are made, and while setReadBack() is off. */
     osg::ref_ptr<const BrickModel> getBricks(unsigned int contextID) const;

@@ -223,7 +223,7 @@ osg::ref_ptr<LightProbe> CaptureScene::createProbe() const
 
 LegoNode& CaptureScene::getOnlyLegoNode() const
 {
-    if (const std::size_t number = Finder<LegoNode>(*_shown).getAll().size(); number != 1)
+    if (const std::size_t number = findLegoNodes().size(); number != 1)
         throw CaptureError(EXIT_BAD_INPUT, fmt::format("'{}' has {} models in bricks; expected one for --instructions",
                                                        _options.mesh, number));
     return *_lego;
@@ -231,7 +231,7 @@ LegoNode& CaptureScene::getOnlyLegoNode() const
 
 void CaptureScene::checkHasParts(const char* purpose) const
 {
-    const std::vector<LegoNode*> all = Finder<LegoNode>(*_shown).getAll();
+    const std::vector<LegoNode*> all = findLegoNodes();
     const auto hasParts = [](const LegoNode* lego)
     {
         const osg::ref_ptr<const BrickModel> stored = lego->getStoredBricks();
@@ -240,16 +240,15 @@ void CaptureScene::checkHasParts(const char* purpose) const
     if (std::none_of(all.begin(), all.end(), hasParts)) throwWithoutParts(purpose);
 }
 
-void CaptureScene::makeBricks() const
+std::vector<LegoNode*> CaptureScene::findLegoNodes() const
 {
-    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
-        lego->getBricks();
+    return Finder<LegoNode>(*_shown).getAll();
 }
 
 PartsList CaptureScene::createPartsList() const
 {
     PartsList list;
-    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+    for (const LegoNode* lego : findLegoNodes())
     {
         std::string error;
         const osg::ref_ptr<const BrickModel> model = lego->getBricks();
@@ -264,7 +263,7 @@ PartsList CaptureScene::createPartsList() const
 std::vector<osg::ref_ptr<const BrickModel>> CaptureScene::findPartModels() const
 {
     std::vector<osg::ref_ptr<const BrickModel>> models;
-    for (const LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+    for (const LegoNode* lego : findLegoNodes())
         if (const osg::ref_ptr<const BrickModel> model = lego->getBricks(); model && !model->getParts().empty())
             models.push_back(model);
     if (models.empty()) throwWithoutParts(TO_STAND);

@@ -44,8 +44,8 @@ public:
     /** Throw CaptureError if no settings and no stored bricks of the scene give parts, which is known before bricks are
      * made. @param purpose of the parts, for the message. */
     void checkHasParts(const char* purpose) const;
-    /** Make the bricks that do not exist yet, which may take long. */
-    void makeBricks() const;
+    /** The visible nodes that make or store bricks. */
+    std::vector<LegoNode*> findLegoNodes() const;
     /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
     PartsList createPartsList() const;
     /** The models of the scene that have parts. Throws CaptureError if there are none. */

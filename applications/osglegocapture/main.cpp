@@ -1,3 +1,4 @@
+#include "BrickMaking.h"
 #include "Cancellation.h"
 #include "CaptureFiles.h"
 #include "CaptureOptions.h"
@@ -175,16 +176,19 @@ void checkParts(const CaptureOptions& options, const CaptureScene& scene)
     scene.checkHasParts(CaptureScene::TO_BUILD);
 }
 
-/** Read the scene, and make the parts that are listed, checked or built. */
+/** Read the scene, and make its parts. */
 std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
 {
-    const Cancellation::Unasked unasked;
     progress.show("reading");
-    auto scene = std::make_unique<CaptureScene>(options);
+    std::unique_ptr<CaptureScene> scene;
+    {
+        const Cancellation::Unasked unasked;
+        scene = std::make_unique<CaptureScene>(options);
+    }
     checkParts(options, *scene);
-    const bool needsParts = !options.partsList.empty() || options.base || !options.instructions.empty();
-    if (needsParts) progress.show("making bricks");
-    if (needsParts) scene->makeBricks();
+    // Also for pictures: laying parts takes longest, and can be cancelled.
+    for (LegoNode* lego : scene->findLegoNodes())
+        if (lego->getSettings().parts.set != PartSet::NONE) makeBricks(*lego, progress);
     progress.clear();
     return scene;
 }

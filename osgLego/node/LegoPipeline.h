@@ -96,6 +96,10 @@ public:
     std::string getObstacle() const;
     /** The stored bricks, or else those of the source, made now if necessary; null if there are neither. */
     osg::ref_ptr<const BrickModel> getModel();
+    /** The progress of bricks that are being made on the CPU. */
+    LegoProgress getProgress() const { return _cpuProducer->getProgress(); }
+    /** Cancel the making of bricks on the CPU, without waiting for it to end. */
+    void cancel() { _cpuProducer->cancel(); }
     /** The bounds of the bricks, including those still being made. */
     osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
 

@@ -64,11 +64,14 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
 {
     const auto createWork = [&]
     {
-        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout](
+        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout, progress = beginProgress()](
                    const Job::IsCancelled& isCancelled, std::string& error) mutable -> std::optional<Made>
         {
             CpuBricksWork work;
             work.isCancelled = isCancelled;
+            work.progress = [&progress](double fraction) {
+                *progress = {LegoProgress::Stage::PARTS, static_cast<float>(fraction)};
+            };
             work.previous = &layout;
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
             error = work.error;
@@ -80,6 +83,22 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
         };
     };
     return _job.request(source.revision, waits, createWork);
+}
+
+/** The progress of a new set. */
+std::shared_ptr<CpuProducer::Progress> CpuProducer::beginProgress()
+{
+    const std::lock_guard lock(_mutex);
+    _progress = std::make_shared<Progress>(LegoProgress{LegoProgress::Stage::CELLS});
+    return _progress;
+}
+
+LegoProgress CpuProducer::getProgress() const
+{
+    const std::shared_ptr<Job::Run> run = _job.getRun();
+    if (!run || run->getOutcome() != Job::Outcome::NONE) return {};
+    const std::lock_guard lock(_mutex);
+    return _progress ? _progress->load() : LegoProgress();
 }
 
 void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision)

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/LegoProgress.h>
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/model/ModelBuilder.h>
 #include <osgLego/producer/BackgroundJob.h>
 #include <osgLego/producer/BrickProducer.h>
 #include <osgLego/store/BrickStore.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include <osg/ref_ptr>
@@ -43,6 +47,9 @@ public:
     /** Wait for the set in progress, if there is one, and deliver it. */
     void finish();
 
+    /** The progress of the set in progress. */
+    LegoProgress getProgress() const;
+
     /** The number of sets that were made, that failed, and that were cancelled. */
     auto getCounts() const { return _job.getCounts(); }
 
@@ -53,14 +60,18 @@ private:
         PreviousLayout layout;
     };
     using Job = BackgroundJob<Made>;
+    using Progress = std::atomic<LegoProgress>;
 
     ~CpuProducer() override = default;
 
+    std::shared_ptr<Progress> beginProgress();
     Job::Request request(const LegoSource& source, bool waits);
     void deliver(const Job::Run& run);
 
     osg::ref_ptr<BrickStore> _store;
-    PreviousLayout _layout; // of the last set that was made; guarded by the job, whose calls alone use it
+    mutable std::mutex _mutex;           // guards the pointer
+    std::shared_ptr<Progress> _progress; // of the last set; the work has it, too, and may outlast its request
+    PreviousLayout _layout;              // of the last set that was made; guarded by the job, whose calls alone use it
     Job _job;
 };
 

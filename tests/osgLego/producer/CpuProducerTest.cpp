@@ -110,6 +110,30 @@ TEST_F(CpuProducerTest, ACancelledSourceHasNotFailed)
     expectCounts(0, 0, 1);
 }
 
+TEST_F(CpuProducerTest, TellsTheProgressOfTheLayoutUntilItIsCancelled)
+{
+    EXPECT_EQ(_producer->getProgress().stage, LegoProgress::Stage::IDLE);
+    const osg::ref_ptr<const LegoSource> source = createSource("96,parts=bricks", 5);
+    std::string error;
+    osg::ref_ptr<const BrickSet> bricks;
+    std::thread maker([&] { bricks = _producer->getBricks(*source, error); });
+    LegoProgress progress;
+    while (_producer->getCounts().made == 0 && progress.fraction == 0.0f)
+    {
+        std::this_thread::yield();
+        progress = _producer->getProgress();
+    }
+    EXPECT_EQ(progress.stage, LegoProgress::Stage::PARTS);
+    EXPECT_GT(progress.fraction, 0.0f);
+    EXPECT_LT(progress.fraction, 1.0f);
+    _producer->cancel();
+    maker.join();
+    EXPECT_FALSE(bricks);
+    EXPECT_EQ(error, "");
+    expectCounts(0, 0, 1);
+    EXPECT_EQ(_producer->getProgress().stage, LegoProgress::Stage::IDLE);
+}
+
 TEST_F(CpuProducerTest, StoredBricksGetColorsForTheirLoad)
 {
     const osg::ref_ptr<const BrickModel> model = createBricks();

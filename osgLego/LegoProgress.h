@@ -1,0 +1,20 @@
+#pragma once
+
+namespace osgLego
+{
+
+/** The progress of making bricks on the CPU; see LegoNode::getProgress(). */
+struct LegoProgress
+{
+    enum class Stage
+    {
+        IDLE,  //!< no bricks are being made
+        CELLS, //!< cells are being found and filled
+        PARTS  //!< parts are being laid; LegoSettings::Parts::support may begin this stage again
+    };
+
+    Stage stage = Stage::IDLE;
+    float fraction = 0.0f; //!< of the stage, 0 to 1; 0 in all stages but PARTS
+};
+
+} // namespace osgLego
