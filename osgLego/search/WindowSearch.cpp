@@ -127,12 +127,11 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limit
     for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {
         if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
-        // An earlier window may have replaced the part that began here.
+        // An earlier window may have replaced the part that began here, by one that is in the region, too.
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
         const int numParts =
             SMALLEST_WINDOW + static_cast<int>(random.below(std::size_t(LARGEST_WINDOW - SMALLEST_WINDOW + 1)));
-        if (region.contains(_map, anchor))
-            window.improve(anchor, numParts, seamCost, region, limits.maximumNodes, random);
+        window.improve(anchor, numParts, seamCost, region, limits.maximumNodes, random);
     }
 }
 
