@@ -5,6 +5,7 @@
 #include <Meshes.h>
 #include <Notices.h>
 #include <PartModels.h>
+#include <Settings.h>
 #include <TemporaryFolder.h>
 
 #include <algorithm>
@@ -27,10 +28,7 @@ class Serializer : public TemporaryFolderTest
 
 TEST_F(Serializer, SettingsAndSourceSurviveEveryVariantOfOsgsFormat)
 {
-    LegoSettings settings;
-    std::string error;
-    ASSERT_TRUE(
-        LegoSettings::parse("12,proportions=plate,up=y,method=points,target=addressed,edge=0.5", settings, error));
+    const LegoSettings settings = parseSettings("12,proportions=plate,up=y,method=points,target=addressed,edge=0.5");
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(createSphere(6));
     for (const char* name : {"lego.osgt", "lego.osgb", "lego.osgx"})
@@ -48,9 +46,7 @@ TEST_F(Serializer, SettingsAndSourceSurviveEveryVariantOfOsgsFormat)
 
 TEST_F(Serializer, CellsOriginAndSizeSurvive)
 {
-    LegoSettings settings;
-    std::string error;
-    ASSERT_TRUE(LegoSettings::parse("cell=0.1,origin=-0.5:0.25:1e-3,size=5:6:7", settings, error)) << error;
+    const LegoSettings settings = parseSettings("cell=0.1,origin=-0.5:0.25:1e-3,size=5:6:7");
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
     lego->addChild(createSphere(6));
     for (const char* name : {"part.osgt", "part.osgb", "part.osgx"})
@@ -70,9 +66,7 @@ TEST_F(Serializer, SettingsSurviveIfTheirPaletteIsMissingAndAnObstacleNamesIt)
         for (const char* name : {"lego.osgt", "lego.osgb", "lego.osgx"})
         {
             SCOPED_TRACE(std::string(palette) + " " + name);
-            LegoSettings settings;
-            std::string error;
-            ASSERT_TRUE(LegoSettings::parse("32,proportions=plate,parts=bricks,look=plain", settings, error)) << error;
+            LegoSettings settings = parseSettings("32,proportions=plate,parts=bricks,look=plain");
             settings.colors.palette = pathOf(palette);
             std::ofstream(*settings.colors.palette)
                 << "code,name,rgb,edge,bricklink,bricks,plates\n4,Red,#B40000,#333333,5,11111111111,11111111111\n";
@@ -183,9 +177,7 @@ protected:
     void SetUp() override
     {
         Serializer::SetUp();
-        LegoSettings settings;
-        std::string error;
-        ASSERT_TRUE(LegoSettings::parse("16,proportions=plate", settings, error)) << error;
+        const LegoSettings settings = parseSettings("16,proportions=plate");
         _lego = new LegoNode(settings);
         _lego->addChild(createRacingCar());
         _bricks = _lego->getBricks();

@@ -2,6 +2,7 @@
 
 #include "GlDebug.h"
 #include "GlslValidator.h"
+#include "Settings.h"
 
 #include <offscreen/OffscreenContext.h>
 
@@ -140,11 +141,7 @@ osg::ref_ptr<const BrickModel> GlTest::legolizeOnGpu(osg::Node& source, const Le
 
 LegoSettings GlTest::parseSettings(const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse("device=gpu", settings, error)) << error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return settings;
+    return test::parseSettings(text, test::parseSettings("device=gpu"));
 }
 
 std::size_t countDrawn(const osg::Image& image)

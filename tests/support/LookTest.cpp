@@ -1,5 +1,7 @@
 #include "LookTest.h"
 
+#include "Settings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -73,15 +75,12 @@ osg::ref_ptr<AmbientOcclusionScene> createGroup(const std::string& settings, osg
 
 osg::ref_ptr<LegoNode> createBrickBox(const osg::Vec3& size, const std::string& settings, const osg::Vec4& color)
 {
-    LegoSettings read;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(settings, read, error)) << error;
     osg::ref_ptr<osg::ShapeDrawable> box =
         new osg::ShapeDrawable(new osg::Box(size * 0.5f, size.x(), size.y(), size.z()));
     box->setColor(color);
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(box);
-    osg::ref_ptr<LegoNode> lego = new LegoNode(read);
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
     lego->addChild(geode);
     return lego;
 }

@@ -1,5 +1,7 @@
 #include "PartModels.h"
 
+#include "Settings.h"
+
 #include <osgLego/PartType.h>
 
 #include <algorithm>
@@ -123,10 +125,7 @@ osg::ref_ptr<const BrickModel> createCells(const BrickModel& parts)
 
 osg::ref_ptr<LegoNode> createStoredNode(const BrickModel& model, const std::string& settings)
 {
-    LegoSettings read;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(settings, read, error)) << error;
-    osg::ref_ptr<LegoNode> lego = new LegoNode(read);
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
     lego->setStoredBricks(&model);
     return lego;
 }

@@ -1,7 +1,8 @@
 #include "PlanCheck.h"
 
-#include "../../support/Meshes.h"
-#include "../../support/PartModels.h"
+#include <Meshes.h>
+#include <PartModels.h>
+#include <Settings.h>
 
 #include <common/RacingCar.h>
 #include <osgLego/BuildingPlanner.h>
@@ -163,10 +164,7 @@ TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
 
 osg::ref_ptr<const BrickModel> createBricks(const osg::Node& node, const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return legolizeOnCpu(node, settings);
+    return legolizeOnCpu(node, parseSettings(text));
 }
 
 /** Expect that the parts in place stand after every step that the plan says they do, and that all steps of held parts

@@ -7,6 +7,7 @@
 #include <Meshes.h>
 #include <Notices.h>
 #include <PartModels.h>
+#include <Settings.h>
 
 #include <algorithm>
 #include <bit>
@@ -21,14 +22,6 @@ namespace osgLego::test
 
 namespace
 {
-
-LegoSettings parse(const std::string& text)
-{
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return settings;
-}
 
 Brick createBrick(int x, int y, int z, std::array<std::uint8_t, 3> color = {10, 20, 30})
 {
@@ -109,7 +102,7 @@ constexpr std::size_t DATA_SIZE = 77;
 class BrickCodec : public ::testing::Test
 {
 protected:
-    osg::ref_ptr<const BrickModel> _car = legolizeOnCpu(*createRacingCar(), parse("20,proportions=plate"));
+    osg::ref_ptr<const BrickModel> _car = legolizeOnCpu(*createRacingCar(), parseSettings("20,proportions=plate"));
     std::string _bytes = encodeBricks(*_car);
 };
 
@@ -120,7 +113,7 @@ TEST_F(BrickCodec, ModelsAreEqualAfterDecoding)
         SCOPED_TRACE(settings);
         for (const osg::ref_ptr<osg::Node>& mesh :
              {createRacingCar(), createSphere(), createTorus(), createThinPlate(), createSliverSoup()})
-            expectEqualAfterDecoding(*legolizeOnCpu(*mesh, parse(settings)));
+            expectEqualAfterDecoding(*legolizeOnCpu(*mesh, parseSettings(settings)));
     }
 }
 
@@ -128,7 +121,7 @@ TEST_F(BrickCodec, TheBunnyIsEqualAfterDecodingAndTakesLessThanHalfAByteForEachB
 {
     const osg::ref_ptr<osg::Node> bunny = readBunny();
     if (!bunny) GTEST_SKIP() << "the bunny is missing";
-    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*bunny, parse("64,up=y"));
+    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*bunny, parseSettings("64,up=y"));
     expectEqualAfterDecoding(*model);
     EXPECT_LT(2 * encodeBricks(*model).size(), model->getBricks().size());
 }

@@ -1,5 +1,7 @@
 #include <osgLego/BrickGrid.h>
 
+#include <Settings.h>
+
 #include <cmath>
 #include <limits>
 
@@ -95,36 +97,32 @@ TEST(BrickGrid, EmptyAndInfiniteBoundsHaveNoCells)
     EXPECT_EQ(BrickGrid::fit({0, 0, 0, infinity, 1, 1}, settingsOf(8)).getNumCells(), 0u);
 }
 
-LegoSettings parseGrid(const std::string& text)
-{
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return settings;
-}
-
 TEST(BrickGrid, CellsOfAGivenPitchAreThoseThatTheBoundsReachInto)
 {
-    const BrickGrid grid = BrickGrid::fit({-0.9, 0.1, 2.6, 1.1, 0.4, 3.9}, parseGrid("cell=0.5,proportions=brick"));
+    const BrickGrid grid =
+        BrickGrid::fit({-0.9, 0.1, 2.6, 1.1, 0.4, 3.9}, test::parseSettings("cell=0.5,proportions=brick"));
     EXPECT_EQ(grid.cellSize, glm::dvec3(0.5, 0.5, 0.6));
     EXPECT_LT(glm::distance(grid.origin, glm::dvec3(-1.0, 0.0, 2.4)), 1e-12);
     EXPECT_EQ(grid.dimensions, glm::ivec3(5, 1, 3));
-    const BrickGrid moved = BrickGrid::fit({-0.9, 0.1, 2.6, 1.1, 0.4, 3.9}, parseGrid("cell=0.5,origin=0.2:0.3:-7.25"));
+    const BrickGrid moved =
+        BrickGrid::fit({-0.9, 0.1, 2.6, 1.1, 0.4, 3.9}, test::parseSettings("cell=0.5,origin=0.2:0.3:-7.25"));
     EXPECT_LT(glm::distance(moved.origin, glm::dvec3(-1.3, -0.2, 2.25)), 1e-12);
     EXPECT_EQ(moved.dimensions, glm::ivec3(5, 2, 4));
 }
 
 TEST(BrickGrid, ASurfaceBetweenTwoCellsOfAGivenPitchBelongsToTheUpperOne)
 {
-    EXPECT_EQ(BrickGrid::fit({0, 0, 0, 4, 3, 3.9}, parseGrid("cell=1")).dimensions, glm::ivec3(5, 4, 4));
+    EXPECT_EQ(BrickGrid::fit({0, 0, 0, 4, 3, 3.9}, test::parseSettings("cell=1")).dimensions, glm::ivec3(5, 4, 4));
     // 0.3 / 0.1 is less than 3, but not in single precision.
-    EXPECT_EQ(BrickGrid::fit({0, 0, 0, 0.3, 0.3, 0.3}, parseGrid("cell=0.1")).dimensions, glm::ivec3(4));
-    EXPECT_EQ(BrickGrid::fit({0.3, 0.3, 0.3, 0.35, 0.35, 0.35}, parseGrid("cell=0.1")).dimensions, glm::ivec3(1));
+    EXPECT_EQ(BrickGrid::fit({0, 0, 0, 0.3, 0.3, 0.3}, test::parseSettings("cell=0.1")).dimensions, glm::ivec3(4));
+    EXPECT_EQ(BrickGrid::fit({0.3, 0.3, 0.3, 0.35, 0.35, 0.35}, test::parseSettings("cell=0.1")).dimensions,
+              glm::ivec3(1));
 }
 
 TEST(BrickGrid, AnOriginAndASizeNeedNotContainTheBounds)
 {
-    const BrickGrid grid = BrickGrid::fit({0, 0, 0, 4, 4, 4}, parseGrid("cell=0.5,origin=10:20:30,size=3:4:5,up=y"));
+    const BrickGrid grid =
+        BrickGrid::fit({0, 0, 0, 4, 4, 4}, test::parseSettings("cell=0.5,origin=10:20:30,size=3:4:5,up=y"));
     EXPECT_EQ(grid.origin, glm::dvec3(10, 20, 30));
     EXPECT_EQ(grid.dimensions, glm::ivec3(3, 4, 5));
     EXPECT_EQ(grid.upAxis, UpAxis::Y);
@@ -133,19 +131,19 @@ TEST(BrickGrid, AnOriginAndASizeNeedNotContainTheBounds)
 TEST(BrickGrid, TooManyCellsAreAnObstacle)
 {
     const osg::BoundingBoxd bounds(0, 0, 0, 100, 2, 2500.5);
-    EXPECT_EQ(BrickGrid::findObstacle(bounds, parseGrid("cell=1")), "");
-    EXPECT_EQ(BrickGrid::fit(bounds, parseGrid("cell=1")).dimensions, glm::ivec3(101, 3, 2501));
+    EXPECT_EQ(BrickGrid::findObstacle(bounds, test::parseSettings("cell=1")), "");
+    EXPECT_EQ(BrickGrid::fit(bounds, test::parseSettings("cell=1")).dimensions, glm::ivec3(101, 3, 2501));
     const std::string limits = ", by a larger cell, or by origin and size that select a part";
-    EXPECT_EQ(BrickGrid::findObstacle(bounds, parseGrid("cell=0.9,up=y")),
+    EXPECT_EQ(BrickGrid::findObstacle(bounds, test::parseSettings("cell=0.9,up=y")),
               "the model reaches into 112 x 3 x 2779 cells; expected at most 1024 x 2560 x 1024" + limits);
-    EXPECT_EQ(BrickGrid::fit(bounds, parseGrid("cell=0.9,up=y")).getNumCells(), 0u);
-    EXPECT_NE(BrickGrid::findObstacle(bounds, parseGrid("cell=1e-9")), "");
-    EXPECT_EQ(BrickGrid::findObstacle(bounds, parseGrid("cell=1e-9,origin=0:0:0,size=1:1:1")), "");
-    EXPECT_NE(BrickGrid::findObstacle(bounds, parseGrid("cell=1,origin=1e12:0:0")), "")
+    EXPECT_EQ(BrickGrid::fit(bounds, test::parseSettings("cell=0.9,up=y")).getNumCells(), 0u);
+    EXPECT_NE(BrickGrid::findObstacle(bounds, test::parseSettings("cell=1e-9")), "");
+    EXPECT_EQ(BrickGrid::findObstacle(bounds, test::parseSettings("cell=1e-9,origin=0:0:0,size=1:1:1")), "");
+    EXPECT_NE(BrickGrid::findObstacle(bounds, test::parseSettings("cell=1,origin=1e12:0:0")), "")
         << "too far for double precision";
-    EXPECT_NE(BrickGrid::findObstacle(bounds, parseGrid("cell=1,origin=0:-1e12:0")), "");
-    EXPECT_EQ(BrickGrid::findObstacle(bounds, parseGrid("64")), "");
-    EXPECT_EQ(BrickGrid::findObstacle({}, parseGrid("cell=1")), "");
+    EXPECT_NE(BrickGrid::findObstacle(bounds, test::parseSettings("cell=1,origin=0:-1e12:0")), "");
+    EXPECT_EQ(BrickGrid::findObstacle(bounds, test::parseSettings("64")), "");
+    EXPECT_EQ(BrickGrid::findObstacle({}, test::parseSettings("cell=1")), "");
 }
 
 TEST(BrickGrid, CellsToModelIsTheInverseOfToCells)

@@ -1,5 +1,7 @@
 #include <osgLego/LegoSettings.h>
 
+#include <Settings.h>
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -9,14 +11,6 @@ namespace osgLego
 
 namespace
 {
-
-LegoSettings parsed(const std::string& text)
-{
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << text << ": " << error;
-    return settings;
-}
 
 std::string errorOf(const std::string& text)
 {
@@ -29,13 +23,13 @@ std::string errorOf(const std::string& text)
 
 TEST(LegoSettings, ANumberAloneIsTheResolution)
 {
-    EXPECT_EQ(parsed("128").grid.resolution, 128u);
+    EXPECT_EQ(test::parseSettings("128").grid.resolution, 128u);
 }
 
 TEST(LegoSettings, EveryKeyIsRead)
 {
     const LegoSettings settings =
-        parsed("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
+        test::parseSettings("resolution=32, proportions = plate,up=y,method=points,target=addressed,fbo=512,edge=0.5");
     EXPECT_EQ(settings.grid.resolution, 32u);
     EXPECT_EQ(settings.grid.proportions, Proportions::PLATE);
     EXPECT_EQ(settings.grid.upAxis, UpAxis::Y);
@@ -44,8 +38,8 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.voxelization.fboSize, 512u);
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
     const LegoSettings parts =
-        parsed("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best,"
-               "support=on,progress=0.25,show=load");
+        test::parseSettings("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best,"
+                            "support=on,progress=0.25,show=load");
     EXPECT_EQ(parts.colors.palette, "a.csv");
     EXPECT_EQ(parts.colors.count, 6u);
     EXPECT_TRUE(parts.colors.dither);
@@ -57,7 +51,7 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_TRUE(parts.parts.support);
     EXPECT_EQ(parts.view.progress, 0.25);
     EXPECT_EQ(parts.view.show, Show::LOAD);
-    const LegoSettings lattice = parsed("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
+    const LegoSettings lattice = test::parseSettings("cell=0.25, origin = -1:2.5:1e-3 ,size=3:4:50");
     EXPECT_EQ(lattice.grid.cellPitch, 0.25);
     EXPECT_EQ(lattice.grid.origin, glm::dvec3(-1.0, 2.5, 1e-3));
     EXPECT_EQ(lattice.grid.size, glm::ivec3(3, 4, 50));
@@ -65,13 +59,13 @@ TEST(LegoSettings, EveryKeyIsRead)
 
 TEST(LegoSettings, PartsAreBricksInLdrawColorsUnlessTheTextSaysOtherwise)
 {
-    EXPECT_EQ(parsed("64,parts=bricks").grid.proportions, Proportions::BRICK);
-    EXPECT_EQ(parsed("64,proportions=plate,parts=bricks").grid.proportions, Proportions::PLATE);
-    EXPECT_EQ(parsed("64,parts=bricks,proportions=plate").grid.proportions, Proportions::PLATE);
-    EXPECT_EQ(parsed("64,parts=none").grid.proportions, Proportions::CUBE);
-    EXPECT_EQ(parsed("64,parts=bricks").getPalette(), "ldraw");
-    EXPECT_EQ(parsed("64,parts=bricks,palette=none").getPalette(), "none");
-    EXPECT_EQ(parsed("64").getPalette(), "none");
+    EXPECT_EQ(test::parseSettings("64,parts=bricks").grid.proportions, Proportions::BRICK);
+    EXPECT_EQ(test::parseSettings("64,proportions=plate,parts=bricks").grid.proportions, Proportions::PLATE);
+    EXPECT_EQ(test::parseSettings("64,parts=bricks,proportions=plate").grid.proportions, Proportions::PLATE);
+    EXPECT_EQ(test::parseSettings("64,parts=none").grid.proportions, Proportions::CUBE);
+    EXPECT_EQ(test::parseSettings("64,parts=bricks").getPalette(), "ldraw");
+    EXPECT_EQ(test::parseSettings("64,parts=bricks,palette=none").getPalette(), "none");
+    EXPECT_EQ(test::parseSettings("64").getPalette(), "none");
 }
 
 TEST(LegoSettings, PartsNeedTheCpuExactCellsAndRealProportions)
@@ -82,16 +76,16 @@ TEST(LegoSettings, PartsNeedTheCpuExactCellsAndRealProportions)
         "parts, and fill other than surface, are made on the CPU; expected method=exact, and device=auto or cpu";
     for (const char* text : {"64,parts=bricks,device=gpu", "64,parts=bricks,method=points", "64,fill=solid,device=gpu"})
         EXPECT_EQ(errorOf(text), onlyOnCpu) << text;
-    EXPECT_EQ(parsed("64,fill=solid,device=cpu").needsCpu(), true);
-    EXPECT_EQ(parsed("64,palette=ldraw,device=gpu").needsCpu(), false);
+    EXPECT_EQ(test::parseSettings("64,fill=solid,device=cpu").needsCpu(), true);
+    EXPECT_EQ(test::parseSettings("64,palette=ldraw,device=gpu").needsCpu(), false);
 }
 
 TEST(LegoSettings, AMethodHasItsOwnTargetAndEdgeLimit)
 {
-    EXPECT_EQ(parsed("64").getTarget(), VoxelizationTarget::ADDRESSED);
-    EXPECT_EQ(parsed("64").getEdgeLimit(), 2.0);
-    EXPECT_EQ(parsed("64,method=points,fbo=1024").getTarget(), VoxelizationTarget::PROJECTED);
-    EXPECT_EQ(parsed("64,method=points").getEdgeLimit(), 1.0);
+    EXPECT_EQ(test::parseSettings("64").getTarget(), VoxelizationTarget::ADDRESSED);
+    EXPECT_EQ(test::parseSettings("64").getEdgeLimit(), 2.0);
+    EXPECT_EQ(test::parseSettings("64,method=points,fbo=1024").getTarget(), VoxelizationTarget::PROJECTED);
+    EXPECT_EQ(test::parseSettings("64,method=points").getEdgeLimit(), 1.0);
 }
 
 TEST(LegoSettings, TheTextFormRoundTrips)
@@ -104,8 +98,8 @@ TEST(LegoSettings, TheTextFormRoundTrips)
           "cell=2,up=y", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
-        EXPECT_EQ(parsed(text).toString(), text);
-        EXPECT_EQ(parsed(parsed(text).toString()), parsed(text));
+        EXPECT_EQ(test::parseSettings(text).toString(), text);
+        EXPECT_EQ(test::parseSettings(test::parseSettings(text).toString()), test::parseSettings(text));
     }
 }
 
@@ -120,7 +114,7 @@ TEST(LegoSettings, NamesOfPalettesRoundTripOrAreRefused)
     for (const char* name : {"a b.csv", "/tmp/my  palette.csv", "a=b", "a\tb", "\"a\"", "up=y", "50%.csv", "a--b\\c"})
     {
         EXPECT_EQ(withPalette(name).check(), "") << name;
-        EXPECT_EQ(parsed(withPalette(name).toString()), withPalette(name)) << name;
+        EXPECT_EQ(test::parseSettings(withPalette(name).toString()), withPalette(name)) << name;
     }
     for (const char* name : {"", " a", "a ", "\ta", "a\r", "a\n", "a,b", "a(1).csv", "a)", "[a", "a]"})
         EXPECT_EQ(withPalette(name).check(),
@@ -131,24 +125,24 @@ TEST(LegoSettings, NamesOfPalettesRoundTripOrAreRefused)
 
 TEST(LegoSettings, TheLookIsFullByDefault)
 {
-    EXPECT_EQ(parsed("64").view.look, Look::FULL);
-    EXPECT_EQ(parsed("64,look=plain").view.look, Look::PLAIN);
-    EXPECT_EQ(parsed("64,look=full").toString(), "64");
+    EXPECT_EQ(test::parseSettings("64").view.look, Look::FULL);
+    EXPECT_EQ(test::parseSettings("64,look=plain").view.look, Look::PLAIN);
+    EXPECT_EQ(test::parseSettings("64,look=full").toString(), "64");
 }
 
 TEST(LegoSettings, BricksDependOnTheirSettingsButNotOnTheLook)
 {
-    const LegoSettings settings = parsed("32,method=points");
+    const LegoSettings settings = test::parseSettings("32,method=points");
     EXPECT_TRUE(settings.givesSameBricks(settings));
-    EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,look=plain")));
-    EXPECT_TRUE(settings.givesSameBricks(parsed("32,method=points,progress=0,show=load")));
-    EXPECT_NE(settings, parsed("32,method=points,look=plain"));
+    EXPECT_TRUE(settings.givesSameBricks(test::parseSettings("32,method=points,look=plain")));
+    EXPECT_TRUE(settings.givesSameBricks(test::parseSettings("32,method=points,progress=0,show=load")));
+    EXPECT_NE(settings, test::parseSettings("32,method=points,look=plain"));
     for (const char* other : {"33,method=points", "32", "32,method=points,up=y", "32,method=points,proportions=plate",
                               "32,method=points,target=addressed", "32,method=points,fbo=64", "32,method=points,edge=3",
                               "cell=1,method=points"})
     {
-        EXPECT_FALSE(settings.givesSameBricks(parsed(other))) << other;
-        EXPECT_FALSE(settings.givesSameBricks(parsed(std::string(other) + ",look=plain"))) << other;
+        EXPECT_FALSE(settings.givesSameBricks(test::parseSettings(other))) << other;
+        EXPECT_FALSE(settings.givesSameBricks(test::parseSettings(std::string(other) + ",look=plain"))) << other;
     }
 }
 
@@ -204,7 +198,7 @@ TEST(LegoSettings, EveryKeyIsReadAndWrittenAndOnlyThoseOfTheViewKeepTheBricks)
             EXPECT_NE(after.toString().find(setting.key == "resolution" ? otherValue(setting) : item),
                       std::string::npos)
                 << after.toString();
-            EXPECT_EQ(parsed(after.toString()), after) << item;
+            EXPECT_EQ(test::parseSettings(after.toString()), after) << item;
             EXPECT_EQ(after.givesSameBricks(before), setting.group == "view") << item;
             break;
         }
@@ -214,7 +208,7 @@ TEST(LegoSettings, EveryKeyIsReadAndWrittenAndOnlyThoseOfTheViewKeepTheBricks)
 
 TEST(LegoSettings, AbsentKeysKeepTheirValues)
 {
-    LegoSettings settings = parsed("32,up=y");
+    LegoSettings settings = test::parseSettings("32,up=y");
     std::string error;
     ASSERT_TRUE(LegoSettings::parse("proportions=brick", settings, error));
     EXPECT_EQ(settings.toString(), "32,proportions=brick,up=y");
@@ -222,7 +216,7 @@ TEST(LegoSettings, AbsentKeysKeepTheirValues)
 
 TEST(LegoSettings, AResolutionReplacesCellsAndCellsReplaceAResolution)
 {
-    LegoSettings settings = parsed("32,up=y");
+    LegoSettings settings = test::parseSettings("32,up=y");
     std::string error;
     ASSERT_TRUE(LegoSettings::parse("cell=2,origin=1:2:3", settings, error));
     EXPECT_EQ(settings.toString(), "cell=2,origin=1:2:3,up=y");

@@ -1,6 +1,7 @@
 #include <osgLego/flattening/GridTriangles.h>
 
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <set>
 
@@ -15,10 +16,7 @@ namespace
 
 osg::ref_ptr<const GridTriangles> createTriangles(osg::Node& node, const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return GridTriangles::create(*SceneTriangles::create(node), settings);
+    return GridTriangles::create(*SceneTriangles::create(node), parseSettings(text));
 }
 
 std::set<std::array<float, 3>> placesOf(const GridTriangles& triangles)

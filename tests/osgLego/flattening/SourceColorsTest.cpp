@@ -4,6 +4,7 @@
 #include <common/RacingCar.h>
 
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <algorithm>
 #include <set>
@@ -25,10 +26,7 @@ using Color = std::array<std::uint8_t, 3>;
 
 osg::ref_ptr<const GridTriangles> createTriangles(osg::Node& node, const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return GridTriangles::create(*SceneTriangles::create(node), settings);
+    return GridTriangles::create(*SceneTriangles::create(node), parseSettings(text));
 }
 
 void paint(osg::Geometry& geometry, const osg::Vec4& color)

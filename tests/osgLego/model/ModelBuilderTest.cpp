@@ -9,6 +9,7 @@
 #include <Meshes.h>
 #include <Notices.h>
 #include <Palettes.h>
+#include <Settings.h>
 
 #include <algorithm>
 #include <set>
@@ -20,14 +21,6 @@ namespace osgLego::test
 
 namespace
 {
-
-LegoSettings parseSettings(const std::string& text)
-{
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return settings;
-}
 
 osg::ref_ptr<const BrickModel> legolize(osg::Node& source, const std::string& settings,
                                         LegoStatistics* statistics = nullptr)

@@ -5,6 +5,7 @@
 
 #include <Meshes.h>
 #include <PartModels.h>
+#include <Settings.h>
 
 #include <gtest/gtest.h>
 #include <osg/Geode>
@@ -23,10 +24,7 @@ using Intersection = osgUtil::LineSegmentIntersector::Intersection;
 
 osg::ref_ptr<LegoNode> createLego(const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(text));
     lego->addChild(createSphere(12));
     return lego;
 }

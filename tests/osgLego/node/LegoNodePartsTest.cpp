@@ -5,6 +5,7 @@
 
 #include <Meshes.h>
 #include <Notices.h>
+#include <Settings.h>
 #include <TemporaryFolder.h>
 
 #include <array>
@@ -22,14 +23,6 @@ namespace osgLego::test
 
 namespace
 {
-
-LegoSettings parseSettings(const std::string& text)
-{
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return settings;
-}
 
 TEST(LegoNodeParts, ANodeShowsThePartsThatTheCpuLays)
 {

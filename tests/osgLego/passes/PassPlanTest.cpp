@@ -1,6 +1,7 @@
 #include <osgLego/passes/PassPlan.h>
 
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <gtest/gtest.h>
 
@@ -13,11 +14,9 @@ namespace
 /** The plan for a sphere of 4 * rings * (rings - 1) triangles. */
 PassPlan planOf(const char* text, int rings)
 {
-    LegoSettings settings;
     std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
     const osg::ref_ptr<const LegoSource> source =
-        LegoSource::create(*SceneTriangles::create(*createSphere(rings)), settings, error);
+        LegoSource::create(*SceneTriangles::create(*createSphere(rings)), parseSettings(text), error);
     EXPECT_TRUE(source) << error;
     return PassPlan::create(*source);
 }

@@ -1,6 +1,7 @@
 #include <osgLego/producer/CpuProducer.h>
 
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <algorithm>
 #include <array>
@@ -40,11 +41,9 @@ osg::ref_ptr<const BrickModel> createBricks()
 /** A sphere of many colours. */
 osg::ref_ptr<const LegoSource> createSource(const std::string& settingsText, std::uint64_t revision)
 {
-    LegoSettings settings;
     std::string error;
-    EXPECT_TRUE(LegoSettings::parse(settingsText, settings, error)) << error;
     const osg::ref_ptr<LegoSource> source =
-        LegoSource::create(*SceneTriangles::create(*createSphere()), settings, error);
+        LegoSource::create(*SceneTriangles::create(*createSphere()), parseSettings(settingsText), error);
     EXPECT_EQ(error, "");
     source->revision = revision;
     return source;

@@ -2,6 +2,7 @@
 #include "PlainEquilibrium.h"
 
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
@@ -52,10 +53,8 @@ TEST(Stability, ForcesThatAreNotTheBestOnesProveThatALargeModelStands)
     const osg::ref_ptr<osg::Node> bunny = readBunny();
     if (!bunny) GTEST_SKIP() << "bunny.ply was not downloaded";
     // The solver reaches its limit of iterations just before the tension is exact.
-    LegoSettings settings;
-    std::string error;
-    ASSERT_TRUE(LegoSettings::parse("34,up=y,parts=bricks,palette=ldraw,colors=1,effort=instant", settings, error));
-    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*bunny, settings);
+    const osg::ref_ptr<const BrickModel> model =
+        legolizeOnCpu(*bunny, parseSettings("34,up=y,parts=bricks,palette=ldraw,colors=1,effort=instant"));
     const StabilityReport report = compute(model);
     EXPECT_TRUE(report.stands);
     EXPECT_TRUE(report.safe);

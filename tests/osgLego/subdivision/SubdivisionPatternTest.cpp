@@ -3,6 +3,7 @@
 
 #include <FineTriangles.h>
 #include <Meshes.h>
+#include <Settings.h>
 
 #include <algorithm>
 #include <tuple>
@@ -131,10 +132,7 @@ std::vector<Key> fineInside(const GridVertices& coarse, const GridTriangles& tri
 
 osg::ref_ptr<const GridTriangles> createPart(osg::Node& node, const std::string& text)
 {
-    LegoSettings settings;
-    std::string error;
-    EXPECT_TRUE(LegoSettings::parse(text, settings, error)) << error;
-    return GridTriangles::create(*SceneTriangles::create(node), settings);
+    return GridTriangles::create(*SceneTriangles::create(node), parseSettings(text));
 }
 
 TEST(GridCut, LeavesTheFineTrianglesInTheGrid)
