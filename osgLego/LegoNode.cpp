@@ -41,31 +41,21 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
+    return changeSettings(settings, true);
+}
+
+bool LegoNode::changeSettings(const LegoSettings& settings, bool requiresPalette)
+{
     std::string error = settings.check();
     SettingsPalette palette;
-    if (error.empty())
-    {
-        palette = SettingsPalette::read(settings);
-        error = palette.error;
-    }
+    if (error.empty()) palette = SettingsPalette::read(settings);
+    if (requiresPalette && error.empty()) error = palette.error;
     if (!error.empty())
     {
         OSG_WARN << "osgLego: " << error << std::endl;
         return false;
     }
     _pipeline->setSettings(settings, palette);
-    dirtyBound();
-    return true;
-}
-
-bool LegoNode::setStoredSettings(const LegoSettings& settings)
-{
-    if (const std::string error = settings.check(); !error.empty())
-    {
-        OSG_WARN << "osgLego: " << error << std::endl;
-        return false;
-    }
-    _pipeline->setSettings(settings, SettingsPalette::read(settings));
     dirtyBound();
     return true;
 }

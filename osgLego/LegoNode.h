@@ -231,10 +231,12 @@ protected:
 private:
     friend class LegoNodeSerializer; // in the plugin osgdb_serializers_osglego
 
-    /** Change the settings to those of a file, even if their palette can't be read: stored bricks don't need it, and
-     * other bricks have getObstacle(), and the settings are still there when the file is written again.
-     * @return false, with a warning and no change, if LegoSettings::check() reports an error. */
-    bool setStoredSettings(const LegoSettings& settings);
+    /** Change the settings.
+     * @param requiresPalette false for the settings of a file: stored bricks don't need the palette, other bricks have
+     * getObstacle(), and the settings are kept for when the file is written again.
+     * @return false, with a warning and no change, if LegoSettings::check() reports an error, or if the palette is
+     * required and can't be read. */
+    bool changeSettings(const LegoSettings& settings, bool requiresPalette);
 
     void refresh() const;
     void cull(osg::NodeVisitor& visitor);

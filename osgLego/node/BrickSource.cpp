@@ -14,6 +14,7 @@ bool BrickSource::setSettings(const LegoSettings& settings, const SettingsPalett
     const bool givesSameBricks = settings.givesSameBricks(_request.settings) && palette == _request.palette;
     if (!givesSameBricks || !isShownAlike) _isDirty = true;
     _request.settings = settings;
+    _request.settings.view.progress = LegoSettings().view.progress; // the store keeps the progress
     _request.palette = palette;
     return _stored && !isShownAlike;
 }

@@ -31,6 +31,7 @@ public:
 
     /** @return whether stored bricks must be shown again, because their colours change. */
     bool setSettings(const LegoSettings& settings, const SettingsPalette& palette);
+    /** The settings, apart from their progress, which the store keeps. */
     LegoSettings getSettings() const;
     SettingsPalette getPalette() const;
     void setTiming(bool timing);

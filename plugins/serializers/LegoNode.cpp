@@ -18,7 +18,10 @@ namespace osgLego
 class LegoNodeSerializer
 {
 public:
-    static bool setSettings(LegoNode& node, const LegoSettings& settings) { return node.setStoredSettings(settings); }
+    static bool setSettings(LegoNode& node, const LegoSettings& settings)
+    {
+        return node.changeSettings(settings, false);
+    }
 };
 
 } // namespace osgLego
