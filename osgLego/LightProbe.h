@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/Export.h>
+#include <osgLego/ProbeFormat.h>
 
 #include <array>
 #include <string>
@@ -53,17 +54,12 @@ class ProbeLight;
 class OSGLEGO_EXPORT LightProbe : public osg::Object
 {
 public:
-    /** The projection of a picture. */
-    enum Mapping
-    {
-        AUTO,               //!< by shape: LATITUDE_LONGITUDE if twice as wide as high, ANGULAR if square
-        LATITUDE_LONGITUDE, //!< any shape, if requested explicitly
-        ANGULAR             //!< square; pixels outside the circle are ignored
-    };
+    using Mapping = ProbeFormat::Mapping;
+    using enum ProbeFormat::Mapping;
 
-    static constexpr int REFLECTION_LEVELS = 6;
-    static constexpr int REFLECTION_WIDTH = 256; //!< pixels, of level 0; twice the height
-    static constexpr int CONVOLVED_WIDTH = 64;   //!< pixels, of the convolved map; twice the height
+    static constexpr int REFLECTION_LEVELS = ProbeFormat::REFLECTION_LEVELS;
+    static constexpr int REFLECTION_WIDTH = ProbeFormat::REFLECTION_WIDTH; //!< pixels, of level 0; twice the height
+    static constexpr int CONVOLVED_WIDTH = ProbeFormat::CONVOLVED_WIDTH;   //!< pixels; twice the height
     /** The harmonic error above which the convolved map is used. */
     static constexpr double MAXIMUM_HARMONIC_ERROR = 0.02;
 

@@ -6,7 +6,9 @@
 #include <osgLego/palette/NearestTable.h>
 #include <osgLego/palette/PaletteFile.h>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace osgLego
@@ -22,6 +24,46 @@ int ditherAmplitudeFor(std::size_t numColors)
     return static_cast<int>(std::lround(0.8 * 256.0 / std::cbrt(static_cast<double>(numColors))));
 }
 
+/** The last palettes that were created. Every function may be called from any thread. */
+class RecentPalettes
+{
+public:
+    static RecentPalettes& instance()
+    {
+        static RecentPalettes palettes;
+        return palettes;
+    }
+
+    /** @return null if there is no palette with these colours. */
+    osg::ref_ptr<const Palette> find(std::span<const PaletteColor> colors)
+    {
+        const std::scoped_lock lock(_mutex);
+        return findLocked(colors);
+    }
+
+    /** @return the palette that another thread has added meanwhile if its colours are the same. */
+    osg::ref_ptr<const Palette> add(const osg::ref_ptr<const Palette>& palette)
+    {
+        constexpr std::size_t MOST_PALETTES = 16; // a palette takes a quarter of a megabyte
+        const std::scoped_lock lock(_mutex);
+        if (const osg::ref_ptr<const Palette> found = findLocked(palette->getColors())) return found;
+        if (_palettes.size() >= MOST_PALETTES) _palettes.clear();
+        _palettes.push_back(palette);
+        return palette;
+    }
+
+private:
+    osg::ref_ptr<const Palette> findLocked(std::span<const PaletteColor> colors) const
+    {
+        const auto found = std::ranges::find_if(_palettes, [&](const osg::ref_ptr<const Palette>& palette)
+                                                { return std::ranges::equal(palette->getColors(), colors); });
+        return found == _palettes.end() ? nullptr : *found;
+    }
+
+    std::mutex _mutex;
+    std::vector<osg::ref_ptr<const Palette>> _palettes;
+};
+
 } // namespace
 
 Palette::Palette(std::vector<PaletteColor> colors) :
@@ -31,15 +73,23 @@ Palette::Palette(std::vector<PaletteColor> colors) :
 
 osg::ref_ptr<const Palette> Palette::create(std::vector<PaletteColor> colors, std::string& error)
 {
-    if (!colors.empty() && colors.size() <= MAXIMUM_COLORS) return new Palette(std::move(colors));
-    error = "the palette has " + std::to_string(colors.size()) + " colours; expected 1 to " +
-            std::to_string(MAXIMUM_COLORS);
-    return nullptr;
+    if (colors.empty() || colors.size() > MAXIMUM_COLORS)
+    {
+        error = "the palette has " + std::to_string(colors.size()) + " colours; expected 1 to " +
+                std::to_string(MAXIMUM_COLORS);
+        return nullptr;
+    }
+    RecentPalettes& recent = RecentPalettes::instance();
+    if (osg::ref_ptr<const Palette> palette = recent.find(colors)) return palette;
+    // No lock is held here: a table is created on threads of oneTBB, which may run other tasks that need a palette.
+    return recent.add(new Palette(std::move(colors)));
 }
 
 osg::ref_ptr<const Palette> Palette::read(const std::string& nameOrFile, std::string& error)
 {
-    return nameOrFile == "ldraw" ? getDefaultPalette() : readPaletteFile(nameOrFile, error);
+    std::vector<PaletteColor> colors =
+        nameOrFile == "ldraw" ? selectDefaultColors() : readPaletteFile(nameOrFile, error);
+    return colors.empty() ? nullptr : create(std::move(colors), error);
 }
 
 osg::ref_ptr<const Palette> Palette::read(const LegoSettings& settings, std::string& error)

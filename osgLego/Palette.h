@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/Export.h>
-#include <osgLego/Part.h>
+#include <osgLego/PaletteColor.h>
 
 #include <array>
 #include <cstdint>
@@ -16,24 +16,6 @@ namespace osgLego
 {
 
 struct LegoSettings;
-
-/** A colour of plastic, and the sizes of parts that were made in it. */
-struct PaletteColor
-{
-    static constexpr std::uint16_t ALL_SIZES = (1u << 11) - 1;
-    /** LDraw's code of black, which LDConfig.ldr shows as a blue grey. The colour of the plastic, in
-     * data/ldraw-solid-colours.csv, takes the place of such definitions. */
-    static constexpr std::int32_t BLACK = 0;
-
-    std::int32_t code = Part::NO_CODE;   //!< LDraw's
-    std::string name;                    //!< such as "Dark_Turquoise"
-    std::array<std::uint8_t, 3> color{}; //!< red, green, blue (sRGB)
-    std::int32_t brickLink = -1;         //!< BrickLink's number; -1 if it is not known
-    std::uint16_t bricks = ALL_SIZES;    //!< bit i is set if a brick of size PART_SIZES[i] was ever made
-    std::uint16_t plates = ALL_SIZES;    //!< likewise for plates
-
-    bool operator==(const PaletteColor&) const = default;
-};
 
 /** A list of colours in which models may be built, and the nearest of them for any colour.
  *
@@ -51,16 +33,18 @@ struct PaletteColor
 class OSGLEGO_EXPORT Palette : public osg::Referenced
 {
 public:
-    static constexpr int TABLE_SIDE = 64; //!< entries of the table along each of red, green and blue
-    static constexpr std::size_t MAXIMUM_COLORS = 255;
+    static constexpr int TABLE_SIDE =
+        PaletteLimits::TABLE_SIDE; //!< entries of the table along each of red, green and blue
+    static constexpr std::size_t MAXIMUM_COLORS = PaletteLimits::MAXIMUM_COLORS;
 
-    /** Create a palette of 1 to MAXIMUM_COLORS colours.
+    /** Create a palette of 1 to MAXIMUM_COLORS colours, or share a recent one with the same colours: tables take tens
+     * of milliseconds to create.
      * @return null, with one sentence in `error`, for another number of colours. */
     static osg::ref_ptr<const Palette> create(std::vector<PaletteColor> colors, std::string& error);
 
     /** Read a palette: "ldraw", the solid colours in which nearly all sizes of bricks and plates were made, or a file:
      * a .csv with the columns of data/ldraw-solid-colours.csv, or LDraw's LDConfig.ldr. A file is read each
-     * time, but files with the same colours may share a palette.
+     * time.
      * @return null, with one sentence in `error` that names the file and the bad line, if it can't be read. */
     static osg::ref_ptr<const Palette> read(const std::string& nameOrFile, std::string& error);
 

@@ -2,26 +2,14 @@
 
 #include <osgLego/stability/StabilityAnalysis.h>
 
-#include <cmath>
+#include <cstdint>
 #include <numeric>
-#include <sstream>
+#include <vector>
 
 #include <osg/Timer>
 
 namespace osgLego
 {
-
-std::string StabilityReport::toString() const
-{
-    std::ostringstream text;
-    if (!stands)
-        text << "the model falls: " << falling.size() << (falling.size() == 1 ? " part is" : " parts are")
-             << " not held";
-    else
-        text << "the model stands" << (safe ? " safely" : ", but not safely") << ", with a margin of "
-             << std::lround(100.0 * margin) << " %";
-    return text.str();
-}
 
 std::optional<StabilityReport> computeStability(const BrickModel& model, const StabilityOptions& options)
 {

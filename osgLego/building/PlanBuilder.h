@@ -1,6 +1,8 @@
 #pragma once
 
-#include <osgLego/BuildingPlanner.h>
+#include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
+#include <osgLego/PlanningOptions.h>
 #include <osgLego/stability/JointGraph.h>
 
 #include <vector>

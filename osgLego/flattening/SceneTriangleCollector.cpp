@@ -64,7 +64,7 @@ struct PositionTriangles
 bool isInRange(const SceneVertex& vertex)
 {
     // Written so that NaN fails it.
-    return glm::all(glm::lessThanEqual(glm::abs(vertex.position), glm::dvec3(SceneTriangles::MAXIMUM_COORDINATE)));
+    return glm::all(glm::lessThanEqual(glm::abs(vertex.position), glm::dvec3(SceneVertex::MAXIMUM_COORDINATE)));
 }
 
 glm::dvec3 toGlm(const osg::Vec3d& vector)
@@ -145,7 +145,7 @@ private:
         }
         const glm::dvec2 result(glm::dvec2(coordinate) / (coordinate.w == 0.0 ? 1.0 : coordinate.w));
         // Written so that NaN fails it.
-        if (glm::all(glm::lessThanEqual(glm::abs(result), glm::dvec2(SceneTriangles::MAXIMUM_COORDINATE))))
+        if (glm::all(glm::lessThanEqual(glm::abs(result), glm::dvec2(SceneVertex::MAXIMUM_COORDINATE))))
             return {result};
         if (_isTextured) _replaced.insert(vertex);
         return glm::vec2(0.0f);
@@ -203,8 +203,8 @@ void SceneTriangleCollector::collectGeometry(const osg::Geometry& geometry, cons
                 if (!isInRange(corners[corner])) badVertices.insert(indices[corner]);
         }
     }
-    _triangles._numBadVertices += badVertices.size();
-    _triangles._numReplaced += reader.getNumReplaced();
+    _contents.numBadVertices += badVertices.size();
+    _contents.numReplaced += reader.getNumReplaced();
 }
 
 void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
@@ -224,7 +224,7 @@ void SceneTriangleCollector::collectShape(const osg::Drawable& drawable, const o
         for (std::size_t corner = 0; corner < 3; ++corner)
             corners[corner].position = toGlm(osg::Vec3d(triangle[corner]) * toRoot);
         if (addTriangle(batch, corners)) continue;
-        _triangles._numBadVertices +=
+        _contents.numBadVertices +=
             static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), std::not_fn(isInRange)));
     }
 }
@@ -236,16 +236,16 @@ SceneBatch& SceneTriangleCollector::findOrMakeBatch(const SurfaceState& state, b
     const TextureEnvironment environment = texture ? state.getEnvironment() : TextureEnvironment::MODULATE;
 
     const auto [place, isNew] =
-        _batchIndices.try_emplace(BatchKey(texture.get(), environment), _triangles._batches.size());
-    if (isNew) _triangles._batches.push_back({texture, environment, {}});
-    return _triangles._batches[place->second];
+        _batchIndices.try_emplace(BatchKey(texture.get(), environment), _contents.batches.size());
+    if (isNew) _contents.batches.push_back({texture, environment, {}});
+    return _contents.batches[place->second];
 }
 
 bool SceneTriangleCollector::addTriangle(SceneBatch& batch, const std::array<SceneVertex, 3>& corners)
 {
     if (!std::all_of(corners.begin(), corners.end(), isInRange))
     {
-        ++_triangles._numOutOfRange;
+        ++_contents.numOutOfRange;
         return false;
     }
     const auto& [a, b, c] = corners;
@@ -254,9 +254,9 @@ bool SceneTriangleCollector::addTriangle(SceneBatch& batch, const std::array<Sce
     for (const SceneVertex& vertex : corners)
     {
         batch.vertices.push_back(vertex);
-        _triangles._bounds.expandBy(vertex.position.x, vertex.position.y, vertex.position.z);
+        _contents.bounds.expandBy(vertex.position.x, vertex.position.y, vertex.position.z);
     }
-    ++_triangles._numTriangles;
+    ++_contents.numTriangles;
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/flattening/SceneBatch.h>
 #include <osgLego/flattening/SourceVisitor.h>
 #include <osgLego/flattening/SurfaceState.h>
 #include <osgLego/flattening/SurfaceTextureCache.h>
@@ -14,14 +14,14 @@
 namespace osgLego
 {
 
-/** The visitor that fills SceneTriangles with the primitives of each drawable, split into triangles. */
+/** The visitor that fills SceneBatches with the primitives of each drawable, split into triangles. */
 class SceneTriangleCollector : public SourceVisitor
 {
 public:
     META_NodeVisitor(osgLego, SceneTriangleCollector)
 
-    SceneTriangleCollector(SceneTriangles& triangles, SurfaceTextureCache& textures) :
-        _triangles(triangles), _textures(textures)
+    SceneTriangleCollector(SceneBatches& contents, SurfaceTextureCache& textures) :
+        _contents(contents), _textures(textures)
     {
     }
 
@@ -38,7 +38,7 @@ private:
     /** @return false when a corner is not finite or too far away, and the triangle is ignored. */
     bool addTriangle(SceneBatch& batch, const std::array<SceneVertex, 3>& corners);
 
-    SceneTriangles& _triangles;
+    SceneBatches& _contents;
     SurfaceTextureCache& _textures;
     std::map<BatchKey, std::size_t> _batchIndices;
 };

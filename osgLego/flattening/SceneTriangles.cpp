@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
-#include <glm/geometric.hpp>
 #include <osg/Notify>
 
 namespace osgLego
@@ -30,30 +30,21 @@ void warnOfReplacedAttributes(const SceneTriangles& triangles, const osg::Node& 
     OSG_WARN << "osgLego: " << counted(triangles.getNumReplaced(), "vertex", "vertices") << ownerText(node)
              << (triangles.getNumReplaced() == 1 ? " has" : " have")
              << " a colour or texture coordinates that are not finite, or texture coordinates beyond "
-             << SceneTriangles::MAXIMUM_COORDINATE << "; these are replaced by values in range" << std::endl;
+             << SceneVertex::MAXIMUM_COORDINATE << "; these are replaced by values in range" << std::endl;
 }
 
 void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
 {
     OSG_WARN << "osgLego: " << counted(triangles.getNumBadVertices(), "vertex", "vertices") << ownerText(node)
              << (triangles.getNumBadVertices() == 1 ? " has" : " have") << " coordinates that are not finite or beyond "
-             << SceneTriangles::MAXIMUM_COORDINATE << "; "
+             << SceneVertex::MAXIMUM_COORDINATE << "; "
              << counted(triangles.getNumOutOfRange(), "triangle", "triangles") << " with such vertices "
              << (triangles.getNumOutOfRange() == 1 ? "is" : "are") << " ignored" << std::endl;
 }
 
 } // namespace
 
-SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b)
-{
-    return {0.5 * (a.position + b.position), 0.5f * (a.coordinate + b.coordinate), 0.5f * (a.color + b.color)};
-}
-
-double squaredLength(const SceneVertex& a, const SceneVertex& b)
-{
-    const glm::dvec3 edge = b.position - a.position;
-    return glm::dot(edge, edge);
-}
+SceneTriangles::SceneTriangles(SceneBatches contents) : _contents(std::move(contents)) {}
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 {
@@ -63,19 +54,20 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
 
 osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node, SurfaceTextureCache& textures)
 {
-    osg::ref_ptr<SceneTriangles> triangles = new SceneTriangles;
-    SceneTriangleCollector collector(*triangles, textures);
+    SceneBatches contents;
+    SceneTriangleCollector collector(contents, textures);
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(collector);
     textures.dropUnused();
+    const osg::ref_ptr<const SceneTriangles> triangles = new SceneTriangles(std::move(contents));
     if (triangles->getNumOutOfRange() > 0) warnOfBadVertices(*triangles, node);
     if (triangles->getNumReplaced() > 0) warnOfReplacedAttributes(*triangles, node);
-    const osg::Vec3d size = triangles->_bounds._max - triangles->_bounds._min;
-    if (triangles->_numTriangles > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
+    const osg::Vec3d size = triangles->getBounds()._max - triangles->getBounds()._min;
+    if (triangles->getNumTriangles() > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
     {
         OSG_WARN << "osgLego: '" << node.getName() << "' is smaller than " << MINIMUM_SIZE
                  << " units and is ignored; expected a larger scale" << std::endl;
-        return new SceneTriangles;
+        return new SceneTriangles({});
     }
     return triangles;
 }

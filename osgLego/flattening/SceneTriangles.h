@@ -1,12 +1,10 @@
 #pragma once
 
-#include <osgLego/flattening/SurfaceTexture.h>
+#include <osgLego/flattening/SceneBatch.h>
 
 #include <cstddef>
 #include <vector>
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <osg/BoundingBox>
 #include <osg/Node>
 #include <osg/Referenced>
@@ -17,26 +15,6 @@ namespace osgLego
 
 class SurfaceTextureCache;
 
-/** A corner of a triangle, in the coordinates of the node that was flattened. */
-struct SceneVertex
-{
-    glm::dvec3 position{0.0};
-    glm::vec2 coordinate{0.0f}; //!< texture coordinate, with the texture matrix applied; 1 is the size of the image
-    glm::vec3 color{1.0f};      //!< before texturing, 0 to 1 per channel
-};
-
-/** The vertex halfway between two others, and the square of their distance. */
-SceneVertex midpoint(const SceneVertex& a, const SceneVertex& b);
-double squaredLength(const SceneVertex& a, const SceneVertex& b);
-
-/** Triangles that share one texture, three vertices each. */
-struct SceneBatch
-{
-    osg::ref_ptr<const SurfaceTexture> texture; //!< null: the vertices have colours only
-    TextureEnvironment environment = TextureEnvironment::MODULATE;
-    std::vector<SceneVertex> vertices;
-};
-
 /** The triangles of any OSG subgraph, flattened: transforms applied, state resolved to plain colours and textures.
  *
  * Handles nested transforms, shared children, Switch, Sequence and LOD (the finest level loaded), every primitive type
@@ -46,10 +24,10 @@ struct SceneBatch
  * or vertex colour.
  *
  * Lines, points and triangles without area are ignored. So are, with a warning that gives their number, triangles with
- * a vertex that is not finite or beyond MAXIMUM_COORDINATE, be it by its array or by a transform, and, with a warning,
- * sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are NaN become 0. Texture coordinates
- * that are not finite or beyond MAXIMUM_COORDINATE, with their matrix applied, become (0, 0). A warning counts the
- * vertices with such texture coordinates, or with colours in an array that are not finite.
+ * a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, be it by its array or by a transform, and,
+ * with a warning, sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are NaN become 0.
+ * Texture coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix applied, become
+ * (0, 0). A warning counts the vertices with such texture coordinates, or with colours in an array that are not finite.
  *
  * Usage:
  *
@@ -62,41 +40,33 @@ struct SceneBatch
 class SceneTriangles : public osg::Referenced
 {
 public:
-    // OpenSceneGraph keeps bounding spheres in single precision and squares their radii, which must neither overflow
-    // nor underflow.
-    static constexpr double MAXIMUM_COORDINATE = 1e18; //!< model units, or image sizes, of either sign
-    static constexpr double MINIMUM_SIZE = 1e-18;      //!< model units, the longest side of the source's bounds
+    /** The longest side of the source's bounds, in model units; see SceneVertex::MAXIMUM_COORDINATE. */
+    static constexpr double MINIMUM_SIZE = 1e-18;
 
     /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
     /** Likewise, but reuse textures from earlier calls. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
 
-    const std::vector<SceneBatch>& getBatches() const { return _batches; }
+    const std::vector<SceneBatch>& getBatches() const { return _contents.batches; }
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */
-    const osg::BoundingBoxd& getBounds() const { return _bounds; }
-    std::size_t getNumTriangles() const { return _numTriangles; }
-    /** The number of triangle vertices with a coordinate that is NaN, infinite, or beyond MAXIMUM_COORDINATE. A vertex
-     * shared by several triangles of a geometry through its index counts once. */
-    std::size_t getNumBadVertices() const { return _numBadVertices; }
+    const osg::BoundingBoxd& getBounds() const { return _contents.bounds; }
+    std::size_t getNumTriangles() const { return _contents.numTriangles; }
+    /** The number of triangle vertices with a coordinate that is NaN, infinite, or beyond
+     * SceneVertex::MAXIMUM_COORDINATE. A vertex shared by several triangles of a geometry through its index counts
+     * once. */
+    std::size_t getNumBadVertices() const { return _contents.numBadVertices; }
     /** The number of triangles ignored because of such vertices. */
-    std::size_t getNumOutOfRange() const { return _numOutOfRange; }
+    std::size_t getNumOutOfRange() const { return _contents.numOutOfRange; }
     /** The number of triangle vertices whose colour or texture coordinate was replaced because it was not finite or too
      * large. */
-    std::size_t getNumReplaced() const { return _numReplaced; }
+    std::size_t getNumReplaced() const { return _contents.numReplaced; }
 
 private:
-    friend class SceneTriangleCollector;
-
-    SceneTriangles() = default;
+    explicit SceneTriangles(SceneBatches contents);
     ~SceneTriangles() override = default;
 
-    std::vector<SceneBatch> _batches;
-    osg::BoundingBoxd _bounds;
-    std::size_t _numTriangles = 0;
-    std::size_t _numBadVertices = 0;
-    std::size_t _numOutOfRange = 0;
-    std::size_t _numReplaced = 0;
+    SceneBatches _contents;
 };
 
 } // namespace osgLego

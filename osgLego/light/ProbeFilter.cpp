@@ -16,7 +16,7 @@ namespace
 {
 
 using std::numbers::pi;
-constexpr int NORMALS_ACROSS = LightProbe::CONVOLVED_WIDTH;
+constexpr int NORMALS_ACROSS = ProbeFormat::CONVOLVED_WIDTH;
 constexpr std::size_t NORMALS = NORMALS_ACROSS * NORMALS_ACROSS / 2;
 /** Relative to the peak of a lobe: smaller weights are ignored. This omits a hundredth of the narrowest lobe. */
 constexpr double LEAST_WEIGHT = 1e-4;

@@ -13,7 +13,7 @@ namespace osgLego
 namespace
 {
 
-constexpr int WIDTH = LightProbe::CONVOLVED_WIDTH;
+constexpr int WIDTH = ProbeFormat::CONVOLVED_WIDTH;
 constexpr int HEIGHT = WIDTH / 2;
 
 SphericalHarmonics::Coefficients project(const RadiancePicture& picture)
@@ -45,15 +45,15 @@ double largestOf(const osg::Vec3d& color)
 ProbeLight::ProbeLight(const RadiancePicture& picture) :
     _coefficients(project(picture)), _irradiancePolynomial(SphericalHarmonics::toIrradiancePolynomial(_coefficients))
 {
-    const RadianceGrid fine(picture, LightProbe::REFLECTION_WIDTH, LightProbe::REFLECTION_WIDTH / 2);
+    const RadianceGrid fine(picture, ProbeFormat::REFLECTION_WIDTH, ProbeFormat::REFLECTION_WIDTH / 2);
     const RadianceGrid coarse = fine.halved();
     _convolvedMap = convolveWithCosine(coarse);
     _reflectionMaps[0] = fine.createImage();
-    for (int level = 1; level < LightProbe::REFLECTION_LEVELS; ++level)
+    for (int level = 1; level < ProbeFormat::REFLECTION_LEVELS; ++level)
     {
-        const double roughness = static_cast<double>(level) / (LightProbe::REFLECTION_LEVELS - 1);
+        const double roughness = static_cast<double>(level) / (ProbeFormat::REFLECTION_LEVELS - 1);
         _reflectionMaps[static_cast<std::size_t>(level)] =
-            filterByRoughness(coarse, roughness, LightProbe::REFLECTION_WIDTH >> level);
+            filterByRoughness(coarse, roughness, ProbeFormat::REFLECTION_WIDTH >> level);
     }
     _harmonicError = computeHarmonicError();
 }
@@ -66,7 +66,7 @@ osg::ref_ptr<const ProbeLight> ProbeLight::create(const RadiancePicture& picture
 const ProbeLight& ProbeLight::getSky()
 {
     static const osg::ref_ptr<const ProbeLight> sky = create(
-        RadiancePicture::create(LightProbe::REFLECTION_WIDTH, LightProbe::REFLECTION_WIDTH / 2, computeSkyRadiance));
+        RadiancePicture::create(ProbeFormat::REFLECTION_WIDTH, ProbeFormat::REFLECTION_WIDTH / 2, computeSkyRadiance));
     return *sky;
 }
 

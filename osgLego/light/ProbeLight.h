@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/ProbeFormat.h>
 #include <osgLego/light/RadianceGrid.h>
 #include <osgLego/light/SphericalHarmonics.h>
 
@@ -44,7 +45,7 @@ private:
     SphericalHarmonics::Coefficients _coefficients;
     SphericalHarmonics::Coefficients _irradiancePolynomial;
     osg::ref_ptr<osg::Image> _convolvedMap;
-    std::array<osg::ref_ptr<osg::Image>, LightProbe::REFLECTION_LEVELS> _reflectionMaps;
+    std::array<osg::ref_ptr<osg::Image>, ProbeFormat::REFLECTION_LEVELS> _reflectionMaps;
     double _harmonicError = 0.0;
 };
 

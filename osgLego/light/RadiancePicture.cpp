@@ -114,7 +114,7 @@ std::string sizeOf(const osg::Image& image)
     return std::to_string(image.s()) + " x " + std::to_string(image.t());
 }
 
-std::string findFault(const osg::Image& image, LightProbe::Mapping mapping)
+std::string findFault(const osg::Image& image, ProbeFormat::Mapping mapping)
 {
     if (!image.data() || image.s() < 1 || image.t() < 1) return "the picture of a light probe has no pixels";
     if (image.r() != 1)
@@ -126,10 +126,10 @@ std::string findFault(const osg::Image& image, LightProbe::Mapping mapping)
     if (bytesOf(image.getDataType()) == 0)
         return "the picture of a light probe has channels of another type; expected floats, unsigned bytes or "
                "unsigned shorts";
-    if (mapping == LightProbe::AUTO && image.s() != image.t() && image.s() / 2.0 != image.t())
+    if (mapping == ProbeFormat::AUTO && image.s() != image.t() && image.s() / 2.0 != image.t())
         return "the picture of a light probe is " + sizeOf(image) +
                " pixels; expected twice as wide as high (latitude and longitude), or square (an angular map)";
-    if (mapping == LightProbe::ANGULAR && image.s() != image.t())
+    if (mapping == ProbeFormat::ANGULAR && image.s() != image.t())
         return "the angular map of a light probe is " + sizeOf(image) + " pixels; expected a square";
     return {};
 }
@@ -147,13 +147,13 @@ RadiancePicture::RadiancePicture(int width, int height, bool angular) :
 {
 }
 
-std::optional<RadiancePicture> RadiancePicture::read(const osg::Image& image, LightProbe::Mapping mapping,
+std::optional<RadiancePicture> RadiancePicture::read(const osg::Image& image, ProbeFormat::Mapping mapping,
                                                      std::string& error)
 {
     error = findFault(image, mapping);
     if (!error.empty()) return std::nullopt;
 
-    const bool angular = mapping == LightProbe::ANGULAR || (mapping == LightProbe::AUTO && image.s() == image.t());
+    const bool angular = mapping == ProbeFormat::ANGULAR || (mapping == ProbeFormat::AUTO && image.s() == image.t());
     RadiancePicture picture(image.s(), image.t(), angular);
     const ChannelOrder order = channelOrderOf(image.getPixelFormat());
     const std::size_t pixelBytes = order.count * bytesOf(image.getDataType());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/LightProbe.h>
+#include <osgLego/ProbeFormat.h>
 
 #include <functional>
 #include <optional>
@@ -38,7 +38,7 @@ public:
 
     /** Check an image and convert its pixels to linear values. @return nothing, with one sentence in `error`, if the
      * image can't be used as a light probe. */
-    static std::optional<RadiancePicture> read(const osg::Image& image, LightProbe::Mapping mapping,
+    static std::optional<RadiancePicture> read(const osg::Image& image, ProbeFormat::Mapping mapping,
                                                std::string& error);
 
     /** Create a picture by latitude and longitude from a function that gives the radiance in the direction of a unit

@@ -1,5 +1,7 @@
 #include <osgLego/model/LayoutStanding.h>
 
+#include <osgLego/Stability.h>
+
 #include <utility>
 
 namespace osgLego

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/Stability.h>
+#include <osgLego/StabilityReport.h>
 #include <osgLego/model/SupportedLayout.h>
 #include <osgLego/search/LayoutOptions.h>
 

@@ -2,7 +2,6 @@
 
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
-#include <osgLego/palette/SharedPalettes.h>
 
 #include <algorithm>
 #include <limits>
@@ -163,7 +162,7 @@ osg::ref_ptr<const Palette> chooseColors(const Palette& palette, const ColorHist
     for (const std::size_t color : MedoidSearch(colors, histogram.getShares()).find(count))
         chosen.push_back(colors[color]);
     std::string ignored; // there are at least one and fewer than before
-    return sharePalette(std::move(chosen), ignored);
+    return Palette::create(std::move(chosen), ignored);
 }
 
 } // namespace osgLego

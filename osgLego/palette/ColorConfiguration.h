@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/Palette.h>
+#include <osgLego/PaletteColor.h>
 
 #include <span>
 #include <string>

@@ -65,8 +65,8 @@ std::string ColorText::add(PaletteColor color)
     const auto isSame = [&](const PaletteColor& other) { return other.code == color.code; };
     if (std::any_of(_colors.begin(), _colors.end(), isSame))
         return _lines.expected("a code that is not in a line above", std::to_string(color.code));
-    if (_colors.size() == Palette::MAXIMUM_COLORS)
-        return _lines.expected("at most " + std::to_string(Palette::MAXIMUM_COLORS) + " colours", color.name);
+    if (_colors.size() == PaletteLimits::MAXIMUM_COLORS)
+        return _lines.expected("at most " + std::to_string(PaletteLimits::MAXIMUM_COLORS) + " colours", color.name);
     _colors.push_back(std::move(color));
     return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/Palette.h>
+#include <osgLego/PaletteColor.h>
 
 #include <string>
 #include <string_view>

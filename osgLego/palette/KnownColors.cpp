@@ -2,11 +2,12 @@
 
 #include <osgLego/palette/ColorTable.h>
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace osgLego
 {
@@ -17,21 +18,12 @@ const std::map<std::string_view, std::string_view>& getEmbeddedColors();
 namespace
 {
 
-bool isInDefaultPalette(const PaletteColor& color)
+bool isDefaultColor(const PaletteColor& color)
 {
     constexpr int FEWEST_SIZES = 20;
     constexpr std::uint16_t SMALLEST = 1;
     return color.brickLink >= 0 && (color.bricks & color.plates & SMALLEST) != 0 &&
            std::popcount(color.bricks) + std::popcount(color.plates) >= FEWEST_SIZES;
-}
-
-osg::ref_ptr<const Palette> createDefaultPalette()
-{
-    std::vector<PaletteColor> colors;
-    for (const PaletteColor& color : getKnownColors())
-        if (isInDefaultPalette(color)) colors.push_back(color);
-    std::string ignored; // the list has enough colours, and not too many
-    return Palette::create(std::move(colors), ignored);
 }
 
 } // namespace
@@ -44,10 +36,11 @@ std::span<const PaletteColor> getKnownColors()
     return colors;
 }
 
-osg::ref_ptr<const Palette> getDefaultPalette()
+std::vector<PaletteColor> selectDefaultColors()
 {
-    static const osg::ref_ptr<const Palette> palette = createDefaultPalette();
-    return palette;
+    std::vector<PaletteColor> colors;
+    std::ranges::copy_if(getKnownColors(), std::back_inserter(colors), isDefaultColor);
+    return colors;
 }
 
 } // namespace osgLego

@@ -16,7 +16,7 @@ namespace osgLego
 namespace
 {
 
-constexpr std::size_t SIDE = Palette::TABLE_SIDE;
+constexpr std::size_t SIDE = PaletteLimits::TABLE_SIDE;
 constexpr std::size_t NUM_ENTRIES = SIDE * SIDE * SIDE;
 constexpr std::size_t BLOCK_SIDE = 4;
 constexpr std::size_t BLOCKS = SIDE / BLOCK_SIDE; // along each channel

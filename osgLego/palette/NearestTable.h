@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/Palette.h>
+#include <osgLego/PaletteColor.h>
 
 #include <array>
 #include <cstddef>
@@ -14,15 +14,16 @@ namespace osgLego
 /** The entry of an sRGB colour in Palette::getTable(). */
 inline std::size_t tableEntryOf(const std::array<std::uint8_t, 3>& color)
 {
-    constexpr int WIDTH = 256 / Palette::TABLE_SIDE;
-    return static_cast<std::size_t>(
-        color[0] / WIDTH + Palette::TABLE_SIDE * (color[1] / WIDTH + Palette::TABLE_SIDE * (color[2] / WIDTH)));
+    constexpr int WIDTH = 256 / PaletteLimits::TABLE_SIDE;
+    return static_cast<std::size_t>(color[0] / WIDTH +
+                                    PaletteLimits::TABLE_SIDE *
+                                        (color[1] / WIDTH + PaletteLimits::TABLE_SIDE * (color[2] / WIDTH)));
 }
 
 /** For each entry of Palette::getTable(), the index of the colour with the least CIEDE2000 from its middle, the first
  * of equally near ones. A colour is its own nearest, even if another one is nearer to the middle of its entry; of
  * several colours in one entry, the first is.
- * @param colors 1 to Palette::MAXIMUM_COLORS. */
+ * @param colors 1 to PaletteLimits::MAXIMUM_COLORS. */
 std::vector<std::uint8_t> makeNearestTable(std::span<const PaletteColor> colors);
 
 } // namespace osgLego

@@ -3,15 +3,12 @@
 #include <osgLego/palette/ColorConfiguration.h>
 #include <osgLego/palette/ColorTable.h>
 #include <osgLego/palette/KnownColors.h>
-#include <osgLego/palette/SharedPalettes.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace osgLego
 {
@@ -66,25 +63,23 @@ std::string readText(const fs::path& path, std::string& text)
 
 } // namespace
 
-osg::ref_ptr<const Palette> readPaletteFile(const fs::path& path, std::string& error)
+std::vector<PaletteColor> readPaletteFile(const fs::path& path, std::string& error)
 {
     const std::string extension = lowerCaseExtension(path);
     if (extension != ".csv" && extension != ".ldr")
     {
         error = "unknown palette '" + path.string() + "'; expected none, ldraw, or a .csv or .ldr file";
-        return nullptr;
+        return {};
     }
     std::string text;
     error = inspect(path);
     if (error.empty()) error = readText(path, text);
-    if (!error.empty()) return nullptr;
+    if (!error.empty()) return {};
     std::string wrong;
     std::vector<PaletteColor> colors =
         extension == ".csv" ? readColorTable(text, wrong) : readColorConfiguration(text, getKnownColors(), wrong);
-    osg::ref_ptr<const Palette> palette;
-    if (wrong.empty()) palette = sharePalette(std::move(colors), wrong);
     if (!wrong.empty()) error = path.string() + (wrong.starts_with("line ") ? ", " : ": ") + wrong;
-    return palette;
+    return colors;
 }
 
 } // namespace osgLego

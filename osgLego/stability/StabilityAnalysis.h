@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/Stability.h>
+#include <osgLego/StabilityReport.h>
 
 #include <cstdint>
 #include <functional>

@@ -1,20 +1,9 @@
 #include "LDrawDocument.h"
 
-#include "LDrawParser.h"
-
 #include <algorithm>
-#include <utility>
 
 namespace osgLego
 {
-
-std::optional<LDrawDocument> LDrawDocument::parse(std::string_view text, std::string& error)
-{
-    LDrawParser parser;
-    error = parser.parse(text);
-    if (!error.empty()) return std::nullopt;
-    return parser.takeDocument();
-}
 
 void LDrawDocument::setDefaultName(const std::string& name)
 {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -56,9 +55,6 @@ public:
     static constexpr std::size_t LONGEST_LINE = 65536;
     static constexpr double LARGEST_NUMBER = 1e7;
 
-    /** Read the text of a file.
-     * @return nothing, with one sentence in `error` that names the bad line, if it is not LDraw. */
-    static std::optional<LDrawDocument> parse(std::string_view text, std::string& error);
     /** Give the main model a name, if it has none. */
     void setDefaultName(const std::string& name);
 

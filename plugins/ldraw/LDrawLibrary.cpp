@@ -1,5 +1,6 @@
 #include "LDrawLibrary.h"
 
+#include "LDrawParser.h"
 #include "LDrawText.h"
 
 namespace osgLego
@@ -37,7 +38,7 @@ std::unique_ptr<LDrawDocument> LDrawLibrary::read(const std::string& name)
         std::string error;
         const std::optional<std::string> text = readText(path, error);
         std::optional<LDrawDocument> document;
-        if (text) document = LDrawDocument::parse(*text, error);
+        if (text) document = LDrawParser::parse(*text, error);
         if (document)
         {
             document->setDefaultName(name);
@@ -55,7 +56,7 @@ std::vector<LDrawColorDefinition> LDrawLibrary::readColors()
     std::string error;
     const std::string path = _lookup.findFile(_libraryFolder, "ldconfig.ldr");
     const std::optional<std::string> text = path.empty() ? std::nullopt : readText(path, error);
-    const std::optional<LDrawDocument> document = text ? LDrawDocument::parse(*text, error) : std::nullopt;
+    const std::optional<LDrawDocument> document = text ? LDrawParser::parse(*text, error) : std::nullopt;
     return document ? document->getColors() : std::vector<LDrawColorDefinition>();
 }
 

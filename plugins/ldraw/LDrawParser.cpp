@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace osgLego
 {
@@ -84,7 +85,15 @@ LDrawParser::LDrawParser()
     _document._files.emplace_back();
 }
 
-std::string LDrawParser::parse(std::string_view text)
+std::optional<LDrawDocument> LDrawParser::parse(std::string_view text, std::string& error)
+{
+    LDrawParser parser;
+    error = parser.readText(text);
+    if (!error.empty()) return std::nullopt;
+    return std::move(parser._document);
+}
+
+std::string LDrawParser::readText(std::string_view text)
 {
     if (text.starts_with(BYTE_ORDER_MARK)) text.remove_prefix(BYTE_ORDER_MARK.size());
     for (std::size_t number = 1; !text.empty(); ++number)

@@ -2,20 +2,28 @@
 
 #include "LDrawDocument.h"
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
 namespace osgLego
 {
 
-/** Reads the lines of an LDrawDocument. Functions that return a string return an error message in one sentence; empty
- * on success. */
+/** Reads the lines of an LDrawDocument. Private functions that return a string return an error message in one sentence;
+ * empty on success. */
 class LDrawParser
 {
 public:
-    LDrawParser();
-
-    std::string parse(std::string_view text);
-    LDrawDocument takeDocument() { return std::move(_document); }
+    /** Read the text of a file.
+     * @return nothing, with one sentence in `error` that names the bad line, if it is not LDraw. */
+    static std::optional<LDrawDocument> parse(std::string_view text, std::string& error);
 
 private:
+    LDrawParser();
+
+    std::string readText(std::string_view text);
     std::string readLine(std::string_view line);
     std::string readLineOfType(char type, std::string_view rest);
     void readCommand(std::string_view rest);

@@ -1,6 +1,7 @@
 #include "LDrawReader.h"
 
 #include "LDrawGeometry.h"
+#include "LDrawParser.h"
 
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
@@ -67,7 +68,7 @@ osg::ref_ptr<osg::Node> createLegoNode(const std::string& name, const BrickModel
 
 osg::ref_ptr<osg::Node> LDrawReader::read(const std::string& text, std::string& error)
 {
-    const std::optional<LDrawDocument> document = LDrawDocument::parse(text, error);
+    const std::optional<LDrawDocument> document = LDrawParser::parse(text, error);
     if (!document) return nullptr;
     LDrawResolver resolver(*document, _library);
     error = resolver.resolve();

@@ -2,6 +2,7 @@
 
 #include "LDrawColors.h"
 #include "LDrawFrame.h"
+#include "LDrawParser.h"
 #include "LDrawSteps.h"
 
 #include <algorithm>
@@ -149,7 +150,7 @@ void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, con
 std::string LDrawWriter::check(std::string_view text) const
 {
     std::string error;
-    const std::optional<LDrawDocument> document = LDrawDocument::parse(text, error);
+    const std::optional<LDrawDocument> document = LDrawParser::parse(text, error);
     if (!document) return error;
     LDrawLibrary library({}, {});
     LDrawResolver resolver(*document, library);

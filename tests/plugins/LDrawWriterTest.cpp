@@ -1,4 +1,4 @@
-#include <ldraw/LDrawDocument.h>
+#include <ldraw/LDrawParser.h>
 #include <ldraw/LDrawWriter.h>
 
 #include <osgLego/BuildingPlanner.h>
@@ -279,7 +279,7 @@ TEST(LDrawWriter, NamesOfNodesAndFilesAreNeverCommands)
             node->setName(name);
             const Written written = write(*node, file);
             std::string error;
-            const std::optional<LDrawDocument> document = LDrawDocument::parse(written.text, error);
+            const std::optional<LDrawDocument> document = LDrawParser::parse(written.text, error);
             ASSERT_TRUE(document) << error;
             EXPECT_TRUE(document->getColors().empty()) << written.text;
         }

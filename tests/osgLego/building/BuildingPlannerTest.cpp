@@ -7,6 +7,7 @@
 #include <common/RacingCar.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/CpuLegolizer.h>
+#include <osgLego/Stability.h>
 
 #include <algorithm>
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <osgLego/Export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgLego
+{
+
+/** The surface on which a model stands. */
+enum class BuildingBase
+{
+    TABLE, //!< a bare table, which only pushes
+    PLATE  //!< a studded base plate, which also holds
+};
+
+/** The stability of a model of parts under gravity, and its most loaded joints.
+ *
+ * The model stands if forces at the contacts of its parts exist that keep every part in equilibrium: pressure between
+ * parts, and at each contact of a stud up to CAPACITY newtons against pulling it out (Liu et al. 2024, "StableLego:
+ * Stability Analysis of Block Stacking Assembly", arXiv 2402.10711). docs/stability.md has the linear program. */
+struct OSGLEGO_EXPORT StabilityReport
+{
+    static constexpr double CAPACITY = 0.98;      //!< newtons at a contact point that joints bear (StableLego)
+    static constexpr double SAFE_CAPACITY = 0.70; //!< newtons that worn joints bear, too (Luo et al. 2015)
+
+    /** Two parts that hold each other, as indices into BrickModel::getParts(). */
+    struct Joint
+    {
+        static constexpr std::uint32_t BASE = 0xffffffff; //!< instead of a part: the base on which the model stands
+
+        std::uint32_t lower = BASE;
+        std::uint32_t upper = BASE;
+    };
+
+    bool stands = true; //!< whether forces within CAPACITY keep all parts in equilibrium
+    bool safe = true;   //!< whether forces within SAFE_CAPACITY do
+    /** The share of CAPACITY that is left at the contact point that bears most, if forces are spread so that this point
+     * bears as little as possible: 1 if nothing pulls, 0 at the limit, negative beyond it, and -1 if twice the capacity
+     * does not suffice. */
+    double margin = 1.0;
+    std::optional<Joint> weakest; //!< the joint of the contact point that bears most; unset if nothing pulls
+    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. If
+     * the forces in a piece can't be computed precisely enough, its parts count too, and a warning says so. */
+    std::vector<std::uint32_t> falling;
+    /** For each part, the share of CAPACITY that its most loaded contact point bears, at least 0; 1 for parts that
+     * fall. */
+    std::vector<float> loads;
+    std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately
+    double milliseconds = 0.0;     //!< the time taken
+
+    /** The verdict and the margin in a line of English. */
+    std::string toString() const;
+};
+
+} // namespace osgLego
