@@ -24,7 +24,7 @@ public:
 };
 
 /** All keys. A setting is added here, and as a member in the header. */
-const SettingsTable<AmbientOcclusionSettings>& getTable()
+const SettingsTable<AmbientOcclusionSettings>& getOcclusionTable()
 {
     using Settings = AmbientOcclusionSettings;
     using Quality = AmbientOcclusionQuality;
@@ -55,25 +55,25 @@ const SettingsTable<AmbientOcclusionSettings>& getTable()
 
 std::string AmbientOcclusionSettings::check() const
 {
-    return getTable().check(*this);
+    return getOcclusionTable().check(*this);
 }
 
 const SettingDescriptions& AmbientOcclusionSettings::describe()
 {
-    return getTable().describe();
+    return getOcclusionTable().describe();
 }
 
 bool AmbientOcclusionSettings::parse(const std::string& text, AmbientOcclusionSettings& settings, std::string& error)
 {
     const auto read = [](std::string_view key, std::string_view value, AmbientOcclusionSettings& changed)
-    { return getTable().read(key, value, changed); };
+    { return getOcclusionTable().read(key, value, changed); };
     return parseSettings(
         text, describe(), [](std::string_view item) { return !item.empty(); }, read, settings, error);
 }
 
 std::string AmbientOcclusionSettings::toString() const
 {
-    return getTable().write(*this);
+    return getOcclusionTable().write(*this);
 }
 
 } // namespace osgLego

@@ -1,21 +1,21 @@
 #include <osgLego/BrickCodec.h>
 
+#include <osgLego/data/BrickRecords.h>
 #include <osgLego/data/ByteReader.h>
 #include <osgLego/data/ByteWriter.h>
+#include <osgLego/data/TakenCells.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include <osg/Notify>
 #include <zlib.h>
 
-// The format, with numbers in little-endian order:
+// The format:
 //
 //     version     32 bits
 //     check sum   32 bits: CRC-32 of all other bytes
@@ -29,18 +29,9 @@
 //     cell size   3 * 64 bits, floating point
 //     number      64 bits: of bricks or parts
 //     size        64 bits: that of the following data when decompressed, in bytes
-//     data        by zlib
+//     data        by zlib; data/BrickRecords.h describes it
 //
-// The data of version 1 are the runs of covered cells in the order of their numbers, then the reds, greens and blues of
-// the bricks, 8 bits each. A run is the number of empty cells before it, and its own length. A colour is stored as the
-// difference from that of the brick before.
-//
-// The data of version 2 are, for the parts in the order of their lowest cells, the differences of the numbers of these
-// cells from those before, then the sizes along x, y and z, 8 bits each, then the reds, greens and blues, as above,
-// then the colour codes, 32 bits each.
-//
-// Numbers without a size given here take 7 bits of each byte, lowest first; the highest bit is set in all bytes but the
-// last.
+// Numbers are in little-endian order.
 
 namespace osgLego
 {
@@ -72,24 +63,6 @@ std::uint32_t checkSumOf(std::string_view bytes)
     { return crc32_z(sum, reinterpret_cast<const Bytef*>(part.data()), part.size()); };
     return static_cast<std::uint32_t>(
         add(add(crc32_z(0, nullptr, 0), bytes.substr(0, CHECK_SUM_PLACE)), bytes.substr(HEADER_SIZE)));
-}
-
-using Cell = std::array<std::uint16_t, 3>;
-
-std::uint64_t numberOf(const BrickGrid& grid, const Cell& cell)
-{
-    const auto width = static_cast<std::uint64_t>(grid.dimensions.x);
-    const auto depth = static_cast<std::uint64_t>(grid.dimensions.y);
-    return cell[0] + width * (cell[1] + depth * cell[2]);
-}
-
-/** The inverse of numberOf(). */
-Cell cellOf(const BrickGrid& grid, std::uint64_t number)
-{
-    const auto width = static_cast<std::uint64_t>(grid.dimensions.x);
-    const auto depth = static_cast<std::uint64_t>(grid.dimensions.y);
-    return {static_cast<std::uint16_t>(number % width), static_cast<std::uint16_t>(number / width % depth),
-            static_cast<std::uint16_t>(number / width / depth)};
 }
 
 void writeGrid(const BrickGrid& grid, ByteWriter& writer)
@@ -124,107 +97,9 @@ bool readGrid(ByteReader& reader, BrickGrid& grid)
     return true;
 }
 
-void writeRuns(const BrickModel& model, ByteWriter& writer)
-{
-    std::uint64_t begin = 0; // of the run; its end, and the end of the run before, are cells after the last one
-    std::uint64_t end = 0;
-    std::uint64_t endBefore = 0;
-    const auto writeRun = [&]
-    {
-        if (begin == end) return;
-        writer.writeShort(begin - endBefore);
-        writer.writeShort(end - begin);
-        endBefore = end;
-    };
-    for (const Brick& brick : model.getBricks())
-    {
-        const std::uint64_t number = numberOf(model.getGrid(), brick.cell);
-        if (number != end)
-        {
-            writeRun();
-            begin = number;
-        }
-        end = number + 1;
-    }
-    writeRun();
-}
-
-/** Fill in the cells of the bricks. @return false if the runs leave the grid or have another number of cells. */
-bool readRuns(ByteReader& reader, const BrickGrid& grid, std::vector<Brick>& bricks)
-{
-    const std::uint64_t numCells = grid.getNumCells();
-    std::uint64_t number = 0;
-    for (auto brick = bricks.begin(); brick != bricks.end();)
-    {
-        const std::uint64_t gap = reader.readShort();
-        const std::uint64_t length = reader.readShort();
-        if (length == 0 || length > static_cast<std::uint64_t>(bricks.end() - brick)) return false;
-        if (gap > numCells - number || length > numCells - number - gap) return false;
-        number += gap;
-        for (const std::uint64_t end = number + length; number < end; ++number, ++brick)
-            brick->cell = cellOf(grid, number);
-    }
-    return true;
-}
-
-/** Write the colours of bricks or parts. */
-template <typename Items>
-void writeColors(const Items& items, ByteWriter& writer)
-{
-    for (std::size_t channel = 0; channel < 3; ++channel)
-    {
-        std::uint8_t before = 0;
-        for (const auto& item : items)
-        {
-            writer.writeNumber(static_cast<std::uint8_t>(item.color[channel] - before));
-            before = item.color[channel];
-        }
-    }
-}
-
-template <typename Items>
-void readColors(ByteReader& reader, Items& items)
-{
-    for (std::size_t channel = 0; channel < 3; ++channel)
-    {
-        std::uint8_t before = 0;
-        for (auto& item : items)
-        {
-            before = static_cast<std::uint8_t>(before + reader.readNumber<std::uint8_t>());
-            item.color[channel] = before;
-        }
-    }
-}
-
-void writeParts(const BrickModel& model, ByteWriter& writer)
-{
-    const std::vector<Part>& parts = model.getParts();
-    std::uint64_t before = 0;
-    for (const Part& part : parts)
-    {
-        const std::uint64_t number = numberOf(model.getGrid(), part.cell);
-        writer.writeShort(number - before);
-        before = number;
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (const Part& part : parts)
-            writer.writeNumber(part.size[axis]);
-    writeColors(parts, writer);
-    for (const Part& part : parts)
-        writer.writeNumber(static_cast<std::uint32_t>(part.colorCode));
-}
-
 int countCells(const Part& part)
 {
     return part.size[0] * part.size[1] * part.size[2];
-}
-
-bool isInGrid(const Part& part, const BrickGrid& grid)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        if (part.getSize()[axis] == 0 || part.getCell()[axis] + part.getSize()[axis] > grid.dimensions[axis])
-            return false;
-    return true;
 }
 
 /** @return one sentence if parts are too large to be stored; otherwise empty. */
@@ -242,68 +117,6 @@ std::string findObstacle(const std::vector<Part>& parts)
         return "the parts cover " + std::to_string(numCells) + " cells; expected at most " +
                std::to_string(MOST_CELLS_OF_PARTS) + " in stored bricks";
     return {};
-}
-
-/** Records which cells are taken, in blocks, so that parts far from each other need no memory for the cells between
- * them. */
-class TakenCells
-{
-public:
-    /** Take the cells of a part. @return false if one of them is taken. */
-    bool take(const Part& part)
-    {
-        const glm::ivec3 end = part.getCell() + part.getSize();
-        for (int z = part.cell[2]; z < end.z; ++z)
-            for (int y = part.cell[1]; y < end.y; ++y)
-                for (int x = part.cell[0]; x < end.x; ++x)
-                    if (!take(glm::ivec3(x, y, z))) return false;
-        return true;
-    }
-
-private:
-    static constexpr int SIDE = 4; // a block has 64 cells, the bits of one number
-
-    bool take(const glm::ivec3& cell)
-    {
-        const glm::ivec3 block = cell / SIDE;
-        const glm::ivec3 place = cell % SIDE;
-        const auto key = [&block](int axis) { return static_cast<std::uint64_t>(block[axis]); };
-        std::uint64_t& bits = _blocks[key(0) << 40 | key(1) << 20 | key(2)];
-        const std::uint64_t bit = std::uint64_t(1) << (place.x + SIDE * (place.y + SIDE * place.z));
-        const bool isFree = (bits & bit) == 0;
-        bits |= bit;
-        return isFree;
-    }
-
-    std::unordered_map<std::uint64_t, std::uint64_t> _blocks;
-};
-
-bool overlap(const std::vector<Part>& parts)
-{
-    TakenCells taken;
-    return !std::all_of(parts.begin(), parts.end(), [&taken](const Part& part) { return taken.take(part); });
-}
-
-/** Fill in the parts. @return false if a part leaves the grid, or two begin in the same cell. */
-bool readParts(ByteReader& reader, const BrickGrid& grid, std::vector<Part>& parts)
-{
-    const std::uint64_t numCells = grid.getNumCells();
-    std::uint64_t number = 0;
-    for (Part& part : parts)
-    {
-        const std::uint64_t step = reader.readShort();
-        const bool isFirst = &part == &parts.front();
-        if (step >= numCells - number || (step == 0 && !isFirst)) return false;
-        number += step;
-        part.cell = cellOf(grid, number);
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (Part& part : parts)
-            part.size[axis] = reader.readNumber<std::uint8_t>();
-    readColors(reader, parts);
-    for (Part& part : parts)
-        part.colorCode = static_cast<std::int32_t>(reader.readNumber<std::uint32_t>());
-    return std::all_of(parts.begin(), parts.end(), [&grid](const Part& part) { return isInGrid(part, grid); });
 }
 
 std::string compressData(const std::string& data)
@@ -332,9 +145,7 @@ std::optional<std::string> decompressData(std::string_view compressed, std::uint
 osg::ref_ptr<const BrickModel> readBrickData(ByteReader& reader, const BrickGrid& grid, std::uint64_t count)
 {
     std::vector<Brick> bricks(count);
-    if (!readRuns(reader, grid, bricks)) return nullptr;
-    readColors(reader, bricks);
-    if (reader.hasFailed() || !reader.readRest().empty()) return nullptr;
+    if (!readBricks(reader, grid, bricks) || !reader.readRest().empty()) return nullptr;
     return BrickModel::create(grid, std::move(bricks));
 }
 
@@ -343,14 +154,14 @@ osg::ref_ptr<const BrickModel> readPartData(ByteReader& reader, const BrickGrid&
                                             std::string& error)
 {
     std::vector<Part> parts(count);
-    if (!readParts(reader, grid, parts) || reader.hasFailed() || !reader.readRest().empty()) return nullptr;
+    if (!readParts(reader, grid, parts) || !reader.readRest().empty()) return nullptr;
     // The cells of the parts need much more memory than the parts, so everything is checked before they are made.
     if (const std::string obstacle = findObstacle(parts); !obstacle.empty())
     {
         error = obstacle;
         return nullptr;
     }
-    return overlap(parts) ? nullptr : BrickModel::createOfParts(grid, std::move(parts));
+    return TakenCells::overlap(parts) ? nullptr : BrickModel::createOfParts(grid, std::move(parts));
 }
 
 /** Read a model, after the header. @return null if a value is impossible, with one sentence in `error` if parts are too
@@ -383,10 +194,7 @@ std::string encodeBricks(const BrickModel& model)
     if (hasParts)
         writeParts(model, data);
     else
-    {
-        writeRuns(model, data);
-        writeColors(model.getBricks(), data);
-    }
+        writeBricks(model, data);
 
     ByteWriter writer;
     writer.writeNumber(hasParts ? VERSION_OF_PARTS : VERSION_OF_CELLS);

@@ -1,5 +1,7 @@
 #include <osgLego/cpu/TriangleSlicer.h>
 
+#include <osgLego/cpu/CutPolygon.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,111 +19,11 @@ namespace
 // A line that advances less than this along y, per cell along x, is nearly parallel to x.
 constexpr double LEAST_SLOPE = 1e-4;
 
-/** A convex polygon: a triangle cut by up to six planes, each of which adds at most one corner. */
-struct Polygon
-{
-    std::size_t count = 0;
-    std::array<glm::dvec3, 9> corners;
-
-    void add(const glm::dvec3& corner) { corners[count++] = corner; }
-};
-
-/** Cut a polygon in two: the part below a plane, and the part on or above it. */
-template <int AXIS>
-void split(const Polygon& whole, double plane, Polygon& below, Polygon& above)
-{
-    below.count = 0;
-    above.count = 0;
-    const glm::dvec3* from = &whole.corners[whole.count - 1];
-    bool fromIsBelow = (*from)[AXIS] < plane;
-    for (std::size_t corner = 0; corner < whole.count; ++corner)
-    {
-        const glm::dvec3* to = &whole.corners[corner];
-        const bool toIsBelow = (*to)[AXIS] < plane;
-        if (fromIsBelow != toIsBelow)
-        {
-            glm::dvec3 crossing = *from + ((plane - (*from)[AXIS]) / ((*to)[AXIS] - (*from)[AXIS])) * (*to - *from);
-            crossing[AXIS] = plane;
-            below.add(crossing);
-            above.add(crossing);
-        }
-        (toIsBelow ? below : above).add(*to);
-        from = to;
-        fromIsBelow = toIsBelow;
-    }
-}
-
 /** Whether a position on an axis is so far from the planes between cells that rounding can't move it across one. */
 bool isAwayFromPlanes(double place)
 {
     const double fraction = place - static_cast<double>(static_cast<int>(place));
     return fraction > TriangleSlicer::NEARNESS && fraction < 1.0 - TriangleSlicer::NEARNESS;
-}
-
-struct Extent
-{
-    double lowest;
-    double highest;
-};
-
-template <int AXIS>
-Extent extentOf(const Polygon& polygon)
-{
-    Extent extent{polygon.corners[0][AXIS], polygon.corners[0][AXIS]};
-    for (std::size_t corner = 1; corner < polygon.count; ++corner)
-    {
-        extent.lowest = std::min(extent.lowest, polygon.corners[corner][AXIS]);
-        extent.highest = std::max(extent.highest, polygon.corners[corner][AXIS]);
-    }
-    return extent;
-}
-
-/** Cut a polygon by the planes across an axis. Call `use` with every part and the coordinate of its cells. */
-template <int AXIS, typename Use>
-void forEachPart(const Polygon& polygon, const Extent& extent, int minimum, int maximum, const Use& use)
-{
-    const int first = static_cast<int>(extent.lowest);
-    const int end = static_cast<int>(extent.highest);
-    if (first > maximum || end < minimum) return;
-    if (first == end)
-    {
-        use(polygon, first);
-        return;
-    }
-
-    std::array<Polygon, 3> parts;
-    const Polygon* rest = &polygon;
-    std::size_t spare = 0;
-    if (first < minimum)
-    {
-        split<AXIS>(*rest, minimum, parts[2], parts[spare]);
-        rest = &parts[spare];
-        spare = 1;
-    }
-    for (int cell = std::max(first, minimum); cell <= std::min(end - 1, maximum); ++cell)
-    {
-        split<AXIS>(*rest, cell + 1, parts[2], parts[spare]);
-        use(parts[2], cell);
-        rest = &parts[spare];
-        spare = 1 - spare;
-    }
-    if (end <= maximum) use(*rest, end);
-}
-
-/** Twice the area of a polygon's projection along an axis. */
-double projectedArea(const Polygon& polygon, std::size_t axis)
-{
-    const auto u = static_cast<int>((axis + 1) % 3);
-    const auto v = static_cast<int>((axis + 2) % 3);
-    const glm::dvec3& origin = polygon.corners[0];
-    double sum = 0.0;
-    for (std::size_t corner = 2; corner < polygon.count; ++corner)
-    {
-        const glm::dvec3 p = polygon.corners[corner - 1] - origin;
-        const glm::dvec3 q = polygon.corners[corner] - origin;
-        sum += p[u] * q[v] - q[u] * p[v];
-    }
-    return std::abs(sum);
 }
 
 /** Whether a line with direction (x, y) is nearly, but not exactly, parallel to x: at its intersection with a plane
@@ -178,7 +80,7 @@ public:
     /** @return whether the cells of the parts are certain to be those that the triangle overlaps. */
     bool cut(const glm::ivec3& minimum, const glm::ivec3& maximum)
     {
-        Polygon triangle;
+        CutPolygon triangle;
         for (const glm::vec3& corner : _corners)
             triangle.add(corner);
         cutAcross<2>(triangle, minimum, maximum, _first);
@@ -213,9 +115,9 @@ private:
     /** Cut a polygon across AXIS and the axes before it; those after AXIS have been cut already.
      * @param cell the cell of the polygon along the axes after AXIS. */
     template <int AXIS>
-    void cutAcross(const Polygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
+    void cutAcross(const CutPolygon& polygon, const glm::ivec3& minimum, const glm::ivec3& maximum, glm::ivec3 cell)
     {
-        const auto goOn = [&](const Polygon& part, int place)
+        const auto goOn = [&](const CutPolygon& part, int place)
         {
             cell[AXIS] = place;
             if constexpr (AXIS > 0)
@@ -229,7 +131,7 @@ private:
             return;
         }
         // The corners of an uncut triangle determine its cells exactly; the cells of a polygon depend on the cuts.
-        Extent extent{_minimum[AXIS], _maximum[AXIS]};
+        CutExtent extent{_minimum[AXIS], _maximum[AXIS]};
         if (wasCutBefore<AXIS>())
         {
             extent = extentOf<AXIS>(polygon);
@@ -244,7 +146,7 @@ private:
 
     /** Add the parts of a polygon in one row of cells along x, without cutting it: the area of each part is the sum of
      * the areas below the polygon's edges in that cell, in a projection that keeps x. */
-    void addParts(const Polygon& polygon, const Extent& extent, int minimum, int maximum, glm::ivec3 cell)
+    void addParts(const CutPolygon& polygon, const CutExtent& extent, int minimum, int maximum, glm::ivec3 cell)
     {
         const int first = std::max(static_cast<int>(extent.lowest), minimum);
         const int last = std::min(static_cast<int>(extent.highest), maximum);
@@ -308,7 +210,7 @@ private:
 
     /** Whether rounding can't change the cell, along an axis, that contains the end of a cut polygon. */
     template <int AXIS>
-    bool isCellOfEndKnown(const Polygon& polygon, double end, bool isHighest) const
+    bool isCellOfEndKnown(const CutPolygon& polygon, double end, bool isHighest) const
     {
         return isAwayFromPlanes(end) || endsAtCorner<AXIS>(polygon, end, isHighest);
     }
@@ -316,7 +218,7 @@ private:
     /** Whether a polygon ends exactly at a corner of the triangle, or at an edge perpendicular to the axis: a cut of
      * such an edge does not change its position on the axis. */
     template <int AXIS>
-    bool endsAtCorner(const Polygon& polygon, double end, bool isHighest) const
+    bool endsAtCorner(const CutPolygon& polygon, double end, bool isHighest) const
     {
         if (std::none_of(_corners.begin(), _corners.end(),
                          [end](const glm::vec3& corner) { return static_cast<double>(corner[AXIS]) == end; }))
