@@ -1,16 +1,15 @@
+#include "WrittenLDraw.h"
+
 #include <ldraw/LDrawParser.h>
 #include <ldraw/LDrawWriter.h>
 
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/LegoNode.h>
-#include <osgLego/PartType.h>
 
 #include <PartModels.h>
 #include <TemporaryFolder.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <osg/MatrixTransform>
@@ -22,57 +21,11 @@ namespace osgLego::test
 namespace
 {
 
-Part makePart(const std::array<std::uint16_t, 3>& cell, const std::array<std::uint8_t, 3>& size, std::int32_t code)
-{
-    return {cell, size, {200, 30, 20}, code};
-}
-
-/** A node of parts. @param height of a cell; a brick's or a plate's. */
-osg::ref_ptr<LegoNode> createNode(const glm::ivec3& dimensions, std::vector<Part> parts, double height = 1.2,
-                                  UpAxis up = UpAxis::Z)
-{
-    const auto model = BrickModel::createOfParts(createPartGrid(dimensions, height, up), std::move(parts));
-    return createStoredNode(*model, "parts=bricks");
-}
-
-struct Written
-{
-    LDrawScene scene;
-    std::string text;
-
-    /** The lines that place parts, without ends of lines. */
-    std::vector<std::string> getReferences() const { return getLines('1'); }
-
-    std::vector<std::string> getLines(char type) const
-    {
-        std::vector<std::string> lines;
-        std::istringstream stream(text);
-        for (std::string line; std::getline(stream, line);)
-            if (line.front() == type) lines.push_back(line.substr(0, line.find_last_not_of('\r') + 1));
-        return lines;
-    }
-};
-
-Written write(const osg::Node& node, const std::string& name = "a.ldr")
-{
-    Written written;
-    std::string error;
-    EXPECT_TRUE(LDrawScene::create(node, written.scene, error)) << error;
-    std::ostringstream stream;
-    const LDrawWriter writer(written.scene, name);
-    writer.write(stream);
-    written.text = stream.str();
-    EXPECT_EQ(writer.check(written.text), "");
-    return written;
-}
-
-using Lines = std::vector<std::string>;
-
 TEST(LDrawWriter, PlacesTheTopOfEachPartWithItsLongSideAlongItsAxis)
 {
     // A 2 x 4 brick along x on the floor, and above its left end a 2 x 3 along y.
     const auto node = createNode({4, 3, 2}, {makePart({0, 0, 0}, {4, 2, 1}, 4), makePart({0, 0, 1}, {2, 3, 1}, 14)});
-    EXPECT_EQ(write(*node).getReferences(),
+    EXPECT_EQ(writeLDraw(*node).getReferences(),
               (Lines{"1 4 0 -24 -10 1 0 0 0 1 0 0 0 1 3001.dat", "1 14 -20 -48 0 0 0 1 0 1 0 -1 0 0 3002.dat"}));
 }
 
@@ -81,14 +34,14 @@ TEST(LDrawWriter, WritesTheSameFileForModelsWithYUpwards)
     // The brick above, turned so that the model's y is up and z towards the viewer: depth y becomes -z.
     const auto node =
         createNode({4, 2, 3}, {makePart({0, 0, 1}, {4, 1, 2}, 4), makePart({0, 1, 0}, {2, 1, 3}, 14)}, 1.2, UpAxis::Y);
-    EXPECT_EQ(write(*node).getReferences(),
+    EXPECT_EQ(writeLDraw(*node).getReferences(),
               (Lines{"1 4 0 -24 -10 1 0 0 0 1 0 0 0 1 3001.dat", "1 14 -20 -48 0 0 0 1 0 1 0 -1 0 0 3002.dat"}));
 }
 
 TEST(LDrawWriter, TheOriginIsTheCentreOfTheLowestPartsWhereverTheyAreInTheGrid)
 {
     const auto node = createNode({40, 30, 20}, {makePart({21, 11, 7}, {1, 2, 1}, 0)});
-    EXPECT_EQ(write(*node).getReferences(), (Lines{"1 0 0 -24 0 0 0 1 0 1 0 -1 0 0 3004.dat"}));
+    EXPECT_EQ(writeLDraw(*node).getReferences(), (Lines{"1 0 0 -24 0 0 0 1 0 1 0 -1 0 0 3004.dat"}));
 }
 
 TEST(LDrawWriter, CountsHeightsInPlates)
@@ -96,145 +49,9 @@ TEST(LDrawWriter, CountsHeightsInPlates)
     const auto node = createNode(
         {1, 1, 5},
         {makePart({0, 0, 0}, {1, 1, 1}, 1), makePart({0, 0, 1}, {1, 1, 3}, 2), makePart({0, 0, 4}, {1, 1, 1}, 1)}, 0.4);
-    EXPECT_EQ(write(*node).getReferences(),
+    EXPECT_EQ(writeLDraw(*node).getReferences(),
               (Lines{"1 1 0 -8 0 1 0 0 0 1 0 0 0 1 3024.dat", "1 2 0 -32 0 1 0 0 0 1 0 0 0 1 3005.dat",
                      "1 1 0 -40 0 1 0 0 0 1 0 0 0 1 3024.dat"}));
-}
-
-/** The kinds of lines below the header: p for a part, the number of a submodel, | for the end of a step, and the text
- * of ROTSTEP; / starts a file. */
-std::string summarize(const std::string& text)
-{
-    const std::string REFERENCE = "-sub-";
-    std::string summary;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-    {
-        line.erase(line.find_last_not_of('\r') + 1);
-        if (line.starts_with("0 FILE "))
-            summary += "/";
-        else if (line == "0 STEP")
-            summary += "|";
-        else if (line.starts_with("0 ROTSTEP "))
-            summary += line.substr(2);
-        else if (const auto place = line.find(REFERENCE); line.starts_with("1 ") && place != std::string::npos)
-            summary += line[place + REFERENCE.size()];
-        else if (line.starts_with("1 "))
-            summary += "p";
-    }
-    return summary;
-}
-
-/** A column of four bricks, from bottom to top in BrickModel::getParts(). */
-osg::ref_ptr<LegoNode> createColumn()
-{
-    return createNode({1, 1, 4}, {makePart({0, 0, 0}, {1, 1, 1}, 1), makePart({0, 0, 1}, {1, 1, 1}, 2),
-                                  makePart({0, 0, 2}, {1, 1, 1}, 4), makePart({0, 0, 3}, {1, 1, 1}, 14)});
-}
-
-TEST(LDrawWriter, EndsTheStepsOfThePlanOfTheNode)
-{
-    const auto node = createColumn();
-    node->setBuildingPlan(BuildingPlan::create(4, {{{0}, {}}, {{1, 2, 3}, {}}}));
-    EXPECT_EQ(summarize(write(*node).text), "p|ppp|");
-    EXPECT_EQ(summarize(write(*node, "a.mpd").text), "/p|ppp|");
-}
-
-TEST(LDrawWriter, MakesAPlanOfItsOwnForNodesWithoutAFittingOne)
-{
-    const auto node = createColumn();
-    node->setBuildingPlan(BuildingPlan::create(1, {{{0}, {}}}));
-    EXPECT_EQ(summarize(write(*node).text), "pppp|");
-}
-
-TEST(LDrawWriter, SubmodelsOfThePlanAreFilesOfAnMpd)
-{
-    const auto node = createColumn();
-    // The two upper bricks are a submodel, and the highest is one of its own within it.
-    node->setBuildingPlan(
-        BuildingPlan::create(4, {{{0, 1}, {}}, {{}, {1}}}, {{{{{3}, {}}}}, {{{{2}, {}}, {{}, {0}}}}}));
-    const Written mpd = write(*node, "a.mpd");
-    EXPECT_EQ(summarize(mpd.text), "/pp|2|/p|/p|1|");
-    EXPECT_EQ(mpd.getReferences(),
-              (Lines{"1 1 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat", "1 2 0 -48 0 1 0 0 0 1 0 0 0 1 3005.dat",
-                     "1 16 0 -48 0 1 0 0 0 1 0 0 0 1 a-sub-2.ldr", "1 14 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat",
-                     "1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat", "1 16 0 -24 0 1 0 0 0 1 0 0 0 1 a-sub-1.ldr"}))
-        << "the origin is the centre of the lowest layer of each submodel";
-    EXPECT_NE(mpd.text.find("0 FILE a-sub-1.ldr\r\n0 Model: a-sub-1.ldr\r\n0 Name: a-sub-1.ldr\r\n"), std::string::npos)
-        << mpd.text;
-    EXPECT_EQ(summarize(write(*node).text), "pp|pp|") << "one file has the same order";
-}
-
-TEST(LDrawWriter, SubmodelsAreCentredWhereverTheyAre)
-{
-    const auto node = createNode({8, 5, 2}, {makePart({0, 0, 0}, {8, 2, 1}, 1), makePart({5, 1, 1}, {3, 1, 1}, 2),
-                                             makePart({7, 2, 1}, {1, 3, 1}, 4)});
-    node->setBuildingPlan(BuildingPlan::create(3, {{{0}, {0}}}, {{{{{1, 2}, {}}}}}));
-    EXPECT_EQ(write(*node, "a.mpd").getReferences(),
-              (Lines{"1 1 0 -24 -30 1 0 0 0 1 0 0 0 1 3007.dat", "1 16 50 -24 10 1 0 0 0 1 0 0 0 1 a-sub-1.ldr",
-                     "1 2 0 -24 -30 1 0 0 0 1 0 0 0 1 3622.dat", "1 4 20 -24 10 0 0 1 0 1 0 -1 0 0 3622.dat"}));
-}
-
-TEST(LDrawWriter, AChangedViewIsWrittenForTheStepThatItEnds)
-{
-    const auto node = createColumn();
-    node->setBuildingPlan(
-        BuildingPlan::create(4, {{{0}, {}}, {{1}, {}, 1}, {{2}, {}, 1}, {{}, {0}, 0}}, {{{{{3}, {}, 0, true}}}}));
-    EXPECT_EQ(summarize(write(*node, "a.mpd").text), "/p|pROTSTEP 0 90 0 REL|p|1ROTSTEP END|/pROTSTEP 180 0 0 REL|");
-    EXPECT_EQ(summarize(write(*node).text), "p|pROTSTEP 0 90 0 REL|p|pROTSTEP END|");
-}
-
-TEST(LDrawWriter, SubmodelsDeeperThanReadersFollowAreWrittenWhereTheyAreAttached)
-{
-    std::vector<Part> parts;
-    std::vector<Submodel> submodels;
-    const std::uint32_t COUNT = 100;
-    for (std::uint16_t index = 0; index < COUNT; ++index)
-    {
-        parts.push_back(makePart({0, 0, index}, {1, 1, 1}, index % 16));
-        const std::uint32_t below = index;
-        std::vector<std::uint32_t> inner;
-        if (index > 0) inner.push_back(below - 1);
-        submodels.push_back({{{{index}, inner}}});
-    }
-    const auto node = createNode({1, 1, 100}, parts);
-    node->setBuildingPlan(BuildingPlan::create(COUNT, {{{}, {COUNT - 1}}}, submodels));
-    const std::string summary = summarize(write(*node, "a.mpd").text);
-    EXPECT_EQ(std::count(summary.begin(), summary.end(), 'p'), COUNT);
-    EXPECT_EQ(std::count(summary.begin(), summary.end(), '/'), 33);
-}
-
-TEST(LDrawWriter, SubmodelsThatComeBeforeThoseTheyContainAreAsDeep)
-{
-    constexpr std::uint32_t COUNT = 40;
-    std::vector<Part> parts;
-    std::vector<Submodel> submodels;
-    for (std::uint32_t index = 0; index < COUNT; ++index)
-    {
-        parts.push_back(makePart({0, 0, static_cast<std::uint16_t>(index)}, {1, 1, 1}, 1));
-        Submodel& submodel = submodels.emplace_back();
-        submodel.steps.emplace_back().parts = {index};
-        if (index + 1 < COUNT) submodel.steps.back().submodels = {index + 1};
-    }
-    const auto node = createNode({1, 1, COUNT}, parts);
-    node->setBuildingPlan(BuildingPlan::create(COUNT, {{{}, {0}}}, submodels));
-    const std::string summary = summarize(write(*node, "a.mpd").text);
-    EXPECT_EQ(std::count(summary.begin(), summary.end(), 'p'), COUNT);
-    EXPECT_EQ(std::count(summary.begin(), summary.end(), '/'), 33) << "the file of the model and 32 of submodels";
-}
-
-TEST(LDrawWriter, SeveralNodesOfAnMpdHaveSubmodelsOfTheirOwn)
-{
-    osg::ref_ptr<osg::Group> group = new osg::Group;
-    for (int index = 0; index < 2; ++index)
-    {
-        const auto node = createColumn();
-        node->setBuildingPlan(BuildingPlan::create(4, {{{0, 1}, {0}}}, {{{{{2, 3}, {}}}}}));
-        group->addChild(node);
-    }
-    const Written written = write(*group, "a.mpd");
-    EXPECT_EQ(summarize(written.text), "/pp|/pp1|/pp|/pp1|/pp|");
-    EXPECT_NE(written.text.find("0 FILE a-2-sub-1.ldr\r\n"), std::string::npos);
 }
 
 TEST(LDrawWriter, EachNodeOfAnMpdHasItsOwnParts)
@@ -242,7 +59,7 @@ TEST(LDrawWriter, EachNodeOfAnMpdHasItsOwnParts)
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)}));
     group->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 1)}));
-    const std::string text = write(*group, "a.mpd").text;
+    const std::string text = writeLDraw(*group, "a.mpd").text;
     const auto second = text.find("0 FILE a-2.ldr");
     EXPECT_LT(text.find("3005.dat"), second);
     EXPECT_LT(second, text.find("3004.dat"));
@@ -252,7 +69,7 @@ TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
 {
     Part part = makePart({0, 0, 0}, {1, 1, 1}, Part::NO_CODE);
     part.color = {1, 171, 255};
-    const Written written = write(*createNode({1, 1, 1}, {part}));
+    const WrittenLDraw written = writeLDraw(*createNode({1, 1, 1}, {part}));
     EXPECT_EQ(written.getReferences(), (Lines{"1 0x201abff 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat"}));
     EXPECT_EQ(written.scene.warnings, (Lines{"never made in this size and colour: 1 part (Brick 1 x 1 in #01ABFF)"}));
 }
@@ -261,7 +78,7 @@ TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorLicenceAndSettings)
 {
     const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
     node->setName("/models/two\nlines"); // a title without folders can be published
-    const Lines lines = write(*node, "/some/where/My Car.LDR").getLines('0');
+    const Lines lines = writeLDraw(*node, "/some/where/My Car.LDR").getLines('0');
     ASSERT_GE(lines.size(), 6u);
     EXPECT_EQ(lines[0], "0 Model: two lines");
     EXPECT_EQ(lines[1], "0 Name: My Car.ldr");
@@ -277,14 +94,14 @@ TEST(LDrawWriter, NamesOfNodesAndFilesAreNeverCommands)
         for (const char* file : {"a.ldr", "a.mpd", "NOFILE.ldr", "FILE x.mpd"})
         {
             node->setName(name);
-            const Written written = write(*node, file);
+            const WrittenLDraw written = writeLDraw(*node, file);
             std::string error;
             const std::optional<LDrawDocument> document = LDrawParser::parse(written.text, error);
             ASSERT_TRUE(document) << error;
             EXPECT_TRUE(document->getColors().empty()) << written.text;
         }
     node->setName("");
-    write(*node, "NOFILE.ldr");
+    writeLDraw(*node, "NOFILE.ldr");
 }
 
 TEST(LDrawWriter, LongNamesAreCutBetweenCharacters)
@@ -294,7 +111,7 @@ TEST(LDrawWriter, LongNamesAreCutBetweenCharacters)
     for (int index = 0; index < 40'000; ++index)
         name += "\u00e4"; // two bytes
     node->setName(name);
-    const Lines lines = write(*node).getLines('0');
+    const Lines lines = writeLDraw(*node).getLines('0');
     EXPECT_EQ(lines[0], "0 Model: " + name.substr(0, 192)) << "200 bytes would end inside a character";
 }
 
@@ -313,8 +130,8 @@ TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
             PlanningOptions options;
             options.checksStability = false;
             node->setBuildingPlan(planBuilding(*model, options));
-            EXPECT_EQ(write(*node).getReferences().size(), model->getParts().size());
-            const Written mpd = write(*node, "a.mpd");
+            EXPECT_EQ(writeLDraw(*node).getReferences().size(), model->getParts().size());
+            const WrittenLDraw mpd = writeLDraw(*node, "a.mpd");
             std::size_t numParts = 0;
             for (const std::string& line : mpd.getReferences())
                 numParts += line.ends_with(".dat") ? 1 : 0;
@@ -325,7 +142,7 @@ TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
 TEST(LDrawWriter, CheckNoticesEveryKindOfDifference)
 {
     const auto node = createNode({4, 3, 2}, {makePart({0, 0, 0}, {4, 2, 1}, 4), makePart({0, 0, 1}, {2, 3, 1}, 14)});
-    const Written written = write(*node);
+    const WrittenLDraw written = writeLDraw(*node);
     const LDrawWriter writer(written.scene, "a.ldr");
     const auto isNoticed = [&](const std::string& from, const std::string& to)
     {
@@ -361,7 +178,7 @@ TEST(LDrawWriter, MpdHasOneSubmodelForANodeInTwoPlaces)
     // Five studs to the right, two behind and one brick up, and turned by 90 degrees to the left, seen from above.
     const auto group =
         createPair(node, osg::Matrixd::rotate(osg::PI_2, 0, 0, 1) * osg::Matrixd::translate(5.0, 2.0, 1.2));
-    const Written written = write(*group, "pair.mpd");
+    const WrittenLDraw written = writeLDraw(*group, "pair.mpd");
     // The centre (1, 0.5) of the node goes to (4.5, 3): from (1, 0.5), 3.5 to the right and 2.5 behind.
     EXPECT_EQ(written.getReferences(),
               (Lines{"1 16 0 0 0 1 0 0 0 1 0 0 0 1 pair-1.ldr", "1 16 70 -24 50 0 0 -1 0 1 0 1 0 0 pair-1.ldr",
@@ -375,7 +192,7 @@ TEST(LDrawWriter, LdrHasThePartsOfAllPlacesAndInclinedNodesKeepTheirMatrix)
     const auto node = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
     const auto group =
         createPair(node, osg::Matrixd::rotate(std::atan2(3.0, 4.0), 0, 0, 1) * osg::Matrixd::translate(10.0, 0.0, 0.0));
-    const Lines lines = write(*group).getReferences();
+    const Lines lines = writeLDraw(*group).getReferences();
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0], "1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat");
     // (1, 0.5) turned is (0.5, 1); 9.5 to the right of the first centre, and 0.5 behind.
@@ -404,7 +221,7 @@ TEST(LDrawWriter, ATransformAboveTheOnlyNodeDoesNotTurnItsStuds)
     osg::ref_ptr<osg::MatrixTransform> transform =
         new osg::MatrixTransform(osg::Matrixd::rotate(1.0, 1, 1, 0) * osg::Matrixd::scale(3, 3, 3));
     transform->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)}));
-    EXPECT_EQ(write(*transform).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
+    EXPECT_EQ(writeLDraw(*transform).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
 }
 
 TEST(LDrawWriter, HiddenNodesAreNotWritten)
@@ -412,14 +229,14 @@ TEST(LDrawWriter, HiddenNodesAreNotWritten)
     osg::ref_ptr<osg::Switch> choice = new osg::Switch;
     choice->addChild(createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)}), false);
     choice->addChild(createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)}), true);
-    EXPECT_EQ(write(*choice).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
+    EXPECT_EQ(writeLDraw(*choice).getReferences(), (Lines{"1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3004.dat"}));
 }
 
 TEST(LDrawWriter, CellsBecomeSingleBricksOfThePaletteWithAWarning)
 {
     const auto model =
         BrickModel::create(createPartGrid({2, 1, 1}, 1.2), {{{0, 0, 0}, {0x1e, 0x5a, 0xa8}}, {{1, 0, 0}, {1, 2, 3}}});
-    const Written written = write(*createStoredNode(*model, "proportions=brick,palette=ldraw"));
+    const WrittenLDraw written = writeLDraw(*createStoredNode(*model, "proportions=brick,palette=ldraw"));
     EXPECT_EQ(written.getReferences(),
               (Lines{"1 1 -10 -24 0 1 0 0 0 1 0 0 0 1 3005.dat", "1 0x2010203 10 -24 0 1 0 0 0 1 0 0 0 1 3005.dat"}));
     ASSERT_EQ(written.scene.warnings.size(), 2u);
@@ -433,7 +250,7 @@ TEST(LDrawWriter, SizesThatWereNeverMadeInAColourAreReported)
     // 3, Dark_Turquoise: no brick of 2 x 3 and of 2 x 8.
     const auto node = createNode({8, 2, 3}, {makePart({0, 0, 0}, {8, 2, 1}, 3), makePart({0, 0, 1}, {8, 2, 1}, 3),
                                              makePart({0, 0, 2}, {2, 2, 1}, 3)});
-    const Written written = write(*node);
+    const WrittenLDraw written = writeLDraw(*node);
     ASSERT_EQ(written.scene.warnings.size(), 1u);
     EXPECT_EQ(written.scene.warnings[0], "never made in this size and colour: 2 parts (Brick 2 x 8 in Dark_Turquoise)");
 }
@@ -448,7 +265,7 @@ protected:
         std::ofstream(pathOf("p.ldr")) << "0 !COLOUR Red CODE 4 VALUE #C91A09 EDGE #333333\n";
         const auto node = createStoredNode(model, settings + ",palette=" + pathOf("p.ldr"));
         std::filesystem::remove(pathOf("p.ldr"));
-        return write(*node).scene.warnings;
+        return writeLDraw(*node).scene.warnings;
     }
 
     std::string missing() const { return pathOf("p.ldr") + ": the palette can't be read: No such file or directory"; }

@@ -96,6 +96,11 @@ osg::ref_ptr<osg::Geometry> createTriangle(const osg::Vec3& a, const osg::Vec3& 
     return geometry;
 }
 
+osg::ref_ptr<osg::Geometry> createUnitTriangle()
+{
+    return createTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+}
+
 osg::ref_ptr<osg::Node> createSphere(int rings)
 {
     osg::ref_ptr<osg::Geometry> geometry =

@@ -12,6 +12,8 @@ namespace osgLego::test
 
 /** One triangle, initially white. */
 osg::ref_ptr<osg::Geometry> createTriangle(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c);
+/** Its corners are the origin, (1, 0, 0) and (0, 1, 0). */
+osg::ref_ptr<osg::Geometry> createUnitTriangle();
 
 /** A sphere of radius 1, coloured by position, of 2 * rings * rings quads, each of two triangles. */
 osg::ref_ptr<osg::Node> createSphere(int rings = 24);

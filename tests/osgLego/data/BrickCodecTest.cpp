@@ -1,3 +1,5 @@
+#include "ForgedBytes.h"
+
 #include <osgLego/BrickCodec.h>
 
 #include <common/RacingCar.h>
@@ -10,7 +12,6 @@
 #include <Settings.h>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <random>
 
@@ -57,38 +58,6 @@ std::string errorOf(const std::string& bytes)
     std::string error;
     EXPECT_FALSE(decodeBricks(bytes, error));
     return error;
-}
-
-/** CRC-32 bit by bit, as its definition has it. */
-std::uint32_t checkSumOf(const std::string& bytes)
-{
-    std::uint32_t sum = ~0u;
-    for (const char byte : bytes)
-    {
-        sum ^= static_cast<std::uint8_t>(byte);
-        for (int bit = 0; bit < 8; ++bit)
-            sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0u);
-    }
-    return ~sum;
-}
-
-/** Replace bytes and correct the check sum. */
-std::string forge(std::string bytes, std::size_t place, const std::string& replacement)
-{
-    bytes.replace(place, replacement.size(), replacement);
-    const std::uint32_t sum = checkSumOf(bytes.substr(0, 4) + bytes.substr(8));
-    for (std::size_t byte = 0; byte < 4; ++byte)
-        bytes[4 + byte] = static_cast<char>(sum >> (8 * byte));
-    return bytes;
-}
-
-std::string toBytes(double number)
-{
-    const auto bits = std::bit_cast<std::uint64_t>(number);
-    std::string bytes;
-    for (int byte = 0; byte < 8; ++byte)
-        bytes += static_cast<char>(bits >> (8 * byte));
-    return bytes;
 }
 
 // Places in the bytes.
@@ -245,11 +214,6 @@ bool arePossible(const BrickModel& model)
     const auto isSame = [](const Brick& a, const Brick& b) { return a.cell == b.cell; };
     return model.getParts().empty() ||
            (numCells == bricks.size() && std::adjacent_find(bricks.begin(), bricks.end(), isSame) == bricks.end());
-}
-
-std::string toBytes(std::uint64_t number)
-{
-    return toBytes(std::bit_cast<double>(number));
 }
 
 /** The bytes of a number of parts in a large grid, with these data and the right check sum. */

@@ -1,5 +1,6 @@
 #include "BrickTowers.h"
 
+#include <osgLego/Stability.h>
 #include <osgLego/stability/StabilityAnalysis.h>
 
 #include <cstdint>

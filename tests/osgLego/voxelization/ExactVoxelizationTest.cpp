@@ -1,6 +1,7 @@
+#include "CellDifferences.h"
+
 #include <common/RacingCar.h>
 #include <osgLego/cpu/CpuVoxelizer.h>
-#include <osgLego/cpu/TriangleOverlap.h>
 
 #include <CellClipping.h>
 #include <GlTest.h>
@@ -9,7 +10,6 @@
 #include <array>
 #include <cstdio>
 #include <functional>
-#include <limits>
 #include <random>
 
 #include <osg/Geometry>
@@ -20,58 +20,6 @@ namespace osgLego::test
 
 namespace
 {
-
-// Cells that a triangle overlaps or misses by less than this may differ: single precision can't decide them.
-constexpr double MARGIN = 1e-4;
-
-struct Differences
-{
-    std::size_t within = 0; //!< cells that differ, but by less than the margin
-    std::size_t beyond = 0;
-    std::size_t offColor = 0; //!< common cells whose colours are more than 2 apart
-};
-
-/** The depth to which the triangles enter a cell; negative if they miss it. */
-double marginOf(const GridTriangles& triangles, const glm::ivec3& cell)
-{
-    double margin = -std::numeric_limits<double>::max();
-    for (const GridBatch& batch : triangles.getBatches())
-        for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
-        {
-            const TriangleOverlap overlap(batch.vertices[first].position, batch.vertices[first + 1].position,
-                                          batch.vertices[first + 2].position);
-            margin = std::max(margin, overlap.getMargin(cell));
-        }
-    return margin;
-}
-
-bool isColorOff(const Brick& a, const Brick& b)
-{
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        if (std::abs(a.color[channel] - b.color[channel]) > 2) return true;
-    return false;
-}
-
-Differences compare(const GridTriangles& triangles, const BrickModel& cpu, const BrickModel& gpu)
-{
-    Differences differences;
-    const auto count = [&](const BrickModel& from, const BrickModel& in, bool colors)
-    {
-        for (const Brick& brick : from.getBricks())
-        {
-            const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
-            if (const Brick* other = in.find(cell))
-            {
-                if (colors && isColorOff(brick, *other)) ++differences.offColor;
-                continue;
-            }
-            ++(std::abs(marginOf(triangles, cell)) < MARGIN ? differences.within : differences.beyond);
-        }
-    };
-    count(cpu, gpu, true);
-    count(gpu, cpu, false);
-    return differences;
-}
 
 struct Model
 {
@@ -90,7 +38,7 @@ void expectSame(const char* name, osg::Node& node, const LegoSettings& settings,
 {
     const osg::ref_ptr<const GridTriangles> triangles = GridTriangles::create(*SceneTriangles::create(node), settings);
     const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
-    const Differences differences = compare(*triangles, *cpu, gpu);
+    const CellDifferences differences = compare(*triangles, *cpu, gpu);
     const double share =
         100.0 * static_cast<double>(differences.offColor) / static_cast<double>(cpu->getBricks().size());
     std::printf(
