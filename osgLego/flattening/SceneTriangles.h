@@ -24,7 +24,7 @@ class SurfaceTextureCache;
  * or vertex colour.
  *
  * Lines, points and triangles without area are ignored. So are, with a warning that gives their number, triangles with
- * a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, be it by its array or by a transform, and,
+ * a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, through its array or a transform, and,
  * with a warning, sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are NaN become 0.
  * Texture coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix applied, become
  * (0, 0). A warning counts the vertices with such texture coordinates, or with colours in an array that are not finite.

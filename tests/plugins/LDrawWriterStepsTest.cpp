@@ -61,7 +61,7 @@ TEST(LDrawWriterSteps, MakesAPlanOfItsOwnForNodesWithoutAFittingOne)
 TEST(LDrawWriterSteps, SubmodelsOfThePlanAreFilesOfAnMpd)
 {
     const auto node = createColumn();
-    // The two upper bricks are a submodel, and the highest is one of its own within it.
+    // The two upper bricks are a submodel, which contains a submodel with the highest brick.
     node->setBuildingPlan(
         BuildingPlan::create(4, {{{0, 1}, {}}, {{}, {1}}}, {{{{{3}, {}}}}, {{{{2}, {}}, {{}, {0}}}}}));
     const WrittenLDraw mpd = writeLDraw(*node, "a.mpd");

@@ -7,7 +7,7 @@
 namespace osgLego::test
 {
 
-/** CRC-32 bit by bit, as its definition has it. */
+/** CRC-32, computed bit by bit from its definition. */
 std::uint32_t checkSumOf(const std::string& bytes);
 
 /** Replace bytes of stored bricks and correct the check sum. */

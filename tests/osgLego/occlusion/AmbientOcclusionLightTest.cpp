@@ -79,7 +79,7 @@ protected:
         for (const osg::Vec3d& normal : {osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0), osg::Vec3d(0, 1, 0),
                                          osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1)})
         {
-            if (normal * (viewpoint.eye - normal * 2.0) < 2.0) continue; // turned away
+            if (normal * (viewpoint.eye - normal * 2.0) < 2.0) continue; // back-facing
             // Between studs, if there are any.
             const osg::Vec3d place = normal * 2.0 + (normal.z() > 0.0 ? osg::Vec3d() : osg::Vec3d(0, 0, 0.2));
             const osg::Vec3d expected = probe.getIrradiance(normal);

@@ -25,7 +25,7 @@ TEST_F(AmbientOcclusionSceneTest, ItIsComputedWhereverChildrenAreDrawn)
     {
         children->setCullingActive(true);
         const osg::ref_ptr<osg::Image> within = draw(*group, viewpoint);
-        // Without culling, bounds say nothing about the area that children cover.
+        // Without culling, children may cover any part of the picture.
         for (unsigned int child = 0; child < children->getNumChildren(); ++child)
             children->getChild(child)->setCullingActive(false);
         const osg::ref_ptr<osg::Image> everywhere = draw(*group, viewpoint);

@@ -193,7 +193,7 @@ TEST_P(AmbientOcclusionThreading, DrawsTheSamePicture)
         viewer.realize();
         for (int frame = 0; frame < 4; ++frame)
         {
-            // Views that come and go.
+            // Each frame has a viewport of another size, so that views are created and deleted.
             viewer.getCamera()->setViewport(0, 0, WIDTH - (3 - frame), HEIGHT);
             viewer.frame();
         }
