@@ -114,6 +114,15 @@ double brightnessAt(const osg::Image& image, int column, int row)
     return (color.x() + color.y() + color.z()) / 3.0;
 }
 
+double meanBrightness(const osg::Image& image)
+{
+    double sum = 0.0;
+    for (int row = 0; row < image.t(); ++row)
+        for (int column = 0; column < image.s(); ++column)
+            sum += brightnessAt(image, column, row);
+    return sum / (image.s() * image.t());
+}
+
 double stepBetweenPixels(const osg::Image& image)
 {
     constexpr int MARGIN = 5;

@@ -27,6 +27,11 @@ struct Viewpoint
     void apply(osg::Camera& camera) const;
 };
 
+// A wall of cells in y = 0, seen from the front: so many pixels each, a border between cells in the middle of the
+// picture.
+constexpr int WALL_PIXELS = 15;
+const Viewpoint WALL_VIEW{{10, -30, 10}, {10, 0, 10}, {0, 0, 1}, static_cast<double>(GlTest::HEIGHT) / WALL_PIXELS};
+
 /** A test that draws pictures of several scenes with one context and one viewer. */
 class LookTest : public GlTest
 {
@@ -67,6 +72,9 @@ osg::Vec3d readColor(const osg::Image& image, int column, int row);
 
 /** The mean of its channels. */
 double brightnessAt(const osg::Image& image, int column, int row);
+
+/** The mean of all pixels. */
+double meanBrightness(const osg::Image& image);
 
 /** The root mean square of the steps in brightness from a pixel to the next in its row, without five columns at each
  * side. */

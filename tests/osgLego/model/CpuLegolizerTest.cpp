@@ -40,7 +40,7 @@ osg::ref_ptr<osg::Geometry> colored(const osg::ref_ptr<osg::Geometry>& geometry,
 TEST(CpuLegolizer, MarksTheBricksThatTheMeshDoesNotCover)
 {
     const osg::ref_ptr<osg::Node> sphere = test::createSphere(12);
-    LegoSettings settings = settingsOf(16);
+    LegoSettings settings = settingsOf(11);
     settings.grid.proportions = Proportions::BRICK;
     const osg::ref_ptr<const BrickModel> surface = legolizeOnCpu(*sphere, settings);
     settings.parts.set = PartSet::BRICKS;

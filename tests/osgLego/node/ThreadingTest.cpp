@@ -87,7 +87,7 @@ protected:
 
 TEST_P(Threading, ASourceThatMovesInEveryFrameIsDrawnWithoutAHang)
 {
-    for (int frame = 0; frame < 40; ++frame)
+    for (int frame = 0; frame < 20; ++frame)
     {
         _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * frame));
         _viewer.frame();
@@ -97,7 +97,7 @@ TEST_P(Threading, ASourceThatMovesInEveryFrameIsDrawnWithoutAHang)
 
 TEST_P(Threading, SettingsMayChangeWhileItRuns)
 {
-    for (int frame = 0; frame < 24; ++frame)
+    for (int frame = 0; frame < 12; ++frame)
     {
         const char* texts[] = {"8", "12,proportions=plate", "10,method=points,fbo=64",
                                "14,method=points,target=addressed"};
@@ -110,7 +110,7 @@ TEST_P(Threading, SettingsMayChangeWhileItRuns)
 
 TEST_P(Threading, ProgressMayChangeWhileItRuns)
 {
-    for (int frame = 0; frame < 40; ++frame)
+    for (int frame = 0; frame < 22; ++frame)
     {
         if (frame % 4 == 0) _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * frame));
         _lego->setBuildProgress(0.1 * (frame % 11));
@@ -124,7 +124,7 @@ TEST_P(Threading, ProgressMayChangeWhileItRuns)
 
 TEST_P(Threading, PassesThatAreStillDrawnBringNoBricksBackWhenTheSourceHasGone)
 {
-    for (int repeat = 0; repeat < 30; ++repeat)
+    for (int repeat = 0; repeat < 12; ++repeat)
     {
         _source->setMatrix(osg::Matrix::scale(1.0, 1.0, 1.0 + 0.02 * repeat));
         _viewer.frame();

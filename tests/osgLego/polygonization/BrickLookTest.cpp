@@ -16,19 +16,8 @@ namespace
 
 const osg::Vec4 GREY(0.6f, 0.6f, 0.6f, 1.0f);
 
-// A wall of bricks in y = 0, seen from the front: 15 pixels each, a joint in the middle of the picture.
-constexpr int PIXELS = 15;
+// The wall that WALL_VIEW shows.
 const osg::Vec3 WALL_SIZE(20, 1, 20);
-const Viewpoint WALL_VIEW{{10, -30, 10}, {10, 0, 10}, {0, 0, 1}, static_cast<double>(GlTest::HEIGHT) / PIXELS};
-
-double meanOf(const osg::Image& image)
-{
-    double sum = 0.0;
-    for (int row = 0; row < image.t(); ++row)
-        for (int column = 0; column < image.s(); ++column)
-            sum += brightnessAt(image, column, row);
-    return sum / (image.s() * image.t());
-}
 
 class BrickLook : public LookTest
 {
@@ -53,23 +42,24 @@ TEST_F(BrickLook, JointsMakeAGridOfDarkLines)
         wall->setAppearance(appearance);
         const osg::ref_ptr<osg::Image> image = draw(*group, WALL_VIEW);
         // The means of columns and of rows, by their position in a brick.
-        std::vector<double> columns(PIXELS);
-        std::vector<double> rows(PIXELS);
-        constexpr int ALL = WIDTH / PIXELS * PIXELS;
+        std::vector<double> columns(WALL_PIXELS);
+        std::vector<double> rows(WALL_PIXELS);
+        constexpr int ALL = WIDTH / WALL_PIXELS * WALL_PIXELS;
         for (int row = 0; row < HEIGHT; ++row)
             for (int column = 0; column < ALL; ++column)
             {
                 const double value = brightnessAt(*image, column, row);
-                columns[static_cast<std::size_t>((column + 5 * PIXELS - WIDTH / 2 % PIXELS) % PIXELS)] += value;
-                rows[static_cast<std::size_t>(row % PIXELS)] += value;
+                columns[static_cast<std::size_t>((column + 5 * WALL_PIXELS - WIDTH / 2 % WALL_PIXELS) % WALL_PIXELS)] +=
+                    value;
+                rows[static_cast<std::size_t>(row % WALL_PIXELS)] += value;
             }
         for (const std::vector<double>& profile : {columns, rows})
         {
             std::vector<double> sorted = profile;
             std::sort(sorted.begin(), sorted.end());
-            const double median = sorted[PIXELS / 2];
+            const double median = sorted[WALL_PIXELS / 2];
             EXPECT_LT(std::min(profile.front(), profile.back()), 0.97 * median) << "the joint";
-            for (int place = 3; place < PIXELS - 3; ++place)
+            for (int place = 3; place < WALL_PIXELS - 3; ++place)
                 EXPECT_NEAR(profile[static_cast<std::size_t>(place)], median, 0.02 * median) << place;
         }
         BrickAppearance smooth = appearance;
@@ -127,9 +117,9 @@ TEST_F(BrickLook, BricksDifferAsMuchAsIsAskedForAndAlwaysInTheSameWay)
         // Neighbouring bricks, so that slow changes over the wall are ignored.
         double sum = 0.0;
         int count = 0;
-        for (int row = PIXELS / 2; row < HEIGHT; row += PIXELS)
-            for (int column = PIXELS; column + PIXELS < WIDTH; column += PIXELS, ++count)
-                sum += std::abs(brightnessAt(*image, column, row) - brightnessAt(*image, column + PIXELS, row));
+        for (int row = WALL_PIXELS / 2; row < HEIGHT; row += WALL_PIXELS)
+            for (int column = WALL_PIXELS; column + WALL_PIXELS < WIDTH; column += WALL_PIXELS, ++count)
+                sum += std::abs(brightnessAt(*image, column, row) - brightnessAt(*image, column + WALL_PIXELS, row));
         return sum / count;
     };
     EXPECT_LT(spread(0.0), 1.0 / 255.0);
@@ -153,7 +143,7 @@ TEST_F(BrickLook, BricksSmallerThanAPixelDoNotSparkle)
         EXPECT_LT(stepBetweenPixels(*image), 3.0 / 255.0) << isOccluded;
         for (osg::Vec3d* place : {&far.eye, &far.target})
             *place += osg::Vec3d(0.5 * pixel, 0, 0.5 * pixel);
-        EXPECT_NEAR(meanOf(*draw(*group, far)), meanOf(*image), 1.0 / 255.0) << isOccluded;
+        EXPECT_NEAR(meanBrightness(*draw(*group, far)), meanBrightness(*image), 1.0 / 255.0) << isOccluded;
     }
 }
 
@@ -190,8 +180,8 @@ TEST_F(BrickLook, ThePlainLookIsDrawnInAGroup)
     const osg::ref_ptr<osg::Image> without = draw(*group, viewpoint);
     EXPECT_GT(countDrawn(*with), 3000u);
     EXPECT_EQ(countDrawn(*with), countDrawn(*without));
-    EXPECT_LT(meanOf(*with), meanOf(*without));
-    EXPECT_GT(meanOf(*with), 0.7 * meanOf(*without));
+    EXPECT_LT(meanBrightness(*with), meanBrightness(*without));
+    EXPECT_GT(meanBrightness(*with), 0.7 * meanBrightness(*without));
 }
 
 TEST_F(BrickLook, AnotherLookCostsNoLegolization)

@@ -12,10 +12,8 @@ namespace osgLego::test
 namespace
 {
 
-// A wall of cells in y = 0, seen from the front: 15 pixels each, a border between cells in the middle of the picture.
-constexpr int PIXELS = 15;
+// Cells along each side of the wall that WALL_VIEW shows.
 constexpr int SIDE = 20;
-const Viewpoint WALL_VIEW{{10, -30, 10}, {10, 0, 10}, {0, 0, 1}, static_cast<double>(GlTest::HEIGHT) / PIXELS};
 
 // The cells that are completely in the picture.
 constexpr int FIRST_COLUMN = 4;
@@ -26,20 +24,20 @@ constexpr int LAST_ROW = 14;
 /** The left or lower end of a cell in the picture, in pixels. */
 int beginOf(int cell, int size)
 {
-    return size / 2 + PIXELS * (cell - SIDE / 2);
+    return size / 2 + WALL_PIXELS * (cell - SIDE / 2);
 }
 
 /** The brightness at the centre of a cell of the wall. */
 double centerOf(const osg::Image& image, int x, int z)
 {
-    return brightnessAt(image, beginOf(x, image.s()) + PIXELS / 2, beginOf(z, image.t()) + PIXELS / 2);
+    return brightnessAt(image, beginOf(x, image.s()) + WALL_PIXELS / 2, beginOf(z, image.t()) + WALL_PIXELS / 2);
 }
 
 /** The darkest pixel at the border between a cell and the next one to the right or above. */
 double borderOf(const osg::Image& image, int x, int z, bool isUpper)
 {
-    const int column = beginOf(x, image.s()) + (isUpper ? PIXELS / 2 : PIXELS);
-    const int row = beginOf(z, image.t()) + (isUpper ? PIXELS : PIXELS / 2);
+    const int column = beginOf(x, image.s()) + (isUpper ? WALL_PIXELS / 2 : WALL_PIXELS);
+    const int row = beginOf(z, image.t()) + (isUpper ? WALL_PIXELS : WALL_PIXELS / 2);
     return std::min(brightnessAt(image, column, row),
                     brightnessAt(image, isUpper ? column : column - 1, isUpper ? row - 1 : row));
 }
@@ -159,15 +157,6 @@ TEST_F(PartLook, OnlyTheLookDependsOnParts)
               1000u);
 }
 
-double meanOf(const osg::Image& image)
-{
-    double sum = 0.0;
-    for (int row = 0; row < image.t(); ++row)
-        for (int column = 0; column < image.s(); ++column)
-            sum += brightnessAt(image, column, row);
-    return sum / (image.s() * image.t());
-}
-
 /** A wall of equal parts, as wide and as high as 240 cells. */
 osg::ref_ptr<const BrickModel> createWallOf(const glm::ivec3& size)
 {
@@ -194,7 +183,7 @@ TEST_F(PartLook, FromAfarLargePartsAreBrighterThanSmallOnesAsMuchAsFromNearby)
     {
         const osg::ref_ptr<LegoNode> node = createStoredNode(*createWallOf(size), "240");
         node->setAppearance(appearance);
-        return meanOf(*draw(*node, {{120, -400, 120}, {120, 0, 120}, {0, 0, 1}, HEIGHT / pixelsPerCell}));
+        return meanBrightness(*draw(*node, {{120, -400, 120}, {120, 0, 120}, {0, 0, 1}, HEIGHT / pixelsPerCell}));
     };
     constexpr double NEAR = 12.5;
     const glm::ivec3 small(1, 1, 1);

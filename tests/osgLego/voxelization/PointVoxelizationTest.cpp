@@ -20,7 +20,7 @@ namespace osgLego::test
 namespace
 {
 
-struct Model
+struct PointModel
 {
     const char* name;
     osg::ref_ptr<osg::Node> (*create)();
@@ -139,7 +139,7 @@ std::array<double, 2> sharesOfFrontAndHidden(const BrickModel& reachable, const 
 }
 
 /** Runs on each model, and prints the share of covered cells that is found. */
-class PointVoxelizationOfModels : public GlTest, public ::testing::WithParamInterface<Model>
+class PointVoxelizationOfModels : public GlTest, public ::testing::WithParamInterface<PointModel>
 {
 protected:
     void SetUp() override
@@ -154,7 +154,7 @@ protected:
 
 TEST_P(PointVoxelizationOfModels, AddressedIsSoundAndWithoutTunnelsUpToAnEdgeOfOneCell)
 {
-    for (const char* text : {"64,edge=1", "64,edge=0.5", "64,edge=0.25", "128,edge=1"})
+    for (const char* text : {"48,edge=1", "48,edge=0.25", "96,edge=1"})
     {
         const LegoSettings settings = parseSettings(std::string(text) + ",method=points,target=addressed");
         const osg::ref_ptr<const GridTriangles> triangles = toGrid(*_node, settings);
@@ -172,14 +172,14 @@ TEST_P(PointVoxelizationOfModels, AddressedIsSoundAndWithoutTunnelsUpToAnEdgeOfO
 
 TEST_P(PointVoxelizationOfModels, ProjectedIsSoundAndFindsMoreInLargerPictures)
 {
-    for (const char* resolution : {"32", "64", "128"})
+    for (const char* resolution : {"32", "80"})
     {
         std::printf("points, projected  %-8s %3s,edge=1     recall", GetParam().name, resolution);
         const osg::ref_ptr<const GridTriangles> triangles = toGrid(*_node, parseSettings(resolution));
         const osg::ref_ptr<const BrickModel> truth = voxelizeOnCpu(*triangles);
         double previous = 0.0;
         double smallest = 0.0;
-        for (const char* size : {"256", "512", "1024", "2048"})
+        for (const char* size : {"256", "512", "1024"})
         {
             const LegoSettings settings = parseSettings(std::string(resolution) + ",method=points,fbo=" + size);
             const osg::ref_ptr<const BrickModel> found = legolizeOnGpu(*_node, settings);
@@ -199,11 +199,11 @@ TEST_P(PointVoxelizationOfModels, ProjectedIsSoundAndFindsMoreInLargerPictures)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, PointVoxelizationOfModels,
-                         ::testing::Values(Model{"car", createRacingCar},
-                                           Model{"sphere", [] { return createSphere(); }}, Model{"torus", createTorus},
-                                           Model{"plate", createThinPlate},
-                                           Model{"slivers", [] { return createSliverSoup(); }},
-                                           Model{"bunny", readBunny}),
+                         ::testing::Values(PointModel{"car", createRacingCar},
+                                           PointModel{"sphere", [] { return createSphere(); }},
+                                           PointModel{"torus", createTorus}, PointModel{"plate", createThinPlate},
+                                           PointModel{"slivers", [] { return createSliverSoup(); }},
+                                           PointModel{"bunny", readBunny}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 class PointVoxelization : public GlTest
