@@ -3,11 +3,11 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/palette/Dither.h>
 #include <osgLego/palette/KnownColors.h>
+#include <osgLego/palette/MixtureTable.h>
 #include <osgLego/palette/NearestTable.h>
 #include <osgLego/palette/PaletteFile.h>
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -17,14 +17,7 @@ namespace osgLego
 namespace
 {
 
-/** Four fifths of the distance between neighbours, if as many colours were spread evenly over the cube of colours. At
- * about this width, the mean of some cells is closest to the colour of the surface. */
-int ditherAmplitudeFor(std::size_t numColors)
-{
-    return static_cast<int>(std::lround(0.8 * 256.0 / std::cbrt(static_cast<double>(numColors))));
-}
-
-/** The last palettes that were created. Every function may be called from any thread. */
+/** The palettes that were used last. Every function may be called from any thread. */
 class RecentPalettes
 {
 public:
@@ -47,17 +40,20 @@ public:
         constexpr std::size_t MOST_PALETTES = 16; // a palette takes a quarter of a megabyte
         const std::scoped_lock lock(_mutex);
         if (const osg::ref_ptr<const Palette> found = findLocked(palette->getColors())) return found;
-        if (_palettes.size() >= MOST_PALETTES) _palettes.clear();
+        if (_palettes.size() >= MOST_PALETTES) _palettes.erase(_palettes.begin());
         _palettes.push_back(palette);
         return palette;
     }
 
 private:
-    osg::ref_ptr<const Palette> findLocked(std::span<const PaletteColor> colors) const
+    /** A palette that is found becomes the last one, which is kept for longest. */
+    osg::ref_ptr<const Palette> findLocked(std::span<const PaletteColor> colors)
     {
         const auto found = std::ranges::find_if(_palettes, [&](const osg::ref_ptr<const Palette>& palette)
                                                 { return std::ranges::equal(palette->getColors(), colors); });
-        return found == _palettes.end() ? nullptr : *found;
+        if (found == _palettes.end()) return nullptr;
+        std::rotate(found, found + 1, _palettes.end());
+        return _palettes.back();
     }
 
     std::mutex _mutex;
@@ -66,10 +62,7 @@ private:
 
 } // namespace
 
-Palette::Palette(std::vector<PaletteColor> colors) :
-    _colors(std::move(colors)), _table(makeNearestTable(_colors)), _ditherAmplitude(ditherAmplitudeFor(_colors.size()))
-{
-}
+Palette::Palette(std::vector<PaletteColor> colors) : _colors(std::move(colors)), _table(makeNearestTable(_colors)) {}
 
 osg::ref_ptr<const Palette> Palette::create(std::vector<PaletteColor> colors, std::string& error)
 {
@@ -111,8 +104,14 @@ std::size_t Palette::findNearest(const std::array<std::uint8_t, 3>& color) const
 std::size_t Palette::findDithered(const std::array<std::uint8_t, 3>& color,
                                   const std::array<std::uint16_t, 3>& cell) const
 {
-    const std::array<std::uint8_t, 3>& nearest = _colors[findNearest(color)].color;
-    return findNearest(Dither::dithered(color, nearest, cell, _ditherAmplitude));
+    const PaletteMixture& mixture = getMixtures()[tableEntryOf(color)];
+    return Dither::thresholdAt(cell[0], cell[1], cell[2]) < mixture.share ? mixture.second : mixture.first;
+}
+
+std::span<const PaletteMixture> Palette::getMixtures() const
+{
+    std::call_once(_mixturesOnce, [this] { _mixtures = makeMixtureTable(_colors, _table); });
+    return _mixtures;
 }
 
 } // namespace osgLego

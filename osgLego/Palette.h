@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,13 +63,14 @@ public:
      * one shares its entry of the table: that one is found for both. */
     std::size_t findNearest(const std::array<std::uint8_t, 3>& color) const;
     /** The index of the colour of a brick in a cell of the grid if colours between those of the palette are imitated:
-     * the bricks of an even surface get different colours, whose mean is close to its own. Colours of the palette that
-     * are their own nearest remain themselves. */
+     * the bricks of an even surface get one or two colours, whose mean in linear light is close to its own. Colours of
+     * the palette that are their own nearest remain themselves. The first call takes as long as getMixtures(). */
     std::size_t findDithered(const std::array<std::uint8_t, 3>& color, const std::array<std::uint16_t, 3>& cell) const;
-    /** The width of the offsets that findDithered() adds to a channel, 0 to 255. */
-    int getDitherAmplitude() const { return _ditherAmplitude; }
     /** The table of findNearest(): one index for each of TABLE_SIDE^3 colours, red changing fastest. */
     std::span<const std::uint8_t> getTable() const { return _table; }
+    /** The table of findDithered(), in the same order. The first call computes it, in some tenths of a second of
+     * processor time. */
+    std::span<const PaletteMixture> getMixtures() const;
 
 private:
     explicit Palette(std::vector<PaletteColor> colors);
@@ -76,7 +78,8 @@ private:
 
     std::vector<PaletteColor> _colors;
     std::vector<std::uint8_t> _table;
-    int _ditherAmplitude = 0;
+    mutable std::once_flag _mixturesOnce;
+    mutable std::vector<PaletteMixture> _mixtures;
 };
 
 } // namespace osgLego

@@ -28,6 +28,16 @@ struct PaletteColor
     bool operator==(const PaletteColor&) const = default;
 };
 
+/** Two colours of a palette whose bricks imitate a colour between them. */
+struct PaletteMixture
+{
+    std::uint8_t first = 0;  //!< index of a colour
+    std::uint8_t second = 0; //!< index of the lighter colour, or the same
+    std::uint8_t share = 0;  //!< bricks of the second colour out of 256
+
+    bool operator==(const PaletteMixture&) const = default;
+};
+
 /** The sizes of palettes and of the tables by which they find the nearest colour. */
 struct PaletteLimits
 {

@@ -21,6 +21,12 @@ double chromaticShare(double chroma)
     return std::sqrt(seventh / (seventh + 6103515625.0)); // 25^7
 }
 
+/** By how much the formula increases a, for a mean chroma: greys are more sensitive to red and green. */
+double rednessOf(double chroma)
+{
+    return 1.5 - 0.5 * chromaticShare(chroma);
+}
+
 /** Two colours in a plane of equal lightness, and the hue between them. Hues are unit vectors instead of angles, which
  * avoids trigonometric functions. */
 class HuePair
@@ -124,11 +130,24 @@ double lightnessDifference(const glm::dvec3& color, const glm::dvec3& other)
     return std::abs(color.x - other.x) / lightnessWeight(color.x, other.x);
 }
 
+glm::dmat3 ciede2000Scale(const glm::dvec3& color)
+{
+    const double redness = rednessOf(glm::length(glm::dvec2(color.y, color.z)));
+    const glm::dvec2 place(redness * color.y, color.z);
+    const double chroma = glm::length(place);
+    const glm::dvec2 hue = chroma > 0.0 ? place / chroma : glm::dvec2(1.0, 0.0);
+    const double chromaScale = 1.0 / (1.0 + 0.045 * chroma);
+    const double hueScale = 1.0 / (1.0 + 0.015 * chroma * hueWeight(hue));
+    return {glm::dvec3(1.0 / lightnessWeight(color.x, color.x), 0.0, 0.0),
+            redness * glm::dvec3(0.0, hue.x * chromaScale, -hue.y * hueScale),
+            glm::dvec3(0.0, hue.y * chromaScale, hue.x * hueScale)};
+}
+
 double ciede2000(const glm::dvec3& color, const glm::dvec3& other)
 {
     const double meanChroma =
         0.5 * (glm::length(glm::dvec2(color.y, color.z)) + glm::length(glm::dvec2(other.y, other.z)));
-    const double redness = 1.5 - 0.5 * chromaticShare(meanChroma); // greys are more sensitive to red and green
+    const double redness = rednessOf(meanChroma);
     const HuePair pair({redness * color.y, color.z}, {redness * other.y, other.z});
     const double chroma = pair.getMeanChroma();
     const glm::dvec2 hue = pair.getMeanHue();

@@ -28,11 +28,13 @@ public:
     {
     }
 
+    bool operator==(const PaletteLookup&) const = default;
+
     bool hasPalette() const { return _palette.valid(); }
     /** The palette; null if any colour is allowed. */
     const Palette* getPalette() const { return _palette.get(); }
-    /** The amplitude for Dither.h; 0 if colours are not imitated. */
-    int getDitherAmplitude() const { return _dithers && _palette ? _palette->getDitherAmplitude() : 0; }
+    /** Whether colours between those of the palette are imitated. */
+    bool getDithers() const { return _dithers; }
 
     /** The index of the palette's colour for a brick in a cell whose surface has some colour. Needs a palette. */
     std::size_t find(const std::array<std::uint8_t, 3>& color, const std::array<std::uint16_t, 3>& cell) const

@@ -1,7 +1,6 @@
 #include <osgLego/passes/LegolizationPass.h>
 
 #include <osgLego/gl/GlRequirements.h>
-#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/passes/SurfaceBinding.h>
 
 #include <new>
@@ -121,8 +120,7 @@ void LegolizationPass::bindPaletteOf(osg::State& state, const LegoSource& source
                                      unsigned int colorsUnit) const
 {
     if (!source.lookup.hasPalette()) return;
-    _workspace->getPaletteTextures(*source.lookup.getPalette())->bind(state, tableUnit, colorsUnit);
-    ProgramUniforms(state).set("ditherAmplitude", source.lookup.getDitherAmplitude());
+    _workspace->getPaletteTextures(source.lookup)->bind(state, tableUnit, colorsUnit);
 }
 
 void LegolizationPass::releaseGLObjects(osg::State* state) const

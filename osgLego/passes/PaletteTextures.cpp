@@ -3,6 +3,7 @@
 #include <osgLego/gl/ProgramUniforms.h>
 
 #include <algorithm>
+#include <array>
 
 #include <osg/Image>
 
@@ -21,13 +22,30 @@ void setUnfiltered(osg::Texture& texture)
     texture.setResizeNonPowerOfTwoHint(false);
 }
 
-osg::ref_ptr<osg::Texture3D> createTable(const Palette& palette)
+osg::ref_ptr<osg::Image> createTableImage(GLenum format, GLint internalFormat)
 {
     constexpr int SIDE = Palette::TABLE_SIDE;
-    const osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(SIDE, SIDE, SIDE, GL_RED, GL_UNSIGNED_BYTE);
-    image->setInternalTextureFormat(GL_R8);
-    std::ranges::copy(palette.getTable(), image->data());
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(SIDE, SIDE, SIDE, format, GL_UNSIGNED_BYTE);
+    image->setInternalTextureFormat(internalFormat);
+    return image;
+}
+
+osg::ref_ptr<osg::Texture3D> createTable(const PaletteLookup& lookup)
+{
+    osg::ref_ptr<osg::Image> image;
+    if (lookup.getDithers())
+    {
+        image = createTableImage(GL_RGB, GL_RGB8);
+        unsigned char* texel = image->data();
+        for (const auto& [first, second, share] : lookup.getPalette()->getMixtures())
+            texel = std::ranges::copy(std::array{first, second, share}, texel).out;
+    }
+    else
+    {
+        image = createTableImage(GL_RED, GL_R8);
+        std::ranges::copy(lookup.getPalette()->getTable(), image->data());
+    }
     osg::ref_ptr<osg::Texture3D> texture = new osg::Texture3D(image);
     setUnfiltered(*texture);
     return texture;
@@ -51,8 +69,8 @@ osg::ref_ptr<osg::Texture2D> createColors(const Palette& palette)
 
 } // namespace
 
-PaletteTextures::PaletteTextures(const Palette& palette) :
-    _palette(&palette), _table(createTable(palette)), _colors(createColors(palette))
+PaletteTextures::PaletteTextures(const PaletteLookup& lookup) :
+    _lookup(lookup), _table(createTable(lookup)), _colors(createColors(*lookup.getPalette()))
 {
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/Palette.h>
+#include <osgLego/palette/PaletteLookup.h>
 
 #include <osg/Referenced>
 #include <osg/State>
@@ -11,17 +11,18 @@
 namespace osgLego
 {
 
-/** A palette on the GPU, for shaders/extraction/palette_color.glsl: its table of indices as a 3D texture, and its
- * colours as a row of texels.
+/** A palette on the GPU, for shaders/extraction/palette_color.glsl: its table of indices, or of mixtures, as a
+ * 3D texture, and its colours as a row of texels.
  *
  * Can be created without a context, and serves all contexts.
  */
 class PaletteTextures : public osg::Referenced
 {
 public:
-    explicit PaletteTextures(const Palette& palette);
+    /** @param lookup has a palette. */
+    explicit PaletteTextures(const PaletteLookup& lookup);
 
-    const Palette& getPalette() const { return *_palette; }
+    const PaletteLookup& getLookup() const { return _lookup; }
 
     /** Bind the textures to units, and set the uniforms, for the program that was applied last. Needs the context
      * current. */
@@ -32,7 +33,7 @@ public:
 private:
     ~PaletteTextures() override = default;
 
-    osg::ref_ptr<const Palette> _palette;
+    PaletteLookup _lookup;
     osg::ref_ptr<osg::Texture3D> _table;
     osg::ref_ptr<osg::Texture2D> _colors;
 };

@@ -43,11 +43,10 @@ osg::ref_ptr<osg::Texture2D> PassWorkspace::getTexture(const SurfaceTexture& sur
     return texture;
 }
 
-osg::ref_ptr<const PaletteTextures> PassWorkspace::getPaletteTextures(const Palette& palette) const
+osg::ref_ptr<const PaletteTextures> PassWorkspace::getPaletteTextures(const PaletteLookup& lookup) const
 {
     const std::lock_guard lock(_mutex);
-    if (!_paletteTextures || &_paletteTextures->getPalette() != &palette)
-        _paletteTextures = new PaletteTextures(palette);
+    if (!_paletteTextures || _paletteTextures->getLookup() != lookup) _paletteTextures = new PaletteTextures(lookup);
     return _paletteTextures;
 }
 

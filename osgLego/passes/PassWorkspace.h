@@ -109,9 +109,9 @@ public:
 
     /** The texture of a surface, for any context; kept until releaseTextures() or setSource(). */
     osg::ref_ptr<osg::Texture2D> getTexture(const SurfaceTexture& surface) const;
-    /** The textures of a palette, for any context; kept until releaseTextures(), or until those of another palette are
-     * needed. */
-    osg::ref_ptr<const PaletteTextures> getPaletteTextures(const Palette& palette) const;
+    /** The textures of a lookup with a palette, for any context; kept until releaseTextures(), or until those of
+     * another one are needed. */
+    osg::ref_ptr<const PaletteTextures> getPaletteTextures(const PaletteLookup& lookup) const;
     /** Release the textures of surfaces and palettes, which are only needed to make bricks. */
     void releaseTextures() const;
 

@@ -3,19 +3,17 @@
 
 #include "osgLego/palette/Dither.h"
 
-uniform sampler3D paletteTable; // the index of the nearest colour of the palette, as a fraction of 255
+// The indices of two colours of the palette, and the share of bricks that have the second one out of 256, as fractions of
+// 255; the share is 0 if colours between those of the palette are not imitated.
+uniform sampler3D paletteTable;
 uniform sampler2D paletteColors;
-uniform int ditherAmplitude; // 0 if colours between those of the palette are not imitated
-
-ivec3 nearestColor(ivec3 color)
-{
-    int index = int(255.0 * texelFetch(paletteTable, color * textureSize(paletteTable, 0) / 256, 0).r + 0.5);
-    return ivec3(255.0 * texelFetch(paletteColors, ivec2(index, 0), 0).rgb + 0.5);
-}
 
 // The colour, 0 to 255 per channel, for a cell whose surface has a colour.
 ivec3 paletteColor(ivec3 color, ivec3 cell)
 {
-    ivec3 nearest = nearestColor(color);
-    return ditherAmplitude > 0 ? nearestColor(dithered(color, nearest, uvec3(cell), ditherAmplitude)) : nearest;
+    vec3 entry = texelFetch(paletteTable, color * textureSize(paletteTable, 0) / 256, 0).rgb;
+    ivec3 mixture = ivec3(255.0 * entry + 0.5);
+    uint threshold = thresholdAt(uint(cell.x), uint(cell.y), uint(cell.z));
+    int index = threshold < uint(mixture.b) ? mixture.g : mixture.r;
+    return ivec3(255.0 * texelFetch(paletteColors, ivec2(index, 0), 0).rgb + 0.5);
 }

@@ -39,6 +39,20 @@ TEST(CieLab, DarkColoursAreOnTheStraightPartOfTheCurve)
     EXPECT_NEAR(toLinear(10), 10.0 / 255.0 / 12.92, 1e-12);
 }
 
+TEST(CieLab, DerivativesAreThoseOfSmallSteps)
+{
+    constexpr double STEP = 1e-6;
+    for (const glm::dvec3& color : {glm::dvec3(0.001, 0.002, 0.0005), glm::dvec3(0.2, 0.5, 0.1), glm::dvec3(1.0)})
+        for (int channel = 0; channel < 3; ++channel)
+        {
+            glm::dvec3 step(0.0);
+            step[channel] = STEP;
+            const glm::dvec3 expected = (linearToCieLab(color + step) - linearToCieLab(color - step)) / (2.0 * STEP);
+            EXPECT_LT(glm::distance(cieLabDerivatives(color)[channel], expected), 1e-5 * glm::length(expected))
+                << channel;
+        }
+}
+
 } // namespace
 
 } // namespace osgLego

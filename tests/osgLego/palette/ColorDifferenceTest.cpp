@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -129,6 +130,32 @@ TEST(ColorDifference, IsNeverLessThanThatOfLightness)
         const glm::dvec3 grey(first.x, 0.0, 0.0);
         const glm::dvec3 otherGrey(second.x, 0.0, 0.0);
         ASSERT_NEAR(lightnessDifference(grey, otherGrey), ciede2000(grey, otherGrey), 1e-9);
+    }
+}
+
+TEST(ColorDifference, TheScaleGivesThatOfSmallDifferences)
+{
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> lightness(0.0, 100.0);
+    std::uniform_real_distribution<double> place(-60.0, 60.0);
+    std::uniform_real_distribution<double> step(-0.001, 0.001);
+    for (int number = 0; number < 5000; ++number)
+    {
+        const glm::dvec3 color(lightness(engine), place(engine), place(engine));
+        const glm::dvec3 difference(step(engine), step(engine), step(engine));
+        // In blue, chroma and hue interact, which the scale ignores.
+        if (color.z < 0.0 && color.y > -40.0) continue;
+        const double expected = ciede2000(color, color + difference);
+        ASSERT_NEAR(glm::length(ciede2000Scale(color) * difference), expected, 0.1 * expected + 1e-5)
+            << color.x << ' ' << color.y << ' ' << color.z;
+    }
+    // For lightness alone, and for greys, there is no other effect.
+    for (const double middle : {5.0, 50.0, 90.0})
+    {
+        const glm::dvec3 grey(middle, 0.0, 0.0);
+        for (const glm::dvec3& difference :
+             {glm::dvec3(0.01, 0.0, 0.0), glm::dvec3(0.0, 0.01, 0.0), glm::dvec3(0.0, 0.0, 0.01)})
+            EXPECT_NEAR(glm::length(ciede2000Scale(grey) * difference), ciede2000(grey, grey + difference), 1e-4);
     }
 }
 

@@ -157,6 +157,24 @@ TEST(Palette, HasOneTo255Colours)
     EXPECT_EQ(error, "the palette has 256 colours; expected 1 to 255");
 }
 
+osg::ref_ptr<const Palette> createGrey(std::uint8_t level)
+{
+    return createPalette({{0, "grey", {level, level, level}}});
+}
+
+TEST(Palette, TheSixteenThatWereUsedLastAreShared)
+{
+    std::vector<osg::ref_ptr<const Palette>> palettes;
+    for (std::uint8_t level = 0; level < 16; ++level)
+        palettes.push_back(createGrey(level));
+    EXPECT_EQ(createGrey(0), palettes[0]);
+    createGrey(16); // takes the place of the grey 1, which has not been used for longest
+    EXPECT_EQ(createGrey(0), palettes[0]);
+    for (std::uint8_t level = 2; level < 16; ++level)
+        EXPECT_EQ(createGrey(level), palettes[level]) << int{level};
+    EXPECT_NE(createGrey(1), palettes[1]);
+}
+
 TEST(Palette, APaletteOfOneColourHasNoOther)
 {
     const osg::ref_ptr<const Palette> palette = createPalette({{4, "Red", {180, 0, 0}}});
