@@ -1,6 +1,9 @@
 #include "BenchEnvironment.h"
 #include "BenchOptions.h"
+#include "BorderComparison.h"
+#include "ColorTimes.h"
 #include "Commands.h"
+#include "DitherComparison.h"
 
 #include <osgLego/cpu/CpuVoxelizer.h>
 #include <osgLego/cpu/DominantColors.h>
@@ -27,6 +30,7 @@ using Color = std::array<std::uint8_t, 3>;
 struct ColorsCommandOptions : BenchOptions
 {
     std::string palette = "ldraw";
+    unsigned int numRuns = 7;
     unsigned int numColors = Palette::MAXIMUM_COLORS;
 };
 
@@ -114,8 +118,9 @@ LegoSettings createSettings(const ColorsCommandOptions& options)
     return settings;
 }
 
-/** The colours of the visible cells of a mesh. */
-JsonValue compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSettings settings)
+/** Add the figures of a mesh to a document. */
+void compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSettings settings, unsigned int numRuns,
+                 JsonValue& document)
 {
     settings.grid.resolution = resolution;
     settings.grid.upAxis = mesh.upAxis;
@@ -123,11 +128,17 @@ JsonValue compareMesh(const MeshSource& mesh, unsigned int resolution, LegoSetti
     std::string error;
     const osg::ref_ptr<LegoSource> source = LegoSource::create(*SceneTriangles::create(*node), settings, error);
     if (!source) throw std::runtime_error(error);
-    ColorComparison comparison(*source->lookup.getPalette());
-    const osg::ref_ptr<const BrickModel> cells = voxelizeOnCpu(*source->triangles, CellColor::DOMINANT);
+    const Palette& palette = *source->lookup.getPalette();
+    const GridTriangles& triangles = *source->triangles;
+    const std::string name = fmt::format("{} {}", mesh.name, resolution);
+    const osg::ref_ptr<const BrickModel> cells = voxelizeOnCpu(triangles, CellColor::DOMINANT);
+    ColorComparison comparison(palette);
     for (const Brick& brick : cells->getBricks())
         if (brick.openSides != 0) comparison.add(brick.color);
-    return comparison.toJson(fmt::format("{} {}", mesh.name, resolution));
+    document["rows"].append(comparison.toJson(name));
+    document["dither"].append(compareDithered(palette, *cells, name));
+    document["borders"].append(compareBorders(palette, triangles, numRuns, name));
+    document["choices"].append(measureChoice(palette, triangles, numRuns, name));
 }
 
 /** Colours spread evenly over sRGB. */
@@ -142,21 +153,6 @@ JsonValue compareGrid(const Palette& palette)
     return comparison.toJson("grid");
 }
 
-void printColors(const JsonValue& rows)
-{
-    fmt::print("| colours of | number | palette | error | excess over the best | worse by more than 5 | neutral "
-               "| chromatic of these | verdict |\n|---|---|---|---|---|---|---|---|---|\n");
-    for (const JsonValue& row : rows.getElements())
-    {
-        const auto isReached = [](const JsonValue& goal) { return goal["reached"].toBoolean(); };
-        fmt::print("| {} | {} | {} | {:.2f} | {:.3f} | {:.2f} % | {} | {} | {} |\n", row["colorsOf"].toText(),
-                   row["count"].toInteger(), row["palette"].toInteger(), row["error"].toNumber(),
-                   row["excess"].toNumber(), 100.0 * row["worse"].toNumber(), row["neutral"].toInteger(),
-                   row.contains("chromatic") ? fmt::format("{:.2f} %", 100.0 * row["chromatic"].toNumber()) : "-",
-                   std::ranges::all_of(row["goals"].getElements(), isReached) ? "reached" : "MISSED");
-    }
-}
-
 void runColors(const ColorsCommandOptions& options)
 {
     const std::vector<MeshSource> meshes = options.getMeshes();
@@ -164,13 +160,17 @@ void runColors(const ColorsCommandOptions& options)
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(settings, error);
     if (!palette) throw std::runtime_error(error);
+    const unsigned int numRuns = options.isQuick ? 1 : options.numRuns;
     JsonValue document = createDocument("colors");
     document["rows"].append(compareGrid(*palette));
+    document["dither"].append(compareDitheredMixtures(*palette));
+    document["dither"].append(compareDitheredNeutrals(*palette));
+    document["tables"].append(measureTables(*palette, numRuns, options.palette));
+    document["tables"].append(measureLargestTables(numRuns));
     for (const MeshSource& mesh : meshes)
         for (const unsigned int resolution : options.getResolutions({24}, {48}))
-            document["rows"].append(compareMesh(mesh, resolution, settings));
-    if (!options.jsonFile.empty()) return options.write(document);
-    printColors(document["rows"]);
+            compareMesh(mesh, resolution, settings, numRuns, document);
+    options.write(document);
 }
 
 } // namespace
@@ -178,13 +178,15 @@ void runColors(const ColorsCommandOptions& options)
 void addColorsCommand(BenchCommandLine& commands)
 {
     BenchCommand command = commands.add(
-        "colors", "Differences (CIEDE2000) between colours and those that a palette gives them, and their excess over "
-                  "the best of the palette, with verdicts");
+        "colors",
+        "Differences (CIEDE2000) between colours and those that a palette gives them, their excess over the best "
+        "of the palette, dithered colours, borders between colours, and the times that palettes take");
     const auto options = std::make_shared<ColorsCommandOptions>();
     options->addTo(command, "48");
     command.addText("--palette", options->palette, "ldraw, or a .csv or .ldr file (ldraw)", "PALETTE");
     command.addNumber("--colors", options->numColors, "Only this number of its colours, chosen for each mesh (all)", 1u,
                       static_cast<unsigned int>(Palette::MAXIMUM_COLORS));
+    command.addNumber("--runs", options->numRuns, "Timed runs (7)", 1u, 1000u);
     command.setRun([options] { runColors(*options); });
 }
 
