@@ -74,6 +74,8 @@ osg::ref_ptr<const BrickModel> BookletWriter::findModel() const
     // The settings tell it before the bricks are made, which may take long.
     const bool mayHaveParts = _lego.getStoredBricks() || _lego.getSettings().parts.set != PartSet::NONE;
     const osg::ref_ptr<const BrickModel> model = mayHaveParts ? _lego.getBricks() : nullptr;
+    if (const std::string obstacle = mayHaveParts && !model ? _lego.getObstacle() : std::string(); !obstacle.empty())
+        throw BookletFailure(Reason::BAD_MODEL, _options.modelName + " has no bricks: " + obstacle);
     if (!model || model->getParts().empty())
         throw BookletFailure(Reason::BAD_MODEL, _options.modelName + " has no parts to build; expected parts=bricks "
                                                                      "among its settings");
@@ -112,7 +114,7 @@ void BookletWriter::setSteps(std::size_t numSteps, BookletFacts& facts) const
     facts.endStep = numSteps;
     if (!_options.steps) return;
     const auto [first, last] = *_options.steps;
-    if (first < 1 || first > last || first > numSteps)
+    if (first > numSteps)
         throw BookletFailure(Reason::BAD_STEPS,
                              fmt::format("{} has no steps {}-{}; expected FIRST-LAST from 1 to {}, the number of steps",
                                          _options.modelName, first, last, numSteps));
@@ -140,9 +142,17 @@ void BookletWriter::writePage(const std::string& fileName, const BookletModel& m
 
 void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& context) const
 {
+    if (_options.steps && (_options.steps->first < 1 || _options.steps->first > _options.steps->last))
+        throw BookletFailure(Reason::BAD_STEPS,
+                             fmt::format("{} has no steps {}-{}; expected FIRST-LAST, counted from 1",
+                                         _options.modelName, _options.steps->first, _options.steps->last));
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(_lego.getSettings(), error);
-    if (!error.empty()) throw BookletFailure(Reason::BAD_MODEL, error);
+    // Stored bricks don't need the file of their palette: LDraw's codes name their colours.
+    if (!error.empty() && !_lego.getStoredBricks()) throw BookletFailure(Reason::BAD_MODEL, error);
+    const std::span<const PaletteColor> colors = palette         ? palette->getColors()
+                                                 : error.empty() ? std::span<const PaletteColor>()
+                                                                 : Palette::getKnownColors();
     const osg::ref_ptr<const BrickModel> bricks = findModel();
     // Before planning, which may take long.
     const std::string missing = PictureRenderer::findMissing(context);
@@ -150,19 +160,20 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     BookletRenderer renderer(context);
 
     const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks);
-    const BookletModel model(*bricks, *plan, palette ? palette->getColors() : std::span<const PaletteColor>());
-    const osg::ref_ptr<LegoNode> planned = new LegoNode(_lego.getSettings());
+    const BookletModel model(*bricks, *plan, colors);
+    BookletFacts facts;
+    setSteps(model.getMainChapter().steps.size(), facts);
+    const osg::ref_ptr<LegoNode> planned = new LegoNode;
     planned->setName(_lego.getName());
     planned->setStoredBricks(bricks);
+    planned->setSettings(_lego.getSettings());
     planned->setBuildingPlan(plan);
 
     const std::string name = osgDB::getStrippedName(fileName);
-    BookletFacts facts;
     facts.title = titleOf(name);
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
     facts.downloads = createDownloads(name, model.getPartsList(), *planned);
     checkCancellation();
-    setSteps(model.getMainChapter().steps.size(), facts);
     BookletPictures pictures(model, renderer);
     writePage(fileName, model, facts, pictures);
 }

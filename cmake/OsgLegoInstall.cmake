@@ -19,9 +19,17 @@ install(FILES ${PROJECT_BINARY_DIR}/osgLegoConfig.cmake ${PROJECT_BINARY_DIR}/os
               cmake/OsgLegoOpenSceneGraph.cmake
         DESTINATION ${package_folder})
 
-# The folder of the .pc file gives the prefix, so that the tree can be moved.
-file(RELATIVE_PATH OSGLEGO_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-string(REGEX REPLACE "/$" "" OSGLEGO_PC_PREFIX ${OSGLEGO_PC_PREFIX})
+# The folder of the .pc file gives the prefix, so that the tree can be moved; with absolute folders, it can't.
+if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR} OR IS_ABSOLUTE ${CMAKE_INSTALL_INCLUDEDIR})
+    set(OSGLEGO_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+    set(OSGLEGO_PC_LIBDIR ${CMAKE_INSTALL_FULL_LIBDIR})
+    set(OSGLEGO_PC_INCLUDEDIR ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+else()
+    file(RELATIVE_PATH OSGLEGO_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+    string(REGEX REPLACE "/$" "" OSGLEGO_PC_PREFIX "\${pcfiledir}/${OSGLEGO_PC_PREFIX}")
+    set(OSGLEGO_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+    set(OSGLEGO_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 configure_file(cmake/osgLego.pc.in ${PROJECT_BINARY_DIR}/osgLego.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/osgLego.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(TARGET osgLegoBooklet)
@@ -33,7 +41,7 @@ install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Only builds of all targets make the manual page.
 find_program(OSGLEGO_HELP2MAN help2man)
-if(OSGLEGO_BUILD_APPLICATIONS AND OSGLEGO_HELP2MAN AND NOT OSGLEGO_SANITIZE)
+if(OSGLEGO_BUILD_APPLICATIONS AND OSGLEGO_HELP2MAN AND NOT OSGLEGO_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
     set(manual_page ${PROJECT_BINARY_DIR}/man/osglegocapture.1)
     add_custom_command(
         OUTPUT ${manual_page}

@@ -41,7 +41,8 @@ LegoNode::~LegoNode() = default;
 
 bool LegoNode::setSettings(const LegoSettings& settings)
 {
-    return changeSettings(settings, true);
+    // Stored bricks do not need the palette, whose file may not be there any more.
+    return changeSettings(settings, !getStoredBricks());
 }
 
 bool LegoNode::changeSettings(const LegoSettings& settings, bool requiresPalette)

@@ -75,7 +75,8 @@ public:
 
     /** Change the settings, and read their palette: set them again after a change of its file. The next frame remakes
      * the bricks, unless LegoSettings::givesSameBricks() and the palette has the same colours.
-     * @return false, with a warning and no change, if LegoSettings::check() or Palette::read() reports an error. */
+     * @return false, with a warning and no change, if LegoSettings::check() or, unless the bricks are stored,
+     * Palette::read() reports an error. */
     bool setSettings(const LegoSettings& settings);
     LegoSettings getSettings() const;
 

@@ -253,8 +253,12 @@ PartsList CaptureScene::createPartsList() const
         std::string error;
         const osg::ref_ptr<const BrickModel> model = lego->getBricks();
         const osg::ref_ptr<const Palette> palette = Palette::read(lego->getSettings(), error);
-        if (!error.empty()) throw CaptureError(EXIT_BAD_INPUT, error);
-        if (model) list.add(*model, palette ? palette->getColors() : std::span<const PaletteColor>());
+        // Stored bricks don't need the file of their palette: LDraw's codes name their colours.
+        if (!error.empty() && !lego->getStoredBricks()) throw CaptureError(EXIT_BAD_INPUT, error);
+        const std::span<const PaletteColor> colors = palette         ? palette->getColors()
+                                                     : error.empty() ? std::span<const PaletteColor>()
+                                                                     : Palette::getKnownColors();
+        if (model) list.add(*model, colors);
     }
     if (list.getRows().empty()) throwWithoutParts(TO_LIST);
     return list;

@@ -204,10 +204,12 @@ bool RadiancePicture::mend()
         dark += isDark;
         endless += isEndless;
     }
-    if (light && dark + endless > 0)
-        OSG_WARN << "osgLego: in the picture of a light probe " << dark
-                 << " pixels are negative or not numbers, and count as 0; " << endless << " are infinite, and count as "
-                 << LARGEST_HALF << std::endl;
+    if (light && dark > 0)
+        OSG_WARN << "osgLego: pixels of a light probe's picture that are negative or not numbers, and count as 0: "
+                 << dark << std::endl;
+    if (light && endless > 0)
+        OSG_WARN << "osgLego: pixels of a light probe's picture that are infinite, and count as " << LARGEST_HALF
+                 << ": " << endless << std::endl;
     return light;
 }
 

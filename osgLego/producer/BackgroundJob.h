@@ -228,10 +228,12 @@ void BackgroundJob<Result>::retire()
     _retired.push_back(std::move(_last));
 }
 
+/** Destroy the retired runs whose threads have nothing left to do, so that no lock is held while waiting for a thread.
+ */
 template <typename Result>
 void BackgroundJob<Result>::forgetEnded()
 {
-    std::erase_if(_retired, [](const std::shared_ptr<Run>& run) { return run->getOutcome() != Outcome::NONE; });
+    std::erase_if(_retired, [](const std::shared_ptr<Run>& run) { return run->_task.hasReturned(); });
 }
 
 } // namespace osgLego

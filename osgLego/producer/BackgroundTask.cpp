@@ -42,7 +42,11 @@ void BackgroundTask::start()
     {
         _thread = std::thread([this] { run(); });
     }
-    catch (const std::system_error&)
+    catch (const std::system_error&) // no more threads
+    {
+        run();
+    }
+    catch (const std::bad_alloc&) // no memory for a thread
     {
         run();
     }
@@ -65,6 +69,7 @@ void BackgroundTask::run()
     _hasEnded = true;
     _hasEnded.notify_all();
     _steps.announce();
+    _hasReturned = true;
 }
 
 } // namespace osgLego

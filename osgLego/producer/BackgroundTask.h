@@ -40,9 +40,11 @@ public:
     BackgroundTask(const BackgroundTask&) = delete;
     BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-    /** Start a thread for the task; if the system has no more threads, do it now, in this thread. Called once. */
+    /** Start a thread for the task; if the system can't provide one, do it now, in this thread. Called once. */
     void start();
     bool hasEnded() const { return _hasEnded; }
+    /** Whether it has ended and its announcement has returned, so that destroying the task waits for nothing. */
+    bool hasReturned() const { return _hasReturned; }
     void cancel();
     bool isCancelled() const { return _isCancelled; }
     /** Wait until the task has ended. Another thread may start it meanwhile. */
@@ -53,6 +55,7 @@ private:
 
     Steps _steps;
     std::atomic<bool> _hasEnded{false};
+    std::atomic<bool> _hasReturned{false};
     std::atomic<bool> _isCancelled{false};
     oneapi::tbb::task_group _group;
     std::thread _thread;

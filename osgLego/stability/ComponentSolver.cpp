@@ -81,8 +81,8 @@ private:
             std::iota(result.falling.begin(), result.falling.end(), 0u);
         }
         OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
-                 << " parts can't be computed precisely enough, so that " << result.falling.size()
-                 << " of them are treated as falling" << std::endl;
+                 << " parts can't be computed precisely enough; parts of it that are treated as falling: "
+                 << result.falling.size() << std::endl;
     }
 
     /** Whether forces keep all parts in equilibrium, even if they are not optimal: their margin is a lower bound. */

@@ -82,6 +82,9 @@ public:
     WriteResult writeNode(const osg::Node& node, const std::string& fileName, const Options*) const override
     {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(fileName))) return WriteResult::FILE_NOT_HANDLED;
+        // Before the order of building is planned, which may take long.
+        if (const std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty())
+            return WriteResult("osgLego: can't write '" + fileName + "': " + obstacle);
         return writeScene(node, fileName,
                           [&fileName](const LDrawWriter& writer)
                           {

@@ -1,5 +1,6 @@
 #include <osgLegoBooklet/Booklet.h>
 
+#include <Meshes.h>
 #include <PartModels.h>
 #include <offscreen/OffscreenContext.h>
 
@@ -130,6 +131,12 @@ TEST_F(BookletTest, GivesTheReasonForAFailure)
     EXPECT_EQ(error->reason, Reason::BAD_STEPS);
     EXPECT_EQ(error->message, "'tower.mpd' has no steps 2-3; expected FIRST-LAST from 1 to 1, the number of steps");
 
+    options.steps = {3, 2};
+    error = write(*lego, "new/tower.html", options);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->reason, Reason::BAD_STEPS);
+    EXPECT_EQ(error->message, "'tower.mpd' has no steps 3-2; expected FIRST-LAST, counted from 1");
+
     const osg::ref_ptr<LegoNode> empty = new LegoNode;
     error = write(*empty, "new/tower.html");
     ASSERT_TRUE(error);
@@ -158,6 +165,31 @@ TEST_F(BookletTest, ReportsMissingPartsBeforeBricksAreMade)
         lego = nullptr; // waits for the thread that calls ready()
         EXPECT_EQ(counter->numReady, isBooklet ? 0 : 1);
     }
+}
+
+TEST_F(BookletTest, GivesTheObstacleIfThereAreNoBricks)
+{
+    osg::ref_ptr<LegoNode> lego = new LegoNode;
+    LegoSettings settings;
+    settings.grid.cellPitch = 1e-9;
+    settings.grid.proportions = Proportions::BRICK;
+    settings.parts.set = PartSet::BRICKS;
+    lego->setSettings(settings);
+    lego->addChild(test::createSphere(4));
+    const std::string obstacle = lego->getObstacle();
+    ASSERT_FALSE(obstacle.empty());
+    const std::optional<BookletError> error = write(*lego, "tower.html");
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->message, "the model has no bricks: " + obstacle);
+}
+
+TEST_F(BookletTest, StoredBricksNeedNoPalette)
+{
+    const osg::ref_ptr<LegoNode> lego = createNode();
+    LegoSettings settings = lego->getSettings();
+    settings.colors.palette = "no-such-palette.csv";
+    ASSERT_TRUE(lego->setSettings(settings));
+    EXPECT_FALSE(write(*lego, "tower.html"));
 }
 
 TEST_F(BookletTest, PrintsTheStabilityThatIsKnown)

@@ -52,6 +52,19 @@ TEST_F(StoredBricksTest, ChildrenAddedLaterAndSettingsDoNotChangeThem)
     EXPECT_NEAR(_lego->getBound().radius(), _bricks->getGrid().getBrickBounds().radius(), 1e-5);
 }
 
+TEST_F(StoredBricksTest, TheyNeedNoPalette)
+{
+    _settings.colors.palette = "no-such-palette.csv";
+    _settings.view.look = Look::PLAIN;
+    EXPECT_TRUE(_lego->setSettings(_settings));
+    EXPECT_EQ(_lego->getSettings().view.look, Look::PLAIN);
+    EXPECT_EQ(_lego->getBricks(), _bricks);
+
+    const osg::ref_ptr<LegoNode> live = new LegoNode;
+    live->addChild(createSphere(4));
+    EXPECT_FALSE(live->setSettings(_settings));
+}
+
 TEST_F(StoredBricksTest, WithoutThemTheChildrenAreLegolizedAgain)
 {
     _lego->setSettings(_settings);

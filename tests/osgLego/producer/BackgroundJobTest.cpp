@@ -1,6 +1,7 @@
 #include <osgLego/producer/BackgroundJob.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <future>
 #include <new>
@@ -290,6 +291,33 @@ TEST_F(BackgroundJobTest, CancellingEndsLoopsOfOneTbb)
     const std::shared_ptr<Job::Run> run = _job.request(1, false, [&] { return work; }).run;
     run->wait();
     EXPECT_TRUE(isEnding);
+}
+
+TEST_F(BackgroundJobTest, NoCallWaitsForAnAnnouncement)
+{
+    std::promise<void> mayReturn;
+    std::atomic<int> numAnnounced{0};
+    Job job({.announce = [&]
+             {
+                 if (++numAnnounced == 1) mayReturn.get_future().wait();
+             }});
+    const auto request = [&](std::uint64_t revision)
+    {
+        const auto work = [](const Job::IsCancelled&, std::string&) { return 1; };
+        job.request(revision, true, [&] { return work; }).run->wait();
+    };
+    auto calls = std::async(std::launch::async,
+                            [&]
+                            {
+                                request(1);
+                                request(2);
+                                job.deliver();
+                                job.cancel();
+                                job.deliver();
+                            });
+    const auto status = calls.wait_for(std::chrono::seconds(30));
+    mayReturn.set_value();
+    EXPECT_EQ(status, std::future_status::ready);
 }
 
 TEST_F(BackgroundJobTest, TheDestructorCancelsAndWaits)
