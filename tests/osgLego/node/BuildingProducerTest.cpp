@@ -1,5 +1,6 @@
 #include <osgLego/node/BuildingProducer.h>
 
+#include <atomic>
 #include <new>
 #include <stdexcept>
 
@@ -14,8 +15,13 @@ namespace
 TEST(BuildingProducer, GivesUpASetWhoseModelCantBeMade)
 {
     const osg::ref_ptr<BrickStore> store = new BrickStore;
-    int numAnnounced = 0;
-    BuildingProducer producer(*store, [&] { ++numAnnounced; });
+    std::atomic<int> numAnnounced{0};
+    BuildingProducer producer(*store,
+                              [&]
+                              {
+                                  ++numAnnounced;
+                                  numAnnounced.notify_all();
+                              });
     BrickGrid grid;
     grid.dimensions = glm::ivec3(1);
     const osg::ref_ptr<const BrickSet> broken = new BrickSet(
@@ -32,6 +38,7 @@ TEST(BuildingProducer, GivesUpASetWhoseModelCantBeMade)
     producer.produce(*new BrickSet(3, *model, {}), true);
     ASSERT_TRUE(store->getBuilding());
     EXPECT_EQ(store->getBuilding()->getRevision(), 3u);
+    numAnnounced.wait(0); // a set may be waited for before it is announced
     EXPECT_EQ(numAnnounced, 1);
 }
 
