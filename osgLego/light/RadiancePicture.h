@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <osg/Image>
 #include <osg/Vec2d>
 #include <osg/Vec3d>
 #include <osg/Vec3f>
@@ -19,8 +20,8 @@ namespace osgLego
  * Usage:
  *
  *     std::optional<RadiancePicture> picture = RadiancePicture::read(image, LightProbe::AUTO, error);
- *     if (picture) picture->visit([&](const RadiancePicture::Piece& piece) { sum += piece.radiance * piece.solidAngle;
- * });
+ *     const auto add = [&](const RadiancePicture::Piece& piece) { sum += piece.radiance * piece.solidAngle; };
+ *     if (picture) picture->visit(add);
  *
  * Const functions may be called from any thread.
  */
