@@ -69,9 +69,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
         {
             CpuBricksWork work;
             work.isCancelled = isCancelled;
-            work.progress = [&progress](double fraction) {
-                *progress = {LegoProgress::Stage::PARTS, static_cast<float>(fraction)};
-            };
+            work.progress = [&progress](double fraction) { *progress = static_cast<float>(fraction); };
             work.previous = &layout;
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
             error = work.error;
@@ -89,7 +87,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
 std::shared_ptr<CpuProducer::Progress> CpuProducer::beginProgress()
 {
     const std::lock_guard lock(_mutex);
-    _progress = std::make_shared<Progress>(LegoProgress{LegoProgress::Stage::CELLS});
+    _progress = std::make_shared<Progress>(FINDS_CELLS);
     return _progress;
 }
 
@@ -98,7 +96,10 @@ LegoProgress CpuProducer::getProgress() const
     const std::shared_ptr<Job::Run> run = _job.getRun();
     if (!run || run->getOutcome() != Job::Outcome::NONE) return {};
     const std::lock_guard lock(_mutex);
-    return _progress ? _progress->load() : LegoProgress();
+    if (!_progress) return {};
+    const float fraction = *_progress;
+    if (fraction == FINDS_CELLS) return {LegoProgress::Stage::CELLS};
+    return {LegoProgress::Stage::PARTS, fraction};
 }
 
 void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision)

@@ -60,7 +60,9 @@ private:
         PreviousLayout layout;
     };
     using Job = BackgroundJob<Made>;
-    using Progress = std::atomic<LegoProgress>;
+    /** The fraction of the parts that are laid, or FINDS_CELLS before that. */
+    using Progress = std::atomic<float>;
+    static constexpr float FINDS_CELLS = -1.0f;
 
     ~CpuProducer() override = default;
 

@@ -18,7 +18,7 @@ namespace osgLego::test
 namespace
 {
 
-using Lines = std::vector<std::string>;
+using StepLines = std::vector<std::string>;
 
 /** A column of bricks with a plan. */
 LDrawModel createModel(const osg::ref_ptr<const BuildingPlan>& plan)
@@ -44,9 +44,9 @@ BuildingStep createStep(std::vector<std::uint32_t> parts, int turns = 0, bool is
 }
 
 /** The ends of steps and the changes of views. */
-Lines getCommands(const std::string& text)
+StepLines getCommands(const std::string& text)
 {
-    Lines commands;
+    StepLines commands;
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);)
         if (line.starts_with("0 ")) commands.push_back(line.substr(2, line.size() - 3));
@@ -69,12 +69,12 @@ TEST(LDrawSteps, TheViewOfAFileDoesNotDependOnTheFileBefore)
     };
     std::ostringstream main;
     steps.writeMain(main);
-    EXPECT_EQ(getCommands(main.str()), (Lines{"STEP", "ROTSTEP 0 90 0 REL", "STEP"}));
-    EXPECT_EQ(commandsOf(0), Lines{"STEP"});
-    const Lines upsideDown{"ROTSTEP 180 0 0 REL", "STEP"};
+    EXPECT_EQ(getCommands(main.str()), (StepLines{"STEP", "ROTSTEP 0 90 0 REL", "STEP"}));
+    EXPECT_EQ(commandsOf(0), StepLines{"STEP"});
+    const StepLines upsideDown{"ROTSTEP 180 0 0 REL", "STEP"};
     EXPECT_EQ(commandsOf(1), upsideDown);
     EXPECT_EQ(commandsOf(2), upsideDown);
-    EXPECT_EQ(commandsOf(0), Lines{"STEP"});
+    EXPECT_EQ(commandsOf(0), StepLines{"STEP"});
 }
 
 /** The rotation of a model, in LDraw's axes (x to the right, y downwards, z away), about x and then y: by the
@@ -144,7 +144,7 @@ TEST(LDrawSteps, EveryStepThatChangesTheViewSaysSoOnce)
                                              createStep({3}, 1), createStep({4}, 0), createStep({5}, 0)}));
     std::ostringstream stream;
     LDrawSteps(model, "a").writeMain(stream);
-    EXPECT_EQ(getCommands(stream.str()), (Lines{"ROTSTEP 0 180 0 REL", "STEP", "STEP", "ROTSTEP 0 -90 0 REL", "STEP",
+    EXPECT_EQ(getCommands(stream.str()), (StepLines{"ROTSTEP 0 180 0 REL", "STEP", "STEP", "ROTSTEP 0 -90 0 REL", "STEP",
                                                 "ROTSTEP 0 90 0 REL", "STEP", "ROTSTEP END", "STEP", "STEP"}));
 }
 
