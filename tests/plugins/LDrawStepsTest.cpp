@@ -144,8 +144,9 @@ TEST(LDrawSteps, EveryStepThatChangesTheViewSaysSoOnce)
                                              createStep({3}, 1), createStep({4}, 0), createStep({5}, 0)}));
     std::ostringstream stream;
     LDrawSteps(model, "a").writeMain(stream);
-    EXPECT_EQ(getCommands(stream.str()), (StepLines{"ROTSTEP 0 180 0 REL", "STEP", "STEP", "ROTSTEP 0 -90 0 REL", "STEP",
-                                                "ROTSTEP 0 90 0 REL", "STEP", "ROTSTEP END", "STEP", "STEP"}));
+    EXPECT_EQ(getCommands(stream.str()),
+              (StepLines{"ROTSTEP 0 180 0 REL", "STEP", "STEP", "ROTSTEP 0 -90 0 REL", "STEP", "ROTSTEP 0 90 0 REL",
+                         "STEP", "ROTSTEP END", "STEP", "STEP"}));
 }
 
 } // namespace
