@@ -1,5 +1,7 @@
 #include "BookletModel.h"
 
+#include <osgLego/data/UnionFind.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -48,50 +50,20 @@ osg::ref_ptr<const BrickModel> createPartialModel(const BrickModel& model, const
     return BrickModel::createOfParts(model.getGrid(), std::move(chosen));
 }
 
-/** Sets of parts that are held together. */
-class Pieces
-{
-public:
-    explicit Pieces(std::size_t numParts) : _parents(numParts), _number(numParts)
-    {
-        std::iota(_parents.begin(), _parents.end(), std::size_t(0));
-    }
-
-    void join(std::size_t part, std::size_t other)
-    {
-        part = findRoot(part);
-        other = findRoot(other);
-        if (part == other) return;
-        _parents[part] = other;
-        --_number;
-    }
-
-    std::size_t getNumber() const { return _number; }
-
-private:
-    std::size_t findRoot(std::size_t part)
-    {
-        while (_parents[part] != part)
-            part = _parents[part] = _parents[_parents[part]];
-        return part;
-    }
-
-    std::vector<std::size_t> _parents;
-    std::size_t _number;
-};
-
 std::size_t countPieces(const BrickModel& model)
 {
-    Pieces pieces(model.getParts().size());
+    UnionFind pieces;
+    pieces.reset(model.getParts().size());
+    std::size_t number = model.getParts().size();
     glm::ivec3 up(0);
     up[model.getGrid().getUpIndex()] = 1;
     for (std::size_t brick = 0; brick < model.getBricks().size(); ++brick)
     {
-        const std::uint32_t part = model.getPartIndices()[brick];
-        if (const Part* above = model.findPart(model.getBricks()[brick].getCell() + up))
-            pieces.join(part, static_cast<std::size_t>(above - model.getParts().data()));
+        const auto part = static_cast<std::int32_t>(model.getPartIndices()[brick]);
+        const Part* above = model.findPart(model.getBricks()[brick].getCell() + up);
+        if (above && pieces.join(part, static_cast<std::int32_t>(above - model.getParts().data()))) --number;
     }
-    return pieces.getNumber();
+    return number;
 }
 
 } // namespace
