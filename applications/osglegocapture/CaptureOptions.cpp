@@ -179,28 +179,11 @@ CLI::callback_t toCallback(const Reader& reader)
     };
 }
 
-/** The help text below the options. */
-std::string createFooter()
-{
-    return "SETTINGS: a list of key=value; a number alone is the resolution\n" +
-           describeKeys(LegoSettings::describe()) +
-           "\nOCCLUSION, in the full look: a list of key=value; a quality alone needs no key\n" +
-           describeKeys(AmbientOcclusionSettings::describe()) +
-           "\nExit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be "
-           "written,\n5 no GL that can make bricks, 130 and 143 cancelled by SIGINT or SIGTERM.";
-}
+// The options of the help text, in its order, by subject.
 
-} // namespace
-
-bool CaptureOptions::needsContext() const
+/** The mesh, its bricks and the picture of them. */
+void addPicture(CLI::App& app, CaptureOptions& options)
 {
-    return !output.empty() || !statistics.empty() || !cells.empty() || !reference.empty();
-}
-
-std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
-{
-    CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
-    app.footer(createFooter());
     app.add_option("MESH", options.mesh, "A file that OpenSceneGraph reads (the built-in racing car)");
     app.add_option("-O", options.readerOptions,
                    "Options for the reader of MESH, including .legolize, as osgviewer's -O")
@@ -212,6 +195,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--size", toCallback([&](const std::string& text) { return readSize(text, options); }),
                    "Pixels of the picture (1280x720)")
         ->type_name("WxH");
+}
+
+void addCamera(CLI::App& app, CaptureOptions& options)
+{
     app.add_option(
            "--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
            "The camera: degrees around the mesh, degrees above the horizon, and the distance from the middle of the "
@@ -227,6 +214,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                }),
            "Cut off everything nearer than this many radii of the mesh's bounding sphere")
         ->type_name("RADII");
+}
+
+void addLight(CLI::App& app, CaptureOptions& options)
+{
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
                    "Ambient occlusion, as below, or off (medium)")
         ->type_name("OCCLUSION");
@@ -249,6 +240,11 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                        }),
                    "Multiply the environment light (1)")
         ->type_name("FACTOR");
+}
+
+/** How the picture is drawn. */
+void addDrawing(CLI::App& app, CaptureOptions& options)
+{
     app.add_flag("--original", options.original,
                  "Draw the mesh instead of bricks; from the same place if --legolize is the same");
     app.add_flag(
@@ -257,6 +253,11 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     app.add_option("--context", toCallback([&](const std::string& text) { return readContext(text, options.context); }),
                    "How to create the GL context: auto, egl or osmesa (auto)")
         ->type_name("KIND");
+}
+
+/** Figures and lists beside the picture. */
+void addReports(CLI::App& app, CaptureOptions& options)
+{
     app.add_option("--stats", options.statistics,
                    "Write counts, the grid and times as JSON; - writes them to standard output")
         ->type_name("FILE.json");
@@ -273,6 +274,10 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "
                    "table to standard output")
         ->type_name("FILE");
+}
+
+void addBooklet(CLI::App& app, CaptureOptions& options)
+{
     app.add_option("--instructions", options.instructions,
                    "Write a booklet of building instructions, DIR/NAME.html; DIR is created if it does not exist")
         ->type_name("DIR");
@@ -280,25 +285,58 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
                    "For --instructions: write only these steps, for example 1-50")
         ->type_name("FIRST-LAST");
     app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
+}
+
+void addComparison(CLI::App& app, CaptureOptions& options)
+{
     app.add_option("--compare", options.reference,
                    "Compare with a picture: print the differences, write a picture of them beside the output, and exit "
                    "with 1 if more than 0.1 % of the pixels are off or the mean error is more than a quarter of "
                    "--threshold")
         ->type_name("REFERENCE");
-    const CLI::Option* threshold =
-        app.add_option(
-               "--threshold",
-               toCallback(
-                   [&](const std::string& text) {
-                       return readNumber("--threshold", text, {0.0, 1.0, "0 to 1"}, options.threshold);
-                   }),
-               "For --compare: a pixel is off if a channel, 0 to 1, differs by more than this (0.0157, or 4/255)")
-            ->type_name("DIFFERENCE");
+    app.add_option("--threshold",
+                   toCallback(
+                       [&](const std::string& text) {
+                           return readNumber("--threshold", text, {0.0, 1.0, "0 to 1"}, options.threshold);
+                       }),
+                   "For --compare: a pixel is off if a channel, 0 to 1, differs by more than this (0.0157, or 4/255)")
+        ->type_name("DIFFERENCE");
+}
+
+/** The help text below the options. */
+std::string createFooter()
+{
+    return "SETTINGS: a list of key=value; a number alone is the resolution\n" +
+           describeKeys(LegoSettings::describe()) +
+           "\nOCCLUSION, in the full look: a list of key=value; a quality alone needs no key\n" +
+           describeKeys(AmbientOcclusionSettings::describe()) +
+           "\nExit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be "
+           "written,\n5 no GL that can make bricks, 130 and 143 cancelled by SIGINT or SIGTERM.";
+}
+
+} // namespace
+
+bool CaptureOptions::needsContext() const
+{
+    return !output.empty() || !statistics.empty() || !cells.empty() || !reference.empty();
+}
+
+std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
+{
+    CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
+    app.footer(createFooter());
+    addPicture(app, options);
+    addCamera(app, options);
+    addLight(app, options);
+    addDrawing(app, options);
+    addReports(app, options);
+    addBooklet(app, options);
+    addComparison(app, options);
 
     try
     {
         app.parse(argc, argv);
-        checkCombination(options, threshold->count() > 0);
+        checkCombination(options, app.count("--threshold") > 0);
     }
     catch (const CLI::Success& success)
     {
