@@ -7,6 +7,19 @@ SHOWN_CONTENDERS = ("points, projected", "exact, passes", "passalis", "dominant 
                     "plain loop", "openvdb", "openvdb, narrow")
 
 
+class SummaryError(Exception):
+    """Figures that a summary can't have, or a page without a place for them."""
+
+
+def check_commit(documents):
+    """Raise SummaryError unless all figures are of one commit, built without other changes."""
+    commits = list(dict.fromkeys(document["environment"]["commit"] for document in documents))
+    if len(commits) > 1:
+        raise SummaryError(f"figures are of the commits {', '.join(commits)}; expected figures of one commit")
+    if commits[0].endswith("-dirty"):
+        raise SummaryError(f"figures are of '{commits[0]}', a build with uncommitted changes; expected figures of a commit")
+
+
 def table(head, rows):
     def line(cells):
         return "| " + " | ".join(str(cell) for cell in cells) + " |\n"
@@ -184,12 +197,11 @@ PAGES = {"performance.md": (("voxelize", "From mesh to bricks", voxelize_summary
 
 
 def place_text(documents):
-    """The machine and the commits."""
-    places = group((document["environment"] for document in documents),
-                   lambda place: (place["processor"], place["threads"], place["date"][:10]))
-    return "; ".join("commit " + ", ".join(dict.fromkeys(place["commit"] for place in found))
-                     + f" on {processor}, {threads} threads, {date}"
-                     for (processor, threads, date), found in places.items())
+    """The commit and the machines."""
+    places = dict.fromkeys((place["processor"], place["threads"], place["date"][:10])
+                           for place in (document["environment"] for document in documents))
+    return f"commit {documents[0]['environment']['commit']} on " + "; ".join(
+        f"{processor}, {threads} threads, {date}" for processor, threads, date in places)
 
 
 def overview(documents, goals):
@@ -204,14 +216,12 @@ def overview(documents, goals):
 
 
 def format_page(sections, documents, find_goals):
-    """The place stands once above several sections if they share it."""
+    """The place stands once above several sections."""
     text = ""
     for benchmark, title, summarize in sections:
         found = [document for document in documents if document["benchmark"] == benchmark]
         if found:
-            text += f"\n## {title}\n\n" if title else "\n"
-            if not title or len({document["environment"]["commit"] for document in documents}) > 1:
-                text += f"Measured on {place_text(found)}.\n\n"
+            text += f"\n## {title}\n\n" if title else f"\nMeasured on {place_text(found)}.\n\n"
             text += summarize(found, find_goals(found))
     return text
 
@@ -219,7 +229,9 @@ def format_page(sections, documents, find_goals):
 def update_pages(folder, documents, find_goals):
     """Replace the text between the markers of all pages that have tables of these documents.
     @param find_goals gives the goals of several documents.
-    @return the pages that have changed, or raises ValueError for a page without markers."""
+    @return the pages that have changed; raises SummaryError for figures that check_commit() refuses, before any page
+    changes, and for a page without markers."""
+    check_commit(documents)
     pages = []
     for name, sections in PAGES.items():
         text = format_page(sections, documents, find_goals)
@@ -238,7 +250,7 @@ def update_page(file_name, text):
         page = file.read()
     begin, end = page.find(MARKERS[0]), page.find(MARKERS[1])
     if begin < 0 or end < begin:
-        raise ValueError(f"'{file_name}' has no markers; expected the lines {' and '.join(MARKERS)}")
+        raise SummaryError(f"'{file_name}' has no markers; expected the lines {' and '.join(MARKERS)}")
     temporary = file_name + ".part"
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(page[:begin] + MARKERS[0] + "\n" + text + "\n" + page[end:])
