@@ -43,13 +43,15 @@ std::string findObstacleToWriting(const std::string& fileName)
 {
     std::error_code ignored;
     const fs::path path(fileName);
-    if (fs::is_directory(path, ignored)) return "it is a folder";
+    if (fs::is_directory(path, ignored)) return "it is a folder; expected a file";
     if (isSpecial(path)) return {};
-    const fs::path folder = path.parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, ignored)) return "there is no folder '" + folder.string() + "'";
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
-        return "its folder can't be written to: " + std::error_code(errno, std::generic_category()).message();
-    return {};
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const std::string name = "'" + folder.string() + "'";
+    if (!fs::exists(folder, ignored)) return "there is no folder " + name + "; expected an existing one";
+    if (!fs::is_directory(folder, ignored)) return name + " is a file; expected a folder";
+    if (access(folder.c_str(), W_OK) == 0) return {};
+    const std::string reason = std::error_code(errno, std::generic_category()).message();
+    return "the folder " + name + " can't be written to: " + reason + "; expected a writable folder";
 }
 
 bool isSameFile(const std::string& fileName, const std::string& otherName)

@@ -53,8 +53,13 @@ TEST_F(CompleteFile, KeepsTheOldFileWhenWritingFails)
 
 TEST_F(CompleteFile, NamesTheProblemWithItsFolder)
 {
-    EXPECT_EQ(writeCompleteFile(_folder.string(), writeHalf), "it is a folder");
-    EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf), "there is no folder '" + pathOf("none") + "'");
+    EXPECT_EQ(writeCompleteFile(_folder.string(), writeHalf), "it is a folder; expected a file");
+    EXPECT_EQ(writeCompleteFile(pathOf("none/a.txt"), writeHalf),
+              "there is no folder '" + pathOf("none") + "'; expected an existing one");
+    std::ofstream(pathOf("file")) << "text";
+    EXPECT_EQ(writeCompleteFile(pathOf("file/a.txt"), writeHalf),
+              "'" + pathOf("file") + "' is a file; expected a folder");
+    EXPECT_EQ(countFiles(), 1u);
 }
 
 } // namespace
