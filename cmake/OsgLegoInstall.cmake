@@ -47,7 +47,7 @@ if(OSGLEGO_BUILD_APPLICATIONS AND OSGLEGO_HELP2MAN AND NOT OSGLEGO_SANITIZE AND 
         OUTPUT ${manual_page}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
         COMMAND ${OSGLEGO_HELP2MAN} --no-info --name "draw a scene in bricks to a picture, without a display"
-                --version-string "osglegocapture (osgLego) ${PROJECT_VERSION}" --output ${manual_page} $<TARGET_FILE:osglegocapture>
+                --output ${manual_page} $<TARGET_FILE:osglegocapture>
         DEPENDS osglegocapture COMMENT "Writing the manual page of osglegocapture" VERBATIM)
     add_custom_target(osgLegoManualPage ALL DEPENDS ${manual_page})
     install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)

@@ -325,6 +325,7 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
 {
     CLI::App app{"Draws a mesh in bricks into a picture, without a display.", "osglegocapture"};
     app.footer(createFooter());
+    app.set_version_flag("--version", "osglegocapture " OSGLEGO_VERSION, "Print the version and exit");
     addPicture(app, options);
     addCamera(app, options);
     addLight(app, options);
