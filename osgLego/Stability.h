@@ -13,17 +13,31 @@ namespace osgLego
 /** How stability is computed. */
 struct StabilityOptions
 {
-    BuildingBase base = BuildingBase::TABLE;
+    BuildingBase base = BuildingBase::TABLE; //!< below the lowest parts
     /** Called regularly, from any thread; computeStability() returns nothing soon after it returns true. May be
      * empty. */
     std::function<bool()> isCancelled;
 };
 
-/** Compute whether a model stands.
+/** Compute whether a model of parts stands under its own weight, which parts fall otherwise, and how much its joints
+ * bear. docs/stability.md has the physics, and times.
  *
- * Needs no GL context; may be called from any thread.
- * @param model with parts that are in getPartTypes(); a model without parts stands.
- * @return nothing if it was cancelled.
+ * Preconditions:
+ * 1. Every part is in getPartTypes(): findPartType() gives its type. legolizeOnCpu() and LegoNode make no other parts,
+ *    but BrickModel::createOfParts() accepts any box.
+ * 2. Several threads may call StabilityOptions::isCancelled at once.
+ *
+ * Usage:
+ *
+ *     const osg::ref_ptr<const osgLego::BrickModel> model = lego->getBricks();
+ *     osgLego::StabilityOptions options;
+ *     options.base = osgLego::BuildingBase::PLATE;
+ *     const std::optional<osgLego::StabilityReport> report = osgLego::computeStability(*model, options);
+ *     if (report && !report->stands) std::cout << report->falling.size() << " parts fall\n";
+ *
+ * Uses no GL. May be called from any thread, and by several at a time; uses all threads that oneTBB gives the caller.
+ * @param model a model without parts stands.
+ * @return a report with an entry in StabilityReport::loads for each part; nothing if it was cancelled.
  * @throws std::bad_alloc if there is not enough memory, of which large solid models need most: 288 bytes for each pair
  * of parts that the factorization connects. */
 OSGLEGO_EXPORT std::optional<StabilityReport> computeStability(const BrickModel& model,
