@@ -3,7 +3,7 @@
 #include <osgLego/text/SettingValues.h>
 #include <osgLego/text/SettingsTable.h>
 
-#include <cmath>
+#include <limits>
 
 namespace osgLego
 {
@@ -15,12 +15,18 @@ namespace
 class Radius
 {
 public:
+    static constexpr SettingType TYPE = SettingType::NUMBER;
+
+    SettingRange getRange() const
+    {
+        return {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()};
+    }
     std::string getForm() const { return "<number>"; }
     std::string getValues() const { return "a number above 0, in units of the world"; }
     std::string getExpected() const { return getValues(); }
     bool read(std::string_view text, double& radius) const { return readNumber(text, radius); }
     std::string write(double radius) const { return toText(radius); }
-    bool contains(double radius) const { return radius > 0.0 && std::isfinite(radius); }
+    bool contains(double radius) const { return getRange().contains(radius); }
 };
 
 /** All keys. A setting is added here, and as a member in the header. */

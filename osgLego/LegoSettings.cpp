@@ -3,9 +3,9 @@
 #include <osgLego/text/SettingValues.h>
 #include <osgLego/text/SettingsTable.h>
 
-#include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 namespace osgLego
 {
@@ -17,11 +17,15 @@ namespace
 class PaletteName
 {
 public:
-    std::string getForm() const { return "none|ldraw|<file>"; }
-    std::string getValues() const { return "none, ldraw or a file"; }
+    static constexpr SettingType TYPE = SettingType::FILE;
+
+    std::vector<std::string> getChoices() const { return {"none", "ldraw"}; }
+    std::string getForm() const { return joinTexts(getChoices(), "|", "|") + "|<file>"; }
+    std::string getValues() const { return joinTexts(getChoices(), ", ", ", ") + " or a file"; }
     std::string getExpected() const
     {
-        return "none, ldraw or the path of a file, without commas, brackets and surrounding spaces";
+        return joinTexts(getChoices(), ", ", ", ") +
+               " or the path of a file, without commas, brackets and surrounding spaces";
     }
     bool read(std::string_view text, std::string& palette) const
     {
@@ -39,27 +43,26 @@ public:
 class GridOrigin : public ThreeNumbers<glm::dvec3>
 {
 public:
+    SettingRange getRange() const { return {-LegoSettings::MAXIMUM_ORIGIN, LegoSettings::MAXIMUM_ORIGIN}; }
     std::string getForm() const { return "<x>:<y>:<z>"; }
-    std::string getValues() const
-    {
-        return "x:y:z in model units, each " + toText(-LegoSettings::MAXIMUM_ORIGIN) + " to " +
-               toText(LegoSettings::MAXIMUM_ORIGIN);
-    }
+    std::string getValues() const { return "x:y:z in model units, each " + limitsOf<double>(getRange()); }
     std::string getExpected() const { return getValues(); }
     bool contains(const glm::dvec3& origin) const
     {
-        const auto isGood = [](double coordinate) { return std::abs(coordinate) <= LegoSettings::MAXIMUM_ORIGIN; };
-        return isGood(origin.x) && isGood(origin.y) && isGood(origin.z);
+        const SettingRange range = getRange();
+        return range.contains(origin.x) && range.contains(origin.y) && range.contains(origin.z);
     }
 };
 
 class GridSize : public ThreeNumbers<glm::ivec3>
 {
 public:
+    SettingRange getRange() const { return {1.0, static_cast<double>(LegoSettings::MAXIMUM_LAYERS)}; }
     std::string getForm() const { return "<w>:<d>:<h>"; }
     std::string getValues() const
     {
-        return "w:d:h in cells, each 1 to " + toText(LegoSettings::MAXIMUM_RESOLUTION) + ", and up to " +
+        const SettingRange sideways{getRange().minimum, static_cast<double>(LegoSettings::MAXIMUM_RESOLUTION)};
+        return "w:d:h in cells, each " + limitsOf<int>(sideways) + ", and up to " +
                toText(LegoSettings::MAXIMUM_LAYERS) + " along the up axis";
     }
     std::string getExpected() const { return getValues(); }

@@ -1,12 +1,35 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace osgLego
 {
 
-/** A key of the text form of settings, in words: for help texts, documentation and user interfaces.
+/** The kind of value that a key takes. */
+enum class SettingType
+{
+    NUMBER,
+    WHOLE_NUMBER,
+    THREE_NUMBERS, //!< such as `0.5:0:2`
+    THREE_WHOLE_NUMBERS,
+    SWITCH, //!< off or on
+    CHOICE, //!< one of SettingDescription::choices
+    FILE    //!< the path of a file, or one of SettingDescription::choices
+};
+
+/** The least and the greatest valid number, both included. */
+struct SettingRange
+{
+    double minimum = 0.0;
+    double maximum = 0.0;
+
+    bool contains(double number) const { return number >= minimum && number <= maximum; }
+    bool operator==(const SettingRange&) const = default;
+};
+
+/** A key of the text form of settings, in words and as data: for help texts, documentation and user interfaces.
  *
  * Preconditions: none; a plain value.
  *
@@ -23,6 +46,11 @@ struct SettingDescription
     std::string values;       //!< the valid values, such as `1 to 1024` or `cube, brick, plate`
     std::string defaultValue; //!< the default as a value, or in words
     std::string meaning;      //!< a phrase without a full stop
+    SettingType type = SettingType::NUMBER;
+    /** Of numbers, or of each of three, in the unit of `values`; unset for other types. If limits depend on other
+     * settings, these are the widest. */
+    std::optional<SettingRange> range = {};
+    std::vector<std::string> choices = {}; //!< the names that the value may have; empty for numbers
 
     bool operator==(const SettingDescription&) const = default;
 };

@@ -49,6 +49,9 @@ public:
         SettingDescription& words = this->_description;
         words.form = _values.getForm();
         words.values = _values.getValues();
+        words.type = Values::TYPE;
+        if constexpr (requires { _values.getRange(); }) words.range = _values.getRange();
+        if constexpr (requires { _values.getChoices(); }) words.choices = _values.getChoices();
         if (words.defaultValue.empty()) words.defaultValue = write(Settings());
     }
 

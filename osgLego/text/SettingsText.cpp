@@ -45,6 +45,14 @@ std::string missingComma(std::string_view item, std::size_t second)
 
 } // namespace
 
+std::string joinTexts(const std::vector<std::string>& texts, std::string_view separator, std::string_view last)
+{
+    std::string joined = texts.empty() ? std::string() : texts.front();
+    for (std::size_t index = 1; index < texts.size(); ++index)
+        joined.append(index + 1 == texts.size() ? last : separator).append(texts[index]);
+    return joined;
+}
+
 bool isWholeNumber(std::string_view text)
 {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;

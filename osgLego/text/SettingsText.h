@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace osgLego
 {
@@ -26,6 +27,9 @@ bool readNumber(std::string_view text, Number& number)
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     return code == std::errc() && end == text.data() + text.size();
 }
+
+/** Texts in a row. @param last the separator of the last two. */
+std::string joinTexts(const std::vector<std::string>& texts, std::string_view separator, std::string_view last);
 
 /** Whether a text consists of digits alone. */
 bool isWholeNumber(std::string_view text);

@@ -14,6 +14,8 @@ using Occlusion = LegolizeSettings::Occlusion;
 class PictureName
 {
 public:
+    static constexpr osgLego::SettingType TYPE = osgLego::SettingType::FILE;
+
     std::string getForm() const { return "<file>"; }
     std::string getValues() const { return "the name of a high dynamic range picture, without commas"; }
     std::string getExpected() const { return getValues(); }

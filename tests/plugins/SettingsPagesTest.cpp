@@ -1,7 +1,10 @@
 #include <legolize/LegolizeSettings.h>
 
+#include <algorithm>
 #include <fstream>
+#include <optional>
 #include <regex>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -72,6 +75,49 @@ void expectSame(const SettingDescriptions& onPage, const SettingDescriptions& se
     for (const SettingDescription& setting : settings)
         EXPECT_EQ(findRow(onPage, setting.key), toRow(setting));
     EXPECT_EQ(listKeys(onPage), listKeys(settings));
+}
+
+/** The least and the greatest number in a text; unset if there is none. */
+std::optional<SettingRange> findRange(const std::string& text)
+{
+    const std::regex number(R"(-?[0-9.]+(e[-+][0-9]+)?)");
+    std::optional<SettingRange> range;
+    for (std::sregex_iterator found(text.begin(), text.end(), number); found != std::sregex_iterator(); ++found)
+    {
+        const double value = std::stod(found->str());
+        if (!range) range = {value, value};
+        range->minimum = std::min(range->minimum, value);
+        range->maximum = std::max(range->maximum, value);
+    }
+    return range;
+}
+
+/** The names in a column of values, such as "none, ldraw or a file". */
+std::vector<std::string> findChoices(const std::string& text)
+{
+    const std::regex separator(", | or a file");
+    return {std::sregex_token_iterator(text.begin(), text.end(), separator, -1), std::sregex_token_iterator()};
+}
+
+TEST(SettingsPages, StateTheRangesAndChoicesOfSettings)
+{
+    SettingDescriptions onPages = readPage("settings.md");
+    for (const SettingDescription& setting : readPage("osgviewer.md"))
+        onPages.push_back(setting);
+    const SettingDescriptions& all = LegolizeSettings::describe();
+    ASSERT_EQ(listKeys(onPages), listKeys(all));
+    for (std::size_t index = 0; index < all.size(); ++index)
+    {
+        const SettingDescription& setting = all[index];
+        const std::string& values = onPages[index].values;
+        EXPECT_EQ(setting.range, findRange(values)) << setting.key;
+        if (setting.choices.empty())
+        {
+            EXPECT_TRUE(setting.range || setting.type == SettingType::FILE) << setting.key;
+            continue;
+        }
+        EXPECT_EQ(setting.choices, findChoices(values)) << setting.key;
+    }
 }
 
 TEST(SettingsPages, SettingsOfBricksAreDocumentedAsTheyAre)

@@ -156,14 +156,20 @@ const SettingDescription& describe(const std::string& key)
 TEST(LegoSettings, DescribesEachKindOfValues)
 {
     EXPECT_EQ(describe("resolution"), (SettingDescription{"resolution", "grid", "<number>", "1 to 1024", "64",
-                                                          "cells along the longest side of the model"}));
+                                                          "cells along the longest side of the model",
+                                                          SettingType::WHOLE_NUMBER, SettingRange{1.0, 1024.0}}));
     EXPECT_EQ(describe("proportions").form, "cube|brick|plate");
     EXPECT_EQ(describe("proportions").values, "cube, brick, plate");
     EXPECT_EQ(describe("proportions").defaultValue, "cube");
+    EXPECT_EQ(describe("proportions").type, SettingType::CHOICE);
+    EXPECT_EQ(describe("origin").type, SettingType::THREE_NUMBERS);
     EXPECT_EQ(describe("size").form, "<w>:<d>:<h>");
+    EXPECT_EQ(describe("size").type, SettingType::THREE_WHOLE_NUMBERS);
     EXPECT_EQ(describe("palette").form, "none|ldraw|<file>");
+    EXPECT_EQ(describe("palette").type, SettingType::FILE);
     EXPECT_EQ(describe("dither").group, "colors");
     EXPECT_EQ(describe("dither").defaultValue, "off");
+    EXPECT_EQ(describe("dither").type, SettingType::SWITCH);
     EXPECT_EQ(describe("progress").values, "0 to 1");
 }
 

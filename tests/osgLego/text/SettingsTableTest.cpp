@@ -48,11 +48,22 @@ SettingsTable<Garden> createTable()
 
 TEST(SettingsTable, DescribesItsKeysInTheirOrder)
 {
+    using Range = SettingRange;
+    using Type = SettingType;
     const SettingDescriptions expected = {
-        {"area", "", "<number>", "1 to 500 square metres", "10", "the area with the paths"},
-        {"paths", "", "off|on", "off, on", "on", "whether there are paths"},
-        {"depth", "pond", "<number>", "0.25 to 2", "0.5", "the depth of the pond"},
-        {"fence", "pond", "hedge|wall|wire", "hedge, wall, wire", "none", "the fence around the pond"}};
+        {"area", "", "<number>", "1 to 500 square metres", "10", "the area with the paths", Type::WHOLE_NUMBER,
+         Range{1.0, 500.0}},
+        {"paths", "", "off|on", "off, on", "on", "whether there are paths", Type::SWITCH, {}, {"off", "on"}},
+        {"depth", "pond", "<number>", "0.25 to 2", "0.5", "the depth of the pond", Type::NUMBER, Range{0.25, 2.0}},
+        {"fence",
+         "pond",
+         "hedge|wall|wire",
+         "hedge, wall, wire",
+         "none",
+         "the fence around the pond",
+         Type::CHOICE,
+         {},
+         {"hedge", "wall", "wire"}}};
     EXPECT_EQ(createTable().describe(), expected);
 }
 
