@@ -83,6 +83,25 @@ TEST(BuildingUnits, PartsHangFromTheLowerOfPartsThatAreEquallyGood)
     EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
+TEST(BuildingUnits, OnlyPartsThatMustBePlacedBeforeEachOtherBecomeOneUnit)
+{
+    // On a column lies a beam, on its end a second beam, and on that one a brick. Below the end of the first beam hangs
+    // a brick, and below that brick, without contact, an angle that hangs from the second beam.
+    const JointGraph graph({{{0, 0, 0}, {2, 2, 4}},
+                            {{0, 0, 4}, {8, 2, 5}},
+                            {{6, 0, 3}, {8, 2, 4}},
+                            {{4, 0, 5}, {11, 2, 6}},
+                            {{9, 0, 2}, {11, 2, 5}},
+                            {{6, 0, 1}, {11, 2, 2}},
+                            {{4, 0, 6}, {6, 2, 7}}});
+    BuildingUnits units(graph);
+    units.group(std::vector<bool>(7, false), std::vector<bool>(7, false));
+    ASSERT_EQ(units.getUnits().size(), 3u);
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(1)].parts, (std::vector<std::uint32_t>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(6)].parts, std::vector<std::uint32_t>{6});
+}
+
 } // namespace
 
 } // namespace osgLego::test

@@ -204,6 +204,21 @@ TEST(StepBuilder, StepsAreNotRepairedAfterAPartThatFallsWhateverIsDone)
                   {0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14, 15}, {16, 17, 18, 19, 20, 21, 22, 23}}));
 }
 
+TEST(StepBuilder, PartsOnTheBaseDoNotHang)
+{
+    // The lowest part of a column falls. The parts on it could only hold it if something held them.
+    const JointGraph graph(createColumns({{0, 16}}));
+    const auto findFalling = [](const std::vector<bool>&) { return std::optional<PartList>(PartList{0}); };
+    std::vector<std::size_t> numPlaced;
+    const auto proceed = [&numPlaced](std::size_t number)
+    {
+        numPlaced.push_back(number);
+        return true;
+    };
+    EXPECT_EQ(StepBuilder(graph, findFalling, proceed).build().size(), 2u);
+    EXPECT_EQ(numPlaced, (std::vector<std::size_t>{8, 16})) << "the parts are not grouped again";
+}
+
 } // namespace
 
 } // namespace osgLego::test

@@ -240,6 +240,59 @@ TEST(SupportBuilder, LaysAllWeakPlacesAgainAtOnce)
     EXPECT_EQ(layout.numColumns, 0u);
 }
 
+TEST(SupportBuilder, LaysPartsAgainWithinTwoCellsOfTheWeakPlace)
+{
+    // The bridge of LaysBricksAcrossTheWeakPlaceBeforeItAddsColumns, which stands after the first attempt. Beside it,
+    // two bricks could be one.
+    for (const int gap : {0, 1, 2, 3, 4, 5})
+    {
+        LaidParts parts;
+        for (std::uint16_t z = 0; z < 4; ++z)
+        {
+            parts.push_back({{0, 0, z}, {2, 2, 1}});
+            parts.push_back({{6, 0, z}, {2, 2, 1}});
+            if (z >= 2) parts.push_back({{2, 0, z}, {4, 2, 1}});
+        }
+        const LaidParts pair{{{3, static_cast<std::uint16_t>(2 + gap), 0}, {1, 2, 1}},
+                             {{4, static_cast<std::uint16_t>(2 + gap), 0}, {1, 2, 1}}};
+        parts.insert(parts.end(), pair.begin(), pair.end());
+        const SupportedLayout bare = createLayout(parts, {8, 10, 4});
+        const SupportedLayout layout = support(bare.problem, bare.parts);
+        EXPECT_TRUE(layout.stands);
+        for (const LaidPart& part : pair)
+            EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(), part), gap <= 2 ? 0 : 1) << gap;
+    }
+}
+
+TEST(SupportBuilder, EachGroupOfFloatingPartsGetsAColumnBelowItsMiddle)
+{
+    // Two bricks of 8x2 in the air topple over on a column below their ends, where the outermost places are.
+    constexpr std::uint16_t SECOND = 10;
+    const LaidParts parts{{{8, 0, 0}, {1, 2, 1}}, {{0, 0, 2}, {8, 2, 1}}, {{SECOND, 0, 2}, {8, 2, 1}}};
+    const SupportedLayout bare = createLayout(parts, {SECOND + 8, 2, 3});
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_EQ(layout.numColumns, 2u);
+    for (const int x : {3, SECOND + 3})
+        EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(),
+                             LaidPart{{static_cast<std::uint16_t>(x), 0, 1}, {2, 2, 1}}),
+                  1)
+            << x;
+}
+
+TEST(SupportBuilder, ColumnsBelowNeighborsDoNotOverlap)
+{
+    // Two bricks in the air, with one cell between them. The column below the first one is 2x2; beside it, there is no
+    // place for another one of 2x2.
+    const LaidParts parts{{{0, 0, 0}}, {{4, 0, 1}}, {{6, 0, 1}}};
+    const SupportedLayout bare = createLayout(parts, {7, 2, 2});
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_EQ(layout.numColumns, 2u);
+    EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(), LaidPart{{4, 0, 0}, {2, 2, 1}}), 1);
+    EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(), LaidPart{{6, 0, 0}}), 1);
+}
+
 } // namespace
 
 } // namespace osgLego

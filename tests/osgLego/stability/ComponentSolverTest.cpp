@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,6 +93,29 @@ TEST(ComponentSolver, CanBeCancelledWithinAFactorization)
         int calls = 0;
         EXPECT_FALSE(solveColumn(NUM_PARTS, 1.0, [&] { return ++calls == last; }));
         EXPECT_EQ(calls, last);
+    }
+}
+
+TEST(ComponentSolver, TheWeakestJointIsTheOneWhoseCapacityMattersMost)
+{
+    // A part 1 x 12 on two bricks 1 x 1 on a base plate, below its first and its third stud. It turns about the third,
+    // as in BrickCantilever, where the levers of the drags add up to 1. Those at the first stud are 2, 2.25, 2.25 and
+    // 2.5, so that its capacity matters 9 times as much.
+    constexpr double WEIGHT = 9.8e-3 * 30.0; // newtons
+    const std::vector<PartBox> boxes{
+        {{0, 0, 0}, {1, 1, 3}, 0.43}, {{2, 0, 0}, {3, 1, 3}, 0.43}, {{0, 0, 3}, {12, 1, 6}, 30.0}};
+    std::vector<Contact> contacts{{0, 2, Contact::STUDS},
+                                  {1, 2, Contact::STUDS},
+                                  {Contact::BASE, 0, Contact::STUDS},
+                                  {Contact::BASE, 1, Contact::STUDS}};
+    for (const bool isLast : {false, true})
+    {
+        if (isLast) std::swap(contacts[0], contacts[1]);
+        const ComponentStability result = *solveComponent(boxes, std::vector<std::uint32_t>{0, 1, 2}, contacts, {});
+        EXPECT_NEAR(result.tension, WEIGHT * (6.0 - 2.75) / 10.0, 1e-6);
+        ASSERT_TRUE(result.weakest);
+        EXPECT_EQ(result.weakest->lower, 0u) << isLast;
+        EXPECT_EQ(result.weakest->upper, 2u) << isLast;
     }
 }
 

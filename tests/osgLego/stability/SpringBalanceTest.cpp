@@ -56,6 +56,31 @@ TEST(SpringBalance, ATableDoesNotHoldWhatTopplesOver)
     EXPECT_TRUE(balance(BearingJoints(graph, {0.09, 0.1}, BuildingBase::PLATE)));
 }
 
+TEST(SpringBalance, ReleasesCornersUntilNoneOfThemPullsAtTheTable)
+{
+    // Bricks 1 x 1 in a row, a beam on them, and a weight on the beam near its end, which lifts more and more of them.
+    constexpr std::uint32_t NUM_BRICKS = 6;
+    constexpr double WEIGHT = 0.1;
+    std::vector<BuildingBox> boxes;
+    for (int brick = 0; brick < static_cast<int>(NUM_BRICKS); ++brick)
+        boxes.push_back({{2 * brick, 0, 0}, {2 * brick + 1, 1, 1}});
+    boxes.push_back({{0, 0, 1}, {11, 1, 2}});
+    boxes.push_back({{9, 0, 2}, {10, 1, 3}});
+    const JointGraph graph(boxes);
+    std::vector<double> weights(boxes.size(), 0.0);
+    weights.back() = WEIGHT;
+    const std::optional<BearingForces> forces = balance(BearingJoints(graph, weights, BuildingBase::TABLE));
+    ASSERT_TRUE(forces);
+    VerticalLoad sum = VerticalLoad::Zero();
+    for (const VerticalLoad& load : forces->floorLoads)
+    {
+        EXPECT_GE(load[0], -1e-9);
+        sum += load;
+    }
+    EXPECT_TRUE(sum.isApprox(VerticalLoad(WEIGHT, 9.5 * WEIGHT, 0.5 * WEIGHT), 1e-6)) << sum;
+    EXPECT_EQ(forces->floorLoads[0][0], 0.0) << "the far end is lifted";
+}
+
 } // namespace
 
 } // namespace osgLego::test

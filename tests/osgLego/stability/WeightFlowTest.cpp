@@ -49,6 +49,24 @@ TEST(WeightFlow, PressureOnAPlateReducesThePullThatItAlreadyBears)
     EXPECT_FALSE(flows(joints, 1.080));
 }
 
+TEST(WeightFlow, PartsThatHangBelowOneAnotherPassTheirWeightsUpwards)
+{
+    // Two bricks 2 x 2 below each other, below the middle of a beam on two columns. Each joint has twelve points, and
+    // the upper one holds both: 12 * 0.979 N = 11.75 N.
+    const JointGraph graph({{{0, 0, 0}, {2, 2, 3}},
+                            {{6, 0, 0}, {8, 2, 3}},
+                            {{0, 0, 3}, {8, 2, 4}},
+                            {{3, 0, 2}, {5, 2, 3}},
+                            {{3, 0, 1}, {5, 2, 2}}});
+    const auto holds = [&graph](double upper, double lower) {
+        return flows(BearingJoints(graph, {0.0, 0.0, 0.0, upper, lower}, BuildingBase::TABLE));
+    };
+    EXPECT_TRUE(holds(5.87, 5.87));
+    EXPECT_FALSE(holds(5.88, 5.88));
+    EXPECT_TRUE(holds(0.0, 11.74));
+    EXPECT_FALSE(holds(0.0, 11.76));
+}
+
 } // namespace
 
 } // namespace osgLego::test
