@@ -157,6 +157,38 @@ TEST(SupportBuilder, LaysAgainOnlyPartsNearTheWeakPlace)
     }
 }
 
+TEST(SupportBuilder, LaysPartsNearTheWeakestJointAgainThoughOthersFall)
+{
+    // An arm of bonded bricks lies on a post by a single stud, and beside bricks that lie on the rest of the post. The
+    // brick at its end is said to fall, since a small force there would hold the arm. From there, the post is farther
+    // away than any attempt reaches.
+    LaidParts parts;
+    const auto addRow = [&parts](std::uint16_t z, std::uint16_t x, const std::vector<std::uint8_t>& lengths)
+    {
+        for (const std::uint8_t length : lengths)
+        {
+            parts.push_back({{x, 0, z}, {length, 1, 1}});
+            x = static_cast<std::uint16_t>(x + length);
+        }
+    };
+    addRow(0, 0, {8, 8, 8, 8, 8, 8, 8, 8});
+    addRow(1, 0, {4, 8, 8, 8, 8, 8, 8, 8, 4});
+    addRow(2, 0, {8});
+    addRow(3, 0, {4, 4});
+    addRow(4, 0, {8});
+    addRow(5, 0, {4, 3, 8, 8, 8, 8, 8, 8, 8});
+    addRow(6, 11, {8, 8, 8, 8, 8, 8, 4});
+    const SupportedLayout bare = createLayout(parts, {64, 1, 7});
+    const std::vector<std::uint32_t> falling = computeStanding(bare.problem, bare.parts, {})->falling;
+    for (const std::uint32_t part : falling)
+        ASSERT_GE(bare.parts[part].place[0], 55);
+    ASSERT_FALSE(falling.empty());
+    const SupportedLayout layout = support(bare.problem, bare.parts);
+    EXPECT_TRUE(layout.stands);
+    EXPECT_TRUE(layout.isLaidAgain);
+    EXPECT_EQ(layout.numColumns, 0u);
+}
+
 TEST(SupportBuilder, PrefersPartsThatOverlapToFewParts)
 {
     // A bridge of 2x16 on thin posts, and a pile of bricks beside its middle. The fewest bricks, two in each layer,

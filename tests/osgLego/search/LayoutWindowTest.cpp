@@ -5,6 +5,8 @@
 #include <osgLego/search/LayoutCosts.h>
 #include <osgLego/search/LayoutWindow.h>
 
+#include <array>
+#include <cstddef>
 #include <random>
 #include <string>
 #include <vector>
@@ -124,6 +126,26 @@ TEST(LayoutWindow, JoinsComponentsUpToTheGivenCost)
     EXPECT_FALSE(window.join(1, 2, 4, row.region, 9000, random));
     EXPECT_TRUE(window.join(1, 2, 4, row.region, 11000, random));
     EXPECT_EQ(row.map.countParts(), 5);
+}
+
+TEST(LayoutWindow, JoinsMoreComponentsThanItSeparates)
+{
+    // The upper layer has parts of one and of three cells. The lower one has four parts, since neighbours differ in
+    // colour. The part of three cells connects the first two; at the other end of the layer, it connects the last
+    // three.
+    constexpr std::array COLORS{0, 1, 1, 0, 1};
+    constexpr LayoutColor ONLY_SINGLE_AND_TRIPLE{0b101, 0b101};
+    LayoutRow row(makeCells({5, 1, 2},
+                            [&](int x, int, int z) { return z == 1 ? 2 : COLORS[static_cast<std::size_t>(x)]; },
+                            {LayoutColor{}, LayoutColor{}, ONLY_SINGLE_AND_TRIPLE}),
+                  {{1, 2, 1, 1}, {3, 1, 1}});
+    ASSERT_EQ(row.countComponents(), 3);
+    row.region.zBegin = 1;
+    LayoutWindow window(row.map, row.sizes);
+    LayoutRandom random(1);
+    EXPECT_TRUE(window.join(8, 9, 3, row.region, LayoutCosts::COMPONENT, random));
+    EXPECT_EQ(row.countComponents(), 2);
+    EXPECT_EQ(row.map.countParts(), 7);
 }
 
 TEST(LayoutWindow, JoinsNoPartsOfOneComponent)
