@@ -186,6 +186,19 @@ TEST(WindowSearch, LaysOnlyPartsWithinAWindowOfAnActiveCell)
         EXPECT_EQ(parts[i].size[0], 1);
 }
 
+TEST(WindowSearch, SeparatesNoPartsThatOnlyPartsWhichMayChangeConnect)
+{
+    // Two parts of two cells would suffice in the upper layer, but only the one in the middle connects those below.
+    LayoutRow row({{2, 2}, {1, 2, 1}});
+    const LayoutOptions options;
+    const std::vector<bool> isActive;
+    WindowSearch search(row.map, row.sizes, options, isActive);
+    for (int round = 0; round < 20; ++round)
+        search.runRound(0, {1, 1000});
+    EXPECT_EQ(row.map.countParts(), 5);
+    EXPECT_EQ(row.countComponents(), 1);
+}
+
 TEST(WindowSearch, DependsOnTheSeed)
 {
     const LayoutProblem problem = makeBlots({16, 16, 8}, false);
