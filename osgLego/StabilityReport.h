@@ -43,7 +43,8 @@ struct OSGLEGO_EXPORT StabilityReport
      * bears as little as possible: 1 if nothing pulls, 0 at the limit, negative beyond it, and -1 if twice the capacity
      * does not suffice. */
     double margin = 1.0;
-    std::optional<Joint> weakest; //!< the joint of the contact point that bears most; unset if nothing pulls
+    /** Of the contact points that bear most, the joint of that whose capacity matters most; unset if nothing pulls. */
+    std::optional<Joint> weakest;
     /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. If
      * the forces in a piece can't be computed precisely enough, its parts count too, and a warning says so. */
     std::vector<std::uint32_t> falling;

@@ -29,7 +29,7 @@ constexpr std::size_t MOST_WEAK_PARTS = 256;
 /** The difference of the seeds of two attempts. */
 constexpr std::uint32_t SEED_STEP = 0x9e3779b9u;
 
-/** The falling parts or, if there are none, those of the weakest joint. */
+/** The falling parts, and those of the weakest joint. */
 std::vector<std::uint32_t> findWeakParts(const StabilityReport& report)
 {
     std::set<std::uint32_t> weak(report.falling.begin(), report.falling.end());
