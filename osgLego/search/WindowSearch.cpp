@@ -17,7 +17,6 @@ constexpr int LARGEST_WINDOW = 14;
 /** The rows of a region in a large layer: more than the parts of a window extend, so that the rows between two regions
  * separate them. */
 constexpr int NUM_ROWS = 48;
-constexpr std::size_t WINDOWS_PER_CHECK = 16;
 constexpr int LARGE_LAYER = 2500; // cells
 
 } // namespace
@@ -109,7 +108,8 @@ bool WindowSearch::runRound(int seamCost, const Limits& limits)
                                       LayoutRandom random(seeds.next() ^ _options.seed);
                                       improve(regions[i], seamCost, limits, random);
                                   });
-        if (isStopped) return false;
+        // The loop skips regions if the group of tasks that it belongs to is cancelled.
+        if (isStopped || isCancelled()) return false;
     }
     ++_round;
     return true;
@@ -126,7 +126,7 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limit
     LayoutWindow& window = _windows.local();
     for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {
-        if (i % WINDOWS_PER_CHECK == 0 && isCancelled()) return;
+        if (isCancelled()) return;
         // An earlier window may have replaced the part that began here, by one that is in the region, too.
         const Index anchor = _map.getAnchor(seeds[random.below(seeds.size())]);
         const int numParts =

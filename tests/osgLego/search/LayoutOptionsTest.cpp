@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_group.h>
 
 namespace osgLego
 {
@@ -54,6 +55,26 @@ TEST(LayoutOptions, ACancelledLayoutIsEmpty)
         EXPECT_TRUE(layOut(problem, options).empty()) << numCalls << " calls";
         EXPECT_LT(calls, numCalls + 100) << "the layout continued";
     }
+}
+
+TEST(LayoutOptions, ALayoutWhoseTasksAreCancelledBeginsNoOtherRound)
+{
+    const LayoutProblem problem = makeDome(12, 2);
+    std::atomic<bool> isCancelled = false;
+    oneapi::tbb::task_group group;
+    int numRounds = 0;
+    LayoutOptions options = withEffort(Effort::BEST);
+    options.isCancelled = [&] { return isCancelled.load(); };
+    options.progress = [&](double)
+    {
+        ++numRounds;
+        isCancelled = true;
+        group.cancel();
+    };
+    LaidParts parts;
+    group.run_and_wait([&] { parts = layOut(problem, options); });
+    EXPECT_EQ(numRounds, 1);
+    EXPECT_TRUE(parts.empty());
 }
 
 TEST(LayoutOptions, ALayoutCancelledAtTheEndIsEmpty)
