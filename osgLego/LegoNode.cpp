@@ -229,7 +229,7 @@ LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 bool LegoNode::isLegolized(unsigned int contextID) const
 {
     const std::uint64_t revision = _pipeline->getRevision();
-    return revision != 0 && _pipeline->getStore().getContext(contextID)->isOf(revision);
+    return !_pipeline->isDirty() && revision != 0 && _pipeline->getStore().getContext(contextID)->isOf(revision);
 }
 
 bool LegoNode::isSupported(const osg::State& state)

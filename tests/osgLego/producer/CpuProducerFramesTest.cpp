@@ -108,6 +108,22 @@ TEST_F(CpuProducerFramesTest, ANewerChangeReplacesAnOlderOne)
     EXPECT_EQ(_lego->getStatistics(_contextID).numDrawnBricks, _lego->getBricks()->getNumVisible());
 }
 
+TEST_F(CpuProducerFramesTest, BricksOfOtherSettingsAreNotThoseOfTheCurrentOnes)
+{
+    drawFrame();
+    ASSERT_TRUE(_lego->isLegolized(_contextID));
+    _lego->setSettings(parseSettings("16,device=cpu,look=full"));
+    EXPECT_TRUE(_lego->isLegolized(_contextID)) << "the same bricks";
+    _lego->setSettings(parseSettings("20,device=cpu"));
+    EXPECT_FALSE(_lego->isLegolized(_contextID)) << "before the next frame";
+    while (!_lego->isLegolized(_contextID))
+        _viewer.frame();
+    EXPECT_EQ(_lego->getStatistics(_contextID).numDrawnBricks, _lego->getBricks()->getNumVisible());
+    EXPECT_EQ(_lego->getBricks()->getGrid().dimensions.x, 20);
+    _lego->dirty();
+    EXPECT_FALSE(_lego->isLegolized(_contextID)) << "after dirty()";
+}
+
 TEST_F(CpuProducerFramesTest, WithWaitingEachFrameShowsTheCurrentSource)
 {
     _lego->setWaiting(true);
