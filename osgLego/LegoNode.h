@@ -105,10 +105,10 @@ public:
     bool getTiming() const;
 
     /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
-     * Off by default: the node keeps showing the previous bricks until the new ones are ready, and a newer change of
-     * the source cancels work on an older one, though never twice in a row, so that bricks of a continually changing
-     * source are updated at intervals, as fast as they can be made. Frames always wait for the first bricks, since
-     * there is nothing else to show. */
+     * Off by default: the node keeps showing the previous bricks until the new ones are ready. Changed settings cancel
+     * work in progress. A change of the source alone does so, too, though never twice in a row, so that bricks of a
+     * continually changing source are updated at intervals, as fast as they can be made. Frames always wait for the
+     * first bricks, since there is nothing else to show. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 
@@ -208,7 +208,9 @@ public:
     /** Statistics of the last legolization in a context. May wait for one in progress, as may getFailure(). */
     LegoStatistics getStatistics(unsigned int contextID) const;
 
-    /** Whether a context has the bricks of the current source. */
+    /** Whether a context has the bricks of the current source and settings: false from setSettings() or dirty() on,
+     * until a frame shows the new bricks. A change that the node has to detect counts from the next update on. Remains
+     * false if the bricks can't be made; see getFailure(). */
     bool isLegolized(unsigned int contextID) const;
 
     /** Whether the current context, that of `state`, can make and draw bricks; see precondition 1. */

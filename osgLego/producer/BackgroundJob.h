@@ -19,8 +19,8 @@ namespace osgLego
 
 /** Makes results on separate threads, each for one revision of its input, of which only the newest is wanted.
  *
- * A request for another revision cancels the run in progress, though never twice in a row: input that changes faster
- * than its results are made would otherwise never have one.
+ * A request for another revision cancels the run in progress, though never twice in a row unless it demands so: input
+ * that changes faster than its results are made would otherwise never have one.
  *
  * Usage:
  *
@@ -80,10 +80,10 @@ public:
     ~BackgroundJob() = default;
 
     /** The run for a revision: the last one if it is for this revision, or a new one in its place.
-     * @param waits cancel a run in progress even if the one before it was cancelled.
+     * @param isUrgent cancel a run in progress even if the one before it was cancelled.
      * @param createWork creates the work of a new run, after the last run has been delivered.
      * @return null if the run in progress is to end first. */
-    Request request(std::uint64_t revision, bool waits, const std::function<Work()>& createWork);
+    Request request(std::uint64_t revision, bool isUrgent, const std::function<Work()>& createWork);
     /** The last run that was requested; null if there is none, or if it was cancelled. */
     std::shared_ptr<Run> getRun() const;
     /** Deliver the last run if it has ended, unless it has been delivered. */
@@ -161,7 +161,7 @@ private:
 };
 
 template <typename Result>
-typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint64_t revision, bool waits,
+typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint64_t revision, bool isUrgent,
                                                                        const std::function<Work()>& createWork)
 {
     std::shared_ptr<Run> run;
@@ -169,7 +169,7 @@ typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint
         const std::lock_guard lock(_mutex);
         if (_last && _last->getRevision() == revision) return {_last, false};
         const bool isRunning = _last && _last->getOutcome() == Outcome::NONE;
-        if (isRunning && _hasGivenUp && !waits) return {};
+        if (isRunning && _hasGivenUp && !isUrgent) return {};
         _hasGivenUp = isRunning;
         deliverLast();
         retire();

@@ -64,7 +64,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
 {
     const auto createWork = [&]
     {
-        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout, progress = beginProgress()](
+        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout, progress = begin(source.settings)](
                    const Job::IsCancelled& isCancelled, std::string& error) mutable -> std::optional<Made>
         {
             CpuBricksWork work;
@@ -80,13 +80,21 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
             return Made{bricks, std::move(layout)};
         };
     };
-    return _job.request(source.revision, waits, createWork);
+    return _job.request(source.revision, waits || hasOtherSettings(source), createWork);
 }
 
-/** The progress of a new set. */
-std::shared_ptr<CpuProducer::Progress> CpuProducer::beginProgress()
+/** Whether a source needs other bricks than the last one even if its triangles are the same. */
+bool CpuProducer::hasOtherSettings(const LegoSource& source) const
 {
     const std::lock_guard lock(_mutex);
+    return !source.settings.givesSameBricks(_settings) || source.settings.view.show != _settings.view.show;
+}
+
+/** Begin a new set. @return its progress. */
+std::shared_ptr<CpuProducer::Progress> CpuProducer::begin(const LegoSettings& settings)
+{
+    const std::lock_guard lock(_mutex);
+    _settings = settings;
     _progress = std::make_shared<Progress>(FINDS_CELLS);
     return _progress;
 }

@@ -23,6 +23,9 @@ namespace osgLego
 /** Makes brick sets on the CPU (makeBricksOnCpu), in the background. It locks no context, and no frame waits unless the
  * caller asks for it. One set serves all contexts.
  *
+ * A source with other settings always cancels work in progress, so that settings take effect at once. A source that has
+ * only changed does so unless the work before was cancelled, so that continual changes are shown at intervals.
+ *
  * With Show::LOAD, the parts of a set have colours for the load on their joints (colorByLoad). If the loads can't be
  * computed, the parts keep their colours, and a warning says why.
  */
@@ -66,13 +69,15 @@ private:
 
     ~CpuProducer() override = default;
 
-    std::shared_ptr<Progress> beginProgress();
+    std::shared_ptr<Progress> begin(const LegoSettings& settings);
+    bool hasOtherSettings(const LegoSource& source) const;
     Job::Request request(const LegoSource& source, bool waits);
     void deliver(const Job::Run& run);
 
     osg::ref_ptr<BrickStore> _store;
-    mutable std::mutex _mutex;           // guards the pointer
+    mutable std::mutex _mutex;           // guards the next two
     std::shared_ptr<Progress> _progress; // of the last set; the work has it, too, and may outlast its request
+    LegoSettings _settings;              // of the last set
     PreviousLayout _layout;              // of the last set that was made; guarded by the job, whose calls alone use it
     Job _job;
 };

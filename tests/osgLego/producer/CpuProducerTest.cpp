@@ -109,6 +109,33 @@ TEST_F(CpuProducerTest, ACancelledSourceHasNotFailed)
     expectCounts(0, 0, 1);
 }
 
+TEST_F(CpuProducerTest, OtherSettingsAlwaysCancel)
+{
+    std::uint64_t revision = 0;
+    for (const char* settings : {"1024,proportions=plate,parts=bricks", "1000,proportions=plate,parts=bricks",
+                                 "1000,proportions=plate,parts=bricks,show=load", "12"})
+        _producer->produce(*createSource(settings, ++revision), *_visitor, false);
+    _producer->finish();
+    ASSERT_TRUE(_store->getBricks());
+    EXPECT_EQ(_store->getBricks()->getRevision(), revision);
+    _producer->cancel();
+    while (_producer->getCounts().cancelled < 3)
+        std::this_thread::yield();
+    expectCounts(1, 0, 3);
+}
+
+TEST_F(CpuProducerTest, AChangedSourceDoesNotCancelTwiceInARow)
+{
+    std::vector<osg::ref_ptr<const LegoSource>> sources; // created before, since the first set must not be made earlier
+    for (const std::uint64_t revision : {1, 2, 3, 4})
+        sources.push_back(createSource("128,parts=bricks", revision));
+    for (const osg::ref_ptr<const LegoSource>& source : sources)
+        _producer->produce(*source, *_visitor, false);
+    _producer->finish();
+    ASSERT_TRUE(_store->getBricks());
+    EXPECT_EQ(_store->getBricks()->getRevision(), 2u);
+}
+
 TEST_F(CpuProducerTest, TellsTheProgressOfTheLayoutUntilItIsCancelled)
 {
     EXPECT_EQ(_producer->getProgress().stage, LegoProgress::Stage::IDLE);
