@@ -46,6 +46,7 @@ struct SceneBatches
     std::size_t numBadVertices = 0;
     std::size_t numOutOfRange = 0;
     std::size_t numReplaced = 0;
+    std::size_t numTexts = 0;
 };
 
 } // namespace osgLego

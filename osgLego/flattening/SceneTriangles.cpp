@@ -58,6 +58,7 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
     SceneTriangleCollector collector(contents, textures);
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(collector);
+    contents.numTexts = collector.getNumTexts();
     textures.dropUnused();
     const osg::ref_ptr<const SceneTriangles> triangles = new SceneTriangles(std::move(contents));
     if (triangles->getNumOutOfRange() > 0) warnOfBadVertices(*triangles, node);
@@ -70,6 +71,13 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
         return new SceneTriangles({});
     }
     return triangles;
+}
+
+void SceneTriangles::warnOfTexts(const osg::Node& node) const
+{
+    if (getNumTexts() == 0) return;
+    OSG_WARN << "osgLego: " << counted(getNumTexts(), "text", "texts") << ownerText(node)
+             << " can't be shown in bricks; expected osgText::Text3D, or texts beside the node" << std::endl;
 }
 
 } // namespace osgLego

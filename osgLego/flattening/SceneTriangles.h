@@ -23,11 +23,12 @@ class SurfaceTextureCache;
  * PROTECTED. The colour of a triangle is the one that OSG would draw without lighting: the texture times the material
  * or vertex colour.
  *
- * Lines, points and triangles without area are ignored. So are, with a warning that gives their number, triangles with
- * a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, through its array or a transform, and,
- * with a warning, sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are NaN become 0.
- * Texture coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix applied, become
- * (0, 0). A warning counts the vertices with such texture coordinates, or with colours in an array that are not finite.
+ * Lines, points, triangles without area and osgText::Text are ignored. So are, with a warning that gives their number,
+ * triangles with a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, through its array or a
+ * transform, and, with a warning, sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are
+ * NaN become 0. Texture coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix
+ * applied, become (0, 0). A warning counts the vertices with such texture coordinates, or with colours in an array that
+ * are not finite.
  *
  * Usage:
  *
@@ -61,6 +62,11 @@ public:
     /** The number of triangle vertices whose colour or texture coordinate was replaced because it was not finite or too
      * large. */
     std::size_t getNumReplaced() const { return _contents.numReplaced; }
+    /** The number of texts, which are ignored. */
+    std::size_t getNumTexts() const { return _contents.numTexts; }
+    /** Print that the texts of `node` are ignored, if it has any. Apart from create(), since once is enough for a node
+     * that is flattened again and again. */
+    void warnOfTexts(const osg::Node& node) const;
 
 private:
     explicit SceneTriangles(SceneBatches contents);

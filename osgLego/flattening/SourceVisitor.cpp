@@ -1,9 +1,22 @@
 #include <osgLego/flattening/SourceVisitor.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace osgLego
 {
+
+namespace
+{
+
+/** Whether a drawable is an osgText::Text. By its names, since the library links osgText for nothing else. */
+bool isText(const osg::Drawable& drawable)
+{
+    return std::string_view(drawable.libraryName()) == "osgText" &&
+           std::string_view(drawable.className()) != "Text3D"; // which has triangles
+}
+
+} // namespace
 
 SourceVisitor::SourceVisitor() :
     osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN)
@@ -66,6 +79,11 @@ void SourceVisitor::apply(osg::Sequence& sequence)
 
 void SourceVisitor::apply(osg::Drawable& drawable)
 {
+    if (isText(drawable))
+    {
+        ++_numTexts;
+        return;
+    }
     const bool pushed = pushState(drawable);
     applySurface(drawable, _matrix, _stateSets);
     if (pushed) _stateSets.pop_back();

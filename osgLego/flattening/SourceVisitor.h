@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <osg/Camera>
@@ -19,7 +20,8 @@ namespace osgLego
  *
  * It visits the children of a Switch that are on, the most detailed loaded children of an LOD, and the current child of
  * a Sequence or, before the first update, the one that it will begin with. It skips cameras that draw before or after
- * the scene or into a texture. Changes nothing in the subgraph; one thread at a time.
+ * the scene or into a texture, and osgText::Text, whose letters are only in the alpha channel of a texture. Changes
+ * nothing in the subgraph; one thread at a time.
  */
 class SourceVisitor : public osg::NodeVisitor
 {
@@ -35,6 +37,9 @@ public:
     void apply(osg::Sequence& sequence) override;
     void apply(osg::Drawable& drawable) override;
 
+    /** The number of texts that were skipped. */
+    std::size_t getNumTexts() const { return _numTexts; }
+
 protected:
     /** Called for each visible drawable.
      * @param toRoot the transform from its coordinates to those of the node that accepted the visitor.
@@ -47,6 +52,7 @@ private:
     bool pushState(const osg::Node& node);
 
     osg::Matrixd _matrix;
+    std::size_t _numTexts = 0;
     std::vector<const osg::StateSet*> _stateSets;
 };
 

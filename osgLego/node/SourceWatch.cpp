@@ -1,6 +1,7 @@
 #include <osgLego/node/SourceWatch.h>
 
 #include <atomic>
+#include <utility>
 
 #include <osg/Timer>
 
@@ -25,6 +26,7 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
+    if (!std::exchange(_hasTexts, scene->getNumTexts() > 0)) scene->warnOfTexts(node);
     _revision = makeRevision();
     osg::ref_ptr<LegoSource> source;
     _obstacle = BrickGrid::findObstacle(scene->getBounds(), request.settings);

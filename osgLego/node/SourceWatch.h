@@ -54,6 +54,7 @@ private:
     SourceSignature _signature;
     SourceSignatures _signatures;
     SurfaceTextureCache _textures;
+    bool _hasTexts = false; // in the last look
     std::uint64_t _revision = 0;
     osg::ref_ptr<const LegoSource> _source;
     std::string _obstacle;

@@ -1,8 +1,10 @@
+#include <osgLego/CpuLegolizer.h>
 #include <osgLego/LegoNode.h>
 #include <osgLego/flattening/SceneTriangles.h>
 
 #include <Meshes.h>
 #include <Notices.h>
+#include <Settings.h>
 
 #include <cmath>
 #include <limits>
@@ -15,6 +17,8 @@
 #include <osg/Sequence>
 #include <osg/ShapeDrawable>
 #include <osg/Switch>
+#include <osgText/Text3D>
+#include <osgText/Text>
 
 namespace osgLego
 {
@@ -233,6 +237,39 @@ TEST(SceneTriangles, TrianglesBelowATransformThatIsNotFiniteAreIgnoredWithAWarni
             EXPECT_EQ(triangles->getNumOutOfRange(), 1u);
             EXPECT_NE(notices.find("1 triangle with such vertices is ignored"), std::string::npos) << notices;
         }
+}
+
+TEST(SceneTriangles, TextsAreIgnoredWithOneWarningForANode)
+{
+    const osg::ref_ptr<osgText::Text> text = new osgText::Text;
+    text->setText("brick");
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->setName("sign");
+    group->addChild(text);
+    const osg::ref_ptr<osg::MatrixTransform> board = new osg::MatrixTransform;
+    board->addChild(createUnitTriangle());
+    group->addChild(board);
+    const std::string warning = "osgLego: 1 text of 'sign' can't be shown in bricks";
+    EXPECT_EQ(SceneTriangles::create(*group)->getNumTriangles(), 1u);
+
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(test::parseSettings("8,device=cpu"));
+    lego->addChild(group);
+    EXPECT_NE(noticesOf([&] { lego->getBricks(); }).find("1 text"), std::string::npos);
+    board->setMatrix(osg::Matrix::scale(1.0, 1.0, 2.0));
+    EXPECT_EQ(noticesOf([&] { lego->getBricks(); }), "");
+
+    std::string notices = noticesOf([&] { legolizeOnCpu(*group, test::parseSettings("8")); });
+    EXPECT_EQ(notices.find(warning), 0u) << notices;
+    text->setText("another");
+    const osg::ref_ptr<const BrickModel> before = lego->getBricks();
+    EXPECT_EQ(lego->getBricks(), before) << "a text is no part of the source";
+}
+
+TEST(SceneTriangles, TextsOfTrianglesAreLegolized)
+{
+    const osg::ref_ptr<osgText::Text3D> text = new osgText::Text3D;
+    text->setText("brick");
+    EXPECT_EQ(SceneTriangles::create(*text)->getNumTexts(), 0u);
 }
 
 TEST(SceneTriangles, ALegoNodeInASourceCountsAsItsBricks)
