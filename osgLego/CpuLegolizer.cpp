@@ -27,6 +27,7 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
 {
     if (const std::string error = settings.check(); !error.empty()) return fail(error);
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
+    scene->warnOfTexts(node);
     if (scene->getNumTriangles() == 0) return fail("'" + node.getName() + "' has no visible triangles to legolize");
     std::string error = BrickGrid::findObstacle(scene->getBounds(), settings);
     if (!error.empty()) return fail(error);
@@ -44,6 +45,7 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
     if (proceed && !proceed(0.0)) return nullptr;
     osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
     if (!work.error.empty()) return fail(work.error);
+    if (!work.warning.empty()) OSG_WARN << "osgLego: " << work.warning << std::endl;
     if (isCancelled) return nullptr;
     if (statistics)
     {

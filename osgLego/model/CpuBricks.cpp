@@ -25,6 +25,7 @@ osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBric
     if (work.previous) builder.setPrevious(*work.previous);
     osg::ref_ptr<const BrickModel> bricks = builder.build(*cells);
     work.error = builder.getError();
+    work.warning = builder.getWarning();
     work.measureLayout = builder.getMeasurement();
     return bricks;
 }

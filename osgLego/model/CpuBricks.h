@@ -21,7 +21,8 @@ struct CpuBricksWork
     PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
     LegoStatistics statistics;            //!< of the bricks, without those of parts
     std::function<LayoutStatistics()> measureLayout; //!< computes the figures of parts; empty without parts
-    std::string error; //!< why there are no bricks, in one sentence; empty if it was cancelled
+    std::string error;   //!< why there are no bricks, in one sentence; empty if it was cancelled
+    std::string warning; //!< a setting without effect, to be printed once for a source; may be empty
 };
 
 /** Make the bricks of a source: voxelize it, and apply its other settings. May be called from any thread;

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include <glm/vec3.hpp>
-#include <osg/Notify>
 #include <osg/Timer>
 
 namespace osgLego
@@ -64,10 +63,11 @@ osg::ref_ptr<const BrickModel> recolor(const BrickModel& cells, const PaletteLoo
     return BrickModel::createComplete(cells.getGrid(), std::move(bricks));
 }
 
-void warnOfLeak(Fill fill)
+std::string describeLeak(Fill fill)
 {
-    OSG_WARN << "osgLego: the model has no interior, so fill=" << (fill == Fill::SOLID ? "solid" : "shell")
-             << " adds no cells; expected a surface without holes wider than a cell" << std::endl;
+    const std::string name = fill == Fill::SOLID ? "solid" : "shell";
+    return "the model has no interior, so fill=" + name +
+           " adds no cells; expected a surface without holes wider than a cell";
 }
 
 std::vector<Brick> selectCovered(const FilledCells& cells)
@@ -125,6 +125,7 @@ ModelBuilder::ModelBuilder(const LegoSettings& settings, const PaletteLookup& lo
 osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
 {
     _error.clear();
+    _warning.clear();
     _measureLayout = nullptr;
     LayoutStatistics statistics;
     Stopwatch stopwatch;
@@ -137,7 +138,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
     if (isCancelled() || !fillCells(*colored, _settings.parts.fill, _settings.parts.shell, filled, _error))
         return nullptr;
     if (_settings.parts.fill != Fill::SURFACE && filled.numInterior == 0 && !cells.getBricks().empty())
-        warnOfLeak(_settings.parts.fill);
+        _warning = describeLeak(_settings.parts.fill);
     statistics.fill = stopwatch.lap();
     if (_settings.parts.set == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
     return lay(filled, cells.getGrid(), statistics);

@@ -55,6 +55,8 @@ public:
     osg::ref_ptr<const BrickModel> build(const BrickModel& cells);
 
     const std::string& getError() const { return _error; }
+    /** A sentence on a setting that had no effect in the last build(); empty if all had. */
+    const std::string& getWarning() const { return _warning; }
     /** Computes the figures of the parts that the last build() has laid, which takes longer than laying them with
      * Effort::INSTANT; empty without parts. May be kept, and called from any thread. */
     const std::function<LayoutStatistics()>& getMeasurement() const { return _measureLayout; }
@@ -69,6 +71,7 @@ private:
     std::function<void(double)> _progress;
     PreviousLayout* _previous = nullptr;
     std::string _error;
+    std::string _warning;
     std::function<LayoutStatistics()> _measureLayout;
 };
 

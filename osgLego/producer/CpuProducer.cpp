@@ -64,8 +64,9 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
 {
     const auto createWork = [&]
     {
-        return [source = osg::ref_ptr<const LegoSource>(&source), layout = _layout, progress = begin(source.settings)](
-                   const Job::IsCancelled& isCancelled, std::string& error) mutable -> std::optional<Made>
+        return [this, source = osg::ref_ptr<const LegoSource>(&source), layout = _layout,
+                progress = begin(source.settings)](const Job::IsCancelled& isCancelled,
+                                                   std::string& error) mutable -> std::optional<Made>
         {
             CpuBricksWork work;
             work.isCancelled = isCancelled;
@@ -74,6 +75,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
             const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
             error = work.error;
             if (!model) return std::nullopt;
+            warn(work.warning);
             const osg::ref_ptr<const BrickSet> bricks = createSet(source->revision, *model, source->settings.view.show,
                                                                   work.statistics, work.measureLayout, isCancelled);
             if (!bricks) return std::nullopt;
@@ -97,6 +99,17 @@ std::shared_ptr<CpuProducer::Progress> CpuProducer::begin(const LegoSettings& se
     _settings = settings;
     _progress = std::make_shared<Progress>(FINDS_CELLS);
     return _progress;
+}
+
+/** Print a warning, though not for each change of a source. */
+void CpuProducer::warn(const std::string& warning)
+{
+    if (warning.empty()) return;
+    {
+        const std::lock_guard lock(_mutex);
+        if (std::exchange(_warning, warning) == warning) return;
+    }
+    OSG_WARN << "osgLego: " << warning << std::endl;
 }
 
 LegoProgress CpuProducer::getProgress() const

@@ -72,12 +72,14 @@ private:
     std::shared_ptr<Progress> begin(const LegoSettings& settings);
     bool hasOtherSettings(const LegoSource& source) const;
     Job::Request request(const LegoSource& source, bool waits);
+    void warn(const std::string& warning);
     void deliver(const Job::Run& run);
 
     osg::ref_ptr<BrickStore> _store;
-    mutable std::mutex _mutex;           // guards the next two
+    mutable std::mutex _mutex;           // guards the next three
     std::shared_ptr<Progress> _progress; // of the last set; the work has it, too, and may outlast its request
     LegoSettings _settings;              // of the last set
+    std::string _warning;                // the last one that was printed
     PreviousLayout _layout;              // of the last set that was made; guarded by the job, whose calls alone use it
     Job _job;
 };

@@ -1,6 +1,7 @@
 #include <osgLego/producer/CpuProducer.h>
 
 #include <Meshes.h>
+#include <Notices.h>
 #include <Settings.h>
 
 #include <algorithm>
@@ -134,6 +135,22 @@ TEST_F(CpuProducerTest, AChangedSourceDoesNotCancelTwiceInARow)
     _producer->finish();
     ASSERT_TRUE(_store->getBricks());
     EXPECT_EQ(_store->getBricks()->getRevision(), 2u);
+}
+
+TEST_F(CpuProducerTest, WarnsOnceOfASettingWithoutEffect)
+{
+    const auto noticesOfRevision = [&](std::uint64_t revision, const char* fill)
+    {
+        std::string error;
+        const osg::ref_ptr<LegoSource> source =
+            LegoSource::create(*SceneTriangles::create(*createTriangle({0, 0, 0}, {3, 0, 0}, {0, 3, 3})),
+                               parseSettings("8,fill=" + std::string(fill)), error);
+        source->revision = revision;
+        return noticesOf([&] { EXPECT_TRUE(_producer->getBricks(*source, error)); });
+    };
+    EXPECT_NE(noticesOfRevision(1, "solid").find("fill=solid adds no cells"), std::string::npos);
+    EXPECT_EQ(noticesOfRevision(2, "solid"), "");
+    EXPECT_NE(noticesOfRevision(3, "shell").find("fill=shell adds no cells"), std::string::npos);
 }
 
 TEST_F(CpuProducerTest, TellsTheProgressOfTheLayoutUntilItIsCancelled)
