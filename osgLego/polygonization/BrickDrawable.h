@@ -57,7 +57,9 @@ public:
     using osg::Drawable::supports;
 
     osg::Object* cloneType() const override { return nullptr; }
-    osg::Object* clone(const osg::CopyOp&) const override { return nullptr; }
+    /** Itself: visitors that copy subgraphs, such as those of osgUtil::Optimizer, reach it below a LegoNode, whose copy
+     * has a drawable of its own. */
+    osg::Object* clone(const osg::CopyOp&) const override { return const_cast<BrickDrawable*>(this); }
     bool isSameKindAs(const osg::Object* object) const override
     {
         return dynamic_cast<const BrickDrawable*>(object) != nullptr;

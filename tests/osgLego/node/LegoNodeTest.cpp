@@ -4,6 +4,7 @@
 #include <GlDebug.h>
 #include <GlTest.h>
 #include <Meshes.h>
+#include <Notices.h>
 #include <OnDevices.h>
 
 #include <osg/ContextData>
@@ -306,6 +307,28 @@ TEST_P(LegoNodeTest, TheOptimizerLeavesATransformAboveInPlace)
     EXPECT_EQ(_lego->getParent(0), above.get());
     EXPECT_NEAR(above->getMatrix()(1, 2), osg::Matrix::rotate(0.7, osg::Vec3d(1, 0, 0))(1, 2), 1e-9);
     EXPECT_EQ(_lego->getBricks()->getBricks(), before->getBricks());
+}
+
+TEST_P(LegoNodeTest, TheOptimizerDuplicatesANodeBelowStaticTransforms)
+{
+    _root->removeChild(_lego);
+    for (const double x : {-1.5, 1.5})
+    {
+        osg::ref_ptr<osg::MatrixTransform> above = new osg::MatrixTransform(osg::Matrix::translate(x, 0.0, 0.0));
+        above->setDataVariance(osg::Object::STATIC);
+        above->addChild(_lego);
+        _root->addChild(above);
+    }
+    _viewer.frame();
+    const osg::ref_ptr<osg::Image> before = readPixels(*_context);
+    const auto optimize = [&] {
+        osgUtil::Optimizer().optimize(_root,
+                                      osgUtil::Optimizer::FLATTEN_STATIC_TRANSFORMS_DUPLICATING_SHARED_SUBGRAPHS);
+    };
+    EXPECT_EQ(noticesOf(optimize), "");
+    _viewer.frame();
+    EXPECT_GT(countDrawn(*before), 3000u);
+    EXPECT_LT(countDifferent(*before, *readPixels(*_context), 10), 20u);
 }
 
 TEST_P(LegoNodeTest, PickingHitsTheBricks)
