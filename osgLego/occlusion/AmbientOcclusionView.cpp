@@ -182,17 +182,6 @@ private:
     const osg::StateSet& _outside;
 };
 
-/** Apply lights and clip planes among the children to the outer frame, as with any other group. */
-void handOnPositionalState(osgUtil::RenderStage& stage, osgUtil::RenderStage& outer)
-{
-    osgUtil::PositionalStateContainer& state = *stage.getPositionalStateContainer();
-    for (const auto& [attribute, matrix] : state.getAttrMatrixList())
-        outer.addPositionedAttribute(matrix, attribute);
-    for (const auto& [unit, attributes] : state.getTexUnitAttrMatrixListMap())
-        for (const auto& [attribute, matrix] : attributes)
-            outer.addPositionedTextureAttribute(unit, matrix, attribute);
-}
-
 } // namespace
 
 AmbientOcclusionPrograms::AmbientOcclusionPrograms(const OcclusionFormat& format, const LightProbe& probe) :
@@ -320,14 +309,13 @@ void AmbientOcclusionView::createPasses()
 
 void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
 {
-    _stage->reset();
+    _stage->resetFor(outer);
     _stage->setFrameBufferObject(_geometryBuffer);
     // Cameras among the children may inherit it.
     _stage->setViewport(new osg::Viewport(0, 0, _format.size.x, _format.size.y));
     _stage->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     _stage->setClearColor(osg::Vec4());
     _stage->setInitialViewMatrix(outer.getInitialViewMatrix());
-    _stage->inheritPositionalState(outer);
 }
 
 void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
@@ -343,7 +331,6 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     visitor.setCurrentRenderBin(outerBin);
     TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
     _stage->handOnPostRenderStages(outer);
-    handOnPositionalState(*_stage, outer);
     PictureArea area{glm::ivec2(0), _format.size};
     if (hasBounds) area = findArea(*_stage, _format.size);
     // The stage is drawn in any case: cameras among the children are drawn before it.

@@ -8,37 +8,9 @@
 
 #include <osg/RenderInfo>
 #include <osg/Timer>
-#include <osgUtil/PositionalStateContainer>
 
 namespace osgLego
 {
-
-namespace
-{
-
-/** The positional state of a stage, applied after the inherited one. */
-class StateOfStage : public osgUtil::PositionalStateContainer
-{
-public:
-    explicit StateOfStage(osgUtil::RenderStage& stage) :
-        _inherited(stage.getInheritedPositionalStateContainer()),
-        _matrix(stage.getInheritedPositionalStateContainerMatrix()), _own(stage.getPositionalStateContainer())
-    {
-    }
-
-    void draw(osg::State& state, osgUtil::RenderLeaf*& previous, const osg::Matrix*) override
-    {
-        if (_inherited) _inherited->draw(state, previous, &_matrix);
-        _own->draw(state, previous, nullptr);
-    }
-
-private:
-    osg::ref_ptr<osgUtil::PositionalStateContainer> _inherited;
-    osg::Matrix _matrix;
-    osg::ref_ptr<osgUtil::PositionalStateContainer> _own;
-};
-
-} // namespace
 
 /** Draws only if the buffer is complete: otherwise OSG would draw into the window. */
 class GeometryBufferStage::Draw : public osgUtil::RenderBin::DrawCallback
@@ -87,16 +59,20 @@ bool GeometryBufferStage::hasFailed() const
     return _draw->hasFailed;
 }
 
+void GeometryBufferStage::resetFor(osgUtil::RenderStage& outer)
+{
+    // Not to be reset: it has the lights that the frame has so far.
+    setPositionalStateContainer(nullptr);
+    reset();
+    setPositionalStateContainer(outer.getPositionalStateContainer());
+    setInheritedPositionalStateContainer(outer.getInheritedPositionalStateContainer());
+    setInheritedPositionalStateContainerMatrix(outer.getInheritedPositionalStateContainerMatrix());
+}
+
 void GeometryBufferStage::reset()
 {
     osgUtil::RenderStage::reset();
     _pitch = 0.0;
-}
-
-void GeometryBufferStage::inheritPositionalState(osgUtil::RenderStage& outer)
-{
-    setInheritedPositionalStateContainer(new StateOfStage(outer));
-    setInheritedPositionalStateContainerMatrix(osg::Matrix());
 }
 
 void GeometryBufferStage::handOnPostRenderStages(osgUtil::RenderStage& outer)

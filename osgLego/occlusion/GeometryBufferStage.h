@@ -18,10 +18,10 @@ public:
     GeometryBufferStage();
 
     void reset() override;
-
-    /** Apply the lights and clip planes of the outer stage to this one, including those that the outer stage inherits
-     * itself, as stages that render to textures do. */
-    void inheritPositionalState(osgUtil::RenderStage& outer);
+    /** Reset it for the next frame, in which it shares the lights and clip planes of the outer stage: those outside
+     * apply to the children, and those of the children to nodes outside. Techniques of osgShadow look for them there.
+     */
+    void resetFor(osgUtil::RenderStage& outer);
 
     /** Move the POST_RENDER cameras among the children to the outer stage, so that they are drawn after it. */
     void handOnPostRenderStages(osgUtil::RenderStage& outer);
