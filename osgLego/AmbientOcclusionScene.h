@@ -41,9 +41,9 @@ class AmbientOcclusionViews;
  *    cull visitor (an osgViewer::View has two).
  * 6. When a context closes, the node is still in its scene, or releaseGLObjects() has been called before.
  *
- * Works with any camera and viewport, in several views and windows, and inside cameras that render to textures; uses
- * four samples per pixel if the camera's target has more than one. Inside another AmbientOcclusionScene, the group
- * draws its children like an osg::Group.
+ * Works with any camera and viewport, in several views and windows, inside cameras that render to textures, and above
+ * and below an osgShadow::ShadowedScene; uses four samples per pixel if the camera's target has more than one. Inside
+ * another AmbientOcclusionScene, the group draws its children like an osg::Group.
  *
  * Usage:
  *
