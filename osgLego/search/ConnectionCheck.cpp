@@ -63,6 +63,24 @@ void ConnectionCheck::connectOutside(std::size_t end)
     }
 }
 
+/** Whether the search can connect no more sets of parts outside the window: the parts whose neighbours are unknown
+ * belong to one set. A search from all sides ends soon after all sets but the largest are known, not with the whole
+ * model. */
+bool ConnectionCheck::isComplete()
+{
+    for (std::size_t i = _numConnected + 1; i < _outside.size(); ++i)
+        if (_base.find(static_cast<std::int32_t>(i)) != _base.find(static_cast<std::int32_t>(_numConnected)))
+            return false;
+    return true;
+}
+
+/** Connect parts outside the window to their neighbours, up to `most` parts, until this is complete. */
+void ConnectionCheck::explore(std::size_t most)
+{
+    while (_numConnected < std::min(_outside.size(), most) && !isComplete())
+        connectOutside(std::min(_outside.size(), most));
+}
+
 void ConnectionCheck::start(const WindowBuilder& window, const LayoutRegion& region)
 {
     for (const Index anchor : _outside)
@@ -124,8 +142,7 @@ bool ConnectionCheck::keepsConnections(const std::vector<int>& chosen)
     // The nearest neighbours connect the parts around most windows. Look farther only if they don't.
     for (const std::size_t numParts : {_outside.size(), MAXIMUM_PARTS})
     {
-        while (_numConnected < std::min(_outside.size(), numParts))
-            connectOutside(std::min(_outside.size(), numParts));
+        explore(numParts);
         if (isCoarser(chosen)) return true;
     }
     return false;
@@ -135,9 +152,8 @@ bool ConnectionCheck::joinsComponents(const std::vector<int>& chosen)
 {
     if (keepsConnections(chosen)) return _after.numComponents < _before.numComponents;
     // Parts may leave one component to join another. To count components, all parts of these components must be known.
-    while (_numConnected < std::min(_outside.size(), COMPLETE_VIEW))
-        connectOutside(std::min(_outside.size(), COMPLETE_VIEW));
-    if (_numConnected < _outside.size()) return false;
+    explore(COMPLETE_VIEW);
+    if (!isComplete()) return false;
     isCoarser(chosen);
     return _after.numComponents < _before.numComponents;
 }

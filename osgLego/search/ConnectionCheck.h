@@ -43,6 +43,8 @@ private:
     bool isCoarser(const std::vector<int>& chosen);
     std::int32_t addOutside(Index anchor);
     void connectOutside(std::size_t end);
+    bool isComplete();
+    void explore(std::size_t most);
     void partition(const std::vector<int>& owners, int numOwners, Partition& partition);
 
     const PartMap& _map;

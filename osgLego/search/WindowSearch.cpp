@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -56,6 +57,10 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
             if (region.yEnd > region.yBegin) regions.push_back(region);
         }
     }
+    // The largest regions come first, so that no thread begins one when the others are about to end.
+    const auto countCells = [&](const LayoutRegion& region)
+    { return lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin); };
+    std::ranges::stable_sort(regions, std::greater(), countCells);
     return regions;
 }
 
