@@ -24,7 +24,7 @@ void addLayoutCommand(BenchCommandLine& commands);
 void addStabilityCommand(BenchCommandLine& commands);
 /** Building orders beside the order layer by layer. Prints a table unless JSON goes to a file. */
 void addBuildingCommand(BenchCommandLine& commands);
-/** Times to cancel legolizations. Prints a table unless JSON goes to a file. */
+/** Times to cancel legolizations, and on one and two threads. Prints a table unless JSON goes to a file. */
 void addLiveCommand(BenchCommandLine& commands);
 
 } // namespace osgLego
