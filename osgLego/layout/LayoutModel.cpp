@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 #include <tuple>
 #include <unordered_map>
+
+#include <glm/common.hpp>
 
 namespace osgLego
 {
@@ -59,6 +62,27 @@ LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, con
     if (!std::is_sorted(problem.cells.begin(), problem.cells.end(), isBefore))
         std::sort(problem.cells.begin(), problem.cells.end(), isBefore);
     return problem;
+}
+
+LaidParts moveParts(const LaidParts& parts, const BrickGrid& from, const BrickGrid& to)
+{
+    const glm::ivec3 cells(glm::round((from.origin - to.origin) / to.cellSize));
+    const std::array<int, 3> step = exchangeAxes(std::array{cells.x, cells.y, cells.z}, to);
+    if (step == std::array{0, 0, 0}) return parts;
+    LaidParts moved;
+    moved.reserve(parts.size());
+    for (LaidPart part : parts)
+    {
+        bool isInside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            const int place = part.place[axis] + step[axis];
+            isInside = isInside && place >= 0 && place <= std::numeric_limits<std::uint16_t>::max();
+            part.place[axis] = static_cast<std::uint16_t>(place);
+        }
+        if (isInside) moved.push_back(part);
+    }
+    return moved;
 }
 
 std::vector<PaletteColor> collectColors(const FilledCells& cells)

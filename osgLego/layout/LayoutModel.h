@@ -15,6 +15,10 @@ namespace osgLego
  * @param colors the colours of the problem, at most 65535: a cell whose colour is not among them may have any. */
 LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, const std::vector<PaletteColor>& colors);
 
+/** Move parts of a layout from one grid to another of the same lattice, so that they keep their places in it. Parts
+ * that lie partly below the other grid's corner are left out. */
+LaidParts moveParts(const LaidParts& parts, const BrickGrid& from, const BrickGrid& to);
+
 /** The colours of all covered cells, for models without a palette, as colours in which every size was made. */
 std::vector<PaletteColor> collectColors(const FilledCells& cells);
 

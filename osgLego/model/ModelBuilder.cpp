@@ -96,6 +96,14 @@ bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& sta
     return true;
 }
 
+/** The parts of an earlier layout, where they are in a grid. A grid that is fitted to the source moves with it, and its
+ * parts, too; a grid of a lattice begins elsewhere when the extent of the source changes. */
+LaidParts selectPrevious(const PreviousLayout& previous, const BrickGrid& grid)
+{
+    if (!previous.settings.grid.cellPitch) return previous.parts;
+    return moveParts(previous.parts, previous.grid, grid);
+}
+
 /** Add the figures of a layout to its statistics. */
 LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
 {
@@ -153,13 +161,15 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
         colors.assign(palette->getColors().begin(), palette->getColors().end());
     const auto layout = std::make_shared<Layout>();
     layout->problem = createProblem(cells, grid, colors);
-    const bool isAlike = _previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors;
+    LaidParts previous;
+    if (_previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors)
+        previous = selectPrevious(*_previous, grid);
     if (isCancelled()) return nullptr;
     const LayoutOptions options{.effort = _settings.parts.effort,
                                 .seed = _settings.parts.seed,
                                 .isCancelled = _isCancelled,
                                 .progress = _progress};
-    layout->parts = layOut(layout->problem, options, isAlike ? _previous->parts : LaidParts());
+    layout->parts = layOut(layout->problem, options, previous);
     if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
     if (_settings.parts.support)
@@ -170,7 +180,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     statistics.numInterior = cells.numInterior;
     osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors, selectCovered(cells));
     _measureLayout = [layout, statistics] { return measure(*layout, statistics); };
-    if (_previous) *_previous = {_settings, layout->parts, std::move(colors)};
+    if (_previous) *_previous = {_settings, layout->parts, std::move(colors), grid};
     return model;
 }
 

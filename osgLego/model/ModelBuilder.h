@@ -23,6 +23,7 @@ struct PreviousLayout
     LegoSettings settings;
     LaidParts parts;
     std::vector<PaletteColor> colors; //!< those of the parts
+    BrickGrid grid;
 };
 
 /** Turns the covered cells of a mesh into bricks by the settings: looks up their colours in a palette,

@@ -2,6 +2,9 @@
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 #include <osgLego/Stability.h>
+#include <osgLego/flattening/LegoSource.h>
+#include <osgLego/flattening/SceneTriangles.h>
+#include <osgLego/model/CpuBricks.h>
 #include <osgLego/model/ModelBuilder.h>
 
 #include <common/RacingCar.h>
@@ -12,9 +15,11 @@
 #include <Settings.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
+#include <osg/MatrixTransform>
 
 namespace osgLego::test
 {
@@ -233,7 +238,7 @@ TEST(ModelBuilder, PartsAreKeptOnlyIfThePaletteAndTheSettingsAreTheSame)
     const osg::ref_ptr<const Palette> palette = createRed(PaletteColor::ALL_SIZES);
     const auto numPartsAfter = [&](const LegoSettings& before, const osg::ref_ptr<const Palette>& paletteBefore)
     {
-        PreviousLayout previous{before, {}, {paletteBefore->getColors().begin(), paletteBefore->getColors().end()}};
+        PreviousLayout previous{before, {}, {paletteBefore->getColors().begin(), paletteBefore->getColors().end()}, {}};
         for (const Brick& cell : cells->getBricks())
             previous.parts.push_back({{cell.cell[0], cell.cell[1], cell.cell[2]}});
         ModelBuilder builder(settings, PaletteLookup(palette));
@@ -249,6 +254,64 @@ TEST(ModelBuilder, PartsAreKeptOnlyIfThePaletteAndTheSettingsAreTheSame)
     EXPECT_EQ(numPartsAfter(parseSettings("12,parts=bricks,show=load"), palette), numCells) << "a setting of the view";
     EXPECT_LT(numPartsAfter(settings, createRed(1)), numCells / 2) << "only bricks 1x1 were made before";
     EXPECT_LT(numPartsAfter(parseSettings("12,parts=bricks,seed=1"), palette), numCells / 2);
+}
+
+/** The place of a part in the lattice, its size and its colour. */
+using LatticePart = std::array<int, 9>;
+
+/** The parts that lie within `distance` cells of the lattice's origin, along every axis. */
+std::vector<LatticePart> findNearParts(const BrickModel& model, int distance)
+{
+    const BrickGrid& grid = model.getGrid();
+    std::vector<LatticePart> near;
+    for (const Part& part : model.getParts())
+    {
+        LatticePart found{};
+        bool isNear = true;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const auto index = static_cast<std::size_t>(axis);
+            const int first = static_cast<int>(std::lround(grid.origin[axis] / grid.cellSize[axis])) + part.cell[index];
+            found[index] = first;
+            found[index + 3] = part.size[index];
+            found[index + 6] = part.color[index];
+            isNear = isNear && first >= -distance && first + part.size[index] <= distance;
+        }
+        if (isNear) near.push_back(found);
+    }
+    std::sort(near.begin(), near.end());
+    return near;
+}
+
+TEST(ModelBuilder, DistantPartsStayWhenTheExtentOfTheSourceChanges)
+{
+    for (const std::string text : {"cell=0.15,parts=bricks,effort=instant,fill=solid",
+                                   "cell=0.15,parts=bricks,effort=instant,up=y,proportions=plate"})
+        for (const osg::Vec3d direction : {osg::Vec3d(-1, 0, 0), osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, -1)})
+        {
+            const LegoSettings settings = parseSettings(text);
+            osg::ref_ptr<osg::MatrixTransform> mover = new osg::MatrixTransform;
+            mover->addChild(createSphere());
+            osg::ref_ptr<osg::Group> source = new osg::Group;
+            source->addChild(createSphere());
+            source->addChild(mover);
+            PreviousLayout previous;
+            std::vector<LatticePart> before;
+            for (const double distance : {4.0, 4.1, 5.5, 4.8})
+            {
+                mover->setMatrix(osg::Matrixd::translate(direction * distance));
+                std::string error;
+                const osg::ref_ptr<const LegoSource> lego =
+                    LegoSource::create(*SceneTriangles::create(*source), settings, error);
+                ASSERT_TRUE(lego) << error;
+                CpuBricksWork work;
+                work.previous = &previous;
+                const std::vector<LatticePart> near = findNearParts(*makeBricksOnCpu(*lego, work), 7);
+                EXPECT_GT(near.size(), 50u);
+                if (distance == 4.0) before = near;
+                EXPECT_EQ(near, before) << text << " at " << distance;
+            }
+        }
 }
 
 TEST(ModelBuilder, ErrorsOfColorsAreThoseOfVisibleCells)
