@@ -14,9 +14,7 @@ osg::ref_ptr<osg::StateSet> createState(const char* name, std::initializer_list<
                                         const char* captured, osg::Texture2D& voxelImage,
                                         const std::string& definitions = {})
 {
-    osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, shaders, definitions);
-    program->addTransformFeedBackVarying(captured);
-    program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::getProgram(name, shaders, definitions, {captured});
     osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
     stateSet->setTextureAttribute(0, &voxelImage, OVERRIDE_PROTECTED);
     return stateSet;

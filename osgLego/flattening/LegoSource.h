@@ -30,8 +30,8 @@ struct LegoSource : public osg::Referenced
      * @return null, with one sentence in `error`, if the palette of the settings can't be read. */
     static osg::ref_ptr<LegoSource> create(const SceneTriangles& scene, const LegoSettings& settings,
                                            std::string& error);
-    /** The same, with a palette that has been read. */
-    static osg::ref_ptr<LegoSource> create(const SceneTriangles& scene, const LegoSettings& settings,
+    /** The same, with triangles in the grid of the settings and a palette that has been read. */
+    static osg::ref_ptr<LegoSource> create(const GridTriangles& triangles, const LegoSettings& settings,
                                            const SettingsPalette& palette, std::string& error);
 };
 

@@ -69,6 +69,8 @@ class SignatureVisitor : public SourceVisitor
 public:
     META_NodeVisitor(osgLego, SignatureVisitor)
 
+    explicit SignatureVisitor(bool isByContents = false) : _isByContents(isByContents) {}
+
     Signature& getSignature() { return _signature; }
 
 protected:
@@ -102,7 +104,7 @@ private:
 
     void addGeometry(const osg::Geometry& geometry, unsigned int textureUnit)
     {
-        const bool byContents = geometry.getDataVariance() == osg::Object::DYNAMIC;
+        const bool byContents = _isByContents || geometry.getDataVariance() == osg::Object::DYNAMIC;
         addData(geometry.getVertexArray(), byContents);
         addData(geometry.getColorArray(), byContents);
         addData(geometry.getTexCoordArray(textureUnit), byContents);
@@ -125,6 +127,7 @@ private:
         if (byContents && data->getDataPointer()) _signature.addBytes(data->getDataPointer(), data->getTotalDataSize());
     }
 
+    bool _isByContents = false; // whether this holds for all geometries
     Signature _signature;
 };
 
@@ -133,6 +136,14 @@ private:
 SourceSignature computeSourceSignature(const osg::Node& node)
 {
     return SourceSignatures().compute(node);
+}
+
+std::uint64_t hashSourceContents(const osg::Node& node)
+{
+    SignatureVisitor visitor(true);
+    // accept() is not const, but the visitor only reads.
+    const_cast<osg::Node&>(node).accept(visitor);
+    return visitor.getSignature().get().value;
 }
 
 SourceSignatures::SourceSignatures() : _visitor(new SignatureVisitor) {}

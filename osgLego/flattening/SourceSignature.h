@@ -33,6 +33,11 @@ struct SourceSignature
  * May be called from any thread as long as no other thread changes the subgraph. */
 SourceSignature computeSourceSignature(const osg::Node& node);
 
+/** Hash the arrays and primitive sets of all geometries below a node by their contents, including changes without
+ * dirty(). Takes the time of reading them. May be called from any thread as long as no other thread changes the
+ * subgraph. */
+std::uint64_t hashSourceContents(const osg::Node& node);
+
 /** Computes signatures repeatedly, without allocating memory for each. One thread at a time. */
 class SourceSignatures
 {

@@ -1,5 +1,8 @@
 #include <osgLego/gl/ShaderLibrary.h>
 
+#include <osgLego/data/SharedObjects.h>
+#include <osgLego/gl/SharedBetweenViewers.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
@@ -7,6 +10,7 @@
 #include <mutex>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 #include <osg/Notify>
 #include <osg/Shader>
@@ -20,6 +24,7 @@ const ShaderLibrary::Sources& getEmbeddedShaders();
 namespace
 {
 
+constexpr const char* FOLDER_VARIABLE = "OSGLEGO_SHADER_PATH";
 constexpr const char* VERSION_LINE = "#version 400 compatibility\n";
 
 bool readFile(const std::string& path, std::string& text)
@@ -66,7 +71,7 @@ KnownSources& getKnownSources()
 
 bool readShader(const std::string& fileName, std::string& text)
 {
-    if (const char* folder = std::getenv("OSGLEGO_SHADER_PATH"))
+    if (const char* folder = std::getenv(FOLDER_VARIABLE))
         if (readFile(std::string(folder) + "/" + fileName, text)) return true;
     return getKnownSources().find(fileName, text);
 }
@@ -76,6 +81,37 @@ osg::Shader::Type stageOf(const std::string& fileName)
     if (fileName.ends_with(".vert")) return osg::Shader::VERTEX;
     if (fileName.ends_with(".geom")) return osg::Shader::GEOMETRY;
     return osg::Shader::FRAGMENT;
+}
+
+/** The values that determine a program. */
+struct ProgramKey
+{
+    std::string pass;
+    std::string definitions;
+    std::vector<std::string> fileNames;
+    std::vector<std::string> captured;
+    std::vector<std::string> sources; // empty if they are those of the library
+
+    bool operator==(const ProgramKey&) const = default;
+};
+
+osg::ref_ptr<osg::Program> createProgram(const ProgramKey& key)
+{
+    osg::ref_ptr<SharedBetweenViewers<osg::Program>> program = new SharedBetweenViewers<osg::Program>;
+    program->setName("osgLego::" + key.pass + " " + key.definitions);
+    for (const std::string& fileName : key.fileNames)
+    {
+        osg::ref_ptr<osg::Shader> shader =
+            new osg::Shader(stageOf(fileName), VERSION_LINE + key.definitions + ShaderLibrary::getSource(fileName));
+        shader->setName("osgLego/" + fileName);
+        program->addShader(shader);
+    }
+    for (const std::string& varying : key.captured)
+        program->addTransformFeedBackVarying(varying);
+    if (!key.captured.empty()) program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
+    program->reserveContexts();
+    if (const ShaderLibrary::ProgramCallback callback = programCallback) callback(*program);
+    return program;
 }
 
 } // namespace
@@ -107,21 +143,18 @@ std::string ShaderLibrary::getSource(const std::string& fileName)
     return result.str();
 }
 
-osg::ref_ptr<osg::Program> ShaderLibrary::createProgram(const std::string& pass,
-                                                        std::initializer_list<const char*> fileNames,
-                                                        const std::string& definitions)
+osg::ref_ptr<osg::Program> ShaderLibrary::getProgram(const std::string& pass,
+                                                     std::initializer_list<const char*> fileNames,
+                                                     const std::string& definitions,
+                                                     const std::vector<const char*>& captured)
 {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgLego::" + pass + " " + definitions);
-    for (const std::string fileName : fileNames)
-    {
-        osg::ref_ptr<osg::Shader> shader =
-            new osg::Shader(stageOf(fileName), VERSION_LINE + definitions + getSource(fileName));
-        shader->setName("osgLego/" + fileName);
-        program->addShader(shader);
-    }
-    if (const ProgramCallback callback = programCallback) callback(*program);
-    return program;
+    static SharedObjects<ProgramKey, osg::Program> programs;
+    ProgramKey key{pass, definitions, {fileNames.begin(), fileNames.end()}, {captured.begin(), captured.end()}, {}};
+    // Files that can be edited must be read.
+    if (std::getenv(FOLDER_VARIABLE))
+        for (const std::string& fileName : key.fileNames)
+            key.sources.push_back(getSource(fileName));
+    return programs.findOrCreate(key, [&] { return createProgram(key); });
 }
 
 void ShaderLibrary::setProgramCallback(ProgramCallback callback)

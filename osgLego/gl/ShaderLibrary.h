@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <osg/Program>
 #include <osg/ref_ptr>
@@ -32,16 +33,18 @@ public:
     /** The text of a file in shaders/, with its includes resolved; empty, with a warning, if there is no such file. */
     static std::string getSource(const std::string& fileName);
 
-    /** A program of the given stages (.vert, .geom and .frag files).
+    /** The program of the given stages (.vert, .geom and .frag files). Calls with equal arguments return the same
+     * program for as long as it is in use, so that many nodes compile it once; do not change it.
      *
      * Its name combines `pass` and the definitions, since OSG may merge programs that look alike.
-     * @param definitions lines of GLSL, `#define NAME value`, put at the start of every stage. */
-    static osg::ref_ptr<osg::Program> createProgram(const std::string& pass,
-                                                    std::initializer_list<const char*> fileNames,
-                                                    const std::string& definitions = {});
+     * @param definitions lines of GLSL, `#define NAME value`, put at the start of every stage.
+     * @param captured the varyings that transform feedback writes, interleaved into one buffer. */
+    static osg::ref_ptr<osg::Program> getProgram(const std::string& pass, std::initializer_list<const char*> fileNames,
+                                                 const std::string& definitions = {},
+                                                 const std::vector<const char*>& captured = {});
 
     using ProgramCallback = void (*)(const osg::Program& program);
-    /** Set a function that receives each program that createProgram() creates, in the calling thread; null for none.
+    /** Set a function that receives each program that getProgram() creates, in the calling thread; null for none.
      * Tests use it to check every program that the library creates. */
     static void setProgramCallback(ProgramCallback callback);
 };

@@ -1,17 +1,21 @@
 #include <osgLego/light/LightProbeState.h>
 
+#include <osgLego/data/SharedObjects.h>
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/gl/SharedBetweenViewers.h>
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/SphericalHarmonics.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <osg/Math>
 #include <osg/Matrixd>
 #include <osg/Texture2D>
 #include <osg/Uniform>
+#include <osg/observer_ptr>
 
 namespace osgLego
 {
@@ -19,20 +23,22 @@ namespace osgLego
 namespace
 {
 
-/** Set a texture of a latitude-longitude picture: it repeats horizontally and is clamped at top and bottom. */
-void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, osg::Image& image, bool hasLevels)
+/** Create the texture of a latitude-longitude picture: it repeats horizontally and is clamped at top and bottom. */
+osg::ref_ptr<osg::Texture2D> createMapTexture(osg::Image& image, bool hasLevels)
 {
     // Both formats must be equal: otherwise OSG allocates a reused texture a second time, which GL rejects.
     image.setInternalTextureFormat(GL_RGB16F_ARB);
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&image);
+    // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
+    image.setDataVariance(osg::Object::DYNAMIC);
+    osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(&image);
     texture->setInternalFormat(GL_RGB16F_ARB);
     texture->setResizeNonPowerOfTwoHint(false);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setFilter(osg::Texture::MIN_FILTER, hasLevels ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    stateSet.setTextureAttribute(unit, texture, OVERRIDE_PROTECTED);
-    stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
+    texture->reserveContexts();
+    return texture;
 }
 
 /** Create the convolved map for shaders/light/ambient_light.glsl, with the poles in the centres of the first and last
@@ -90,6 +96,31 @@ osg::ref_ptr<osg::Image> createLevels(const LightProbe& probe)
     return image;
 }
 
+enum class Map
+{
+    CONVOLVED,
+    REFLECTION
+};
+
+/** The texture of a map, which depends only on the light of the probe, and which probes with the same light share. */
+osg::ref_ptr<osg::Texture2D> getMapTexture(const LightProbe& probe, Map map)
+{
+    // Each light has its own convolved map.
+    static SharedObjects<std::pair<osg::observer_ptr<const osg::Image>, Map>, osg::Texture2D> textures;
+    const auto create = [&]
+    {
+        const bool isConvolved = map == Map::CONVOLVED;
+        return createMapTexture(isConvolved ? *createConvolvedMap(probe) : *createLevels(probe), !isConvolved);
+    };
+    return textures.findOrCreate({probe.getConvolvedMap(), map}, create);
+}
+
+void setMap(osg::StateSet& stateSet, unsigned int unit, const char* name, const LightProbe& probe, Map map)
+{
+    stateSet.setTextureAttribute(unit, getMapTexture(probe, map), OVERRIDE_PROTECTED);
+    stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
+}
+
 } // namespace
 
 void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
@@ -102,9 +133,8 @@ void applyLightProbe(const LightProbe& probe, osg::StateSet& stateSet)
     stateSet.addUniform(polynomial);
     stateSet.addUniform(new osg::Uniform("probeIntensity", static_cast<float>(probe.getIntensity())));
     stateSet.addUniform(new osg::Uniform("worldToProbe", toUniform(osg::Matrixd(probe.getRotation().inverse()))));
-    if (probe.usesConvolvedMap())
-        setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", *createConvolvedMap(probe), false);
-    setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", *createLevels(probe), true);
+    if (probe.usesConvolvedMap()) setMap(stateSet, CONVOLVED_MAP_UNIT, "convolvedMap", probe, Map::CONVOLVED);
+    setMap(stateSet, REFLECTION_MAP_UNIT, "reflectionMap", probe, Map::REFLECTION);
 }
 
 std::string defineLightProbe(const LightProbe& probe)

@@ -1,7 +1,7 @@
 #include <osgLego/node/BrickDisplay.h>
 
-#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/BrickStage.h>
+#include <osgLego/polygonization/ViewStates.h>
 
 namespace osgLego
 {
@@ -66,22 +66,13 @@ void BrickDisplay::cull(osgUtil::CullVisitor& visitor)
     if (BrickStage* stage = BrickStage::find(visitor))
     {
         stage->noteBricks(_store->getPitch(), *visitor.getModelViewMatrix());
-        nodes->getBufferNode(stage->hasDistantOcclusion()).accept(visitor);
+        nodes->cullForBuffer(stage->hasDistantOcclusion(), visitor);
         return;
     }
-    visitor.pushStateSet(getViewState(visitor));
-    nodes->getFrameNode().accept(visitor);
+    const osg::ref_ptr<osg::StateSet> view = ViewStates::get().find(visitor);
+    visitor.pushStateSet(view);
+    nodes->cullForFrame(visitor);
     visitor.popStateSet();
-}
-
-/** The state that is specific to the view of this visit: the orientation of the light probe in eye coordinates. */
-osg::ref_ptr<osg::StateSet> BrickDisplay::getViewState(osgUtil::CullVisitor& visitor)
-{
-    const std::lock_guard lock(_mutex);
-    osg::ref_ptr<osg::StateSet>& state = _viewStates.find(visitor);
-    if (!state) state = new osg::StateSet;
-    state->getOrCreateUniform("eyeToWorld", osg::Uniform::FLOAT_MAT3)->set(toUniform(computeEyeToWorld(visitor)));
-    return state;
 }
 
 void BrickDisplay::dirtyBound()

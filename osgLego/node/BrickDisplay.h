@@ -3,7 +3,6 @@
 #include <osgLego/BrickAppearance.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LightProbe.h>
-#include <osgLego/gl/PerVisit.h>
 #include <osgLego/polygonization/BrickNodes.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -12,7 +11,6 @@
 
 #include <osg/Geode>
 #include <osg/State>
-#include <osg/StateSet>
 #include <osg/ref_ptr>
 #include <osgUtil/CullVisitor>
 
@@ -49,7 +47,6 @@ public:
 private:
     osg::ref_ptr<const BrickNodes> getNodes() const;
     void dropNodes() { _nodes.fill(nullptr); }
-    osg::ref_ptr<osg::StateSet> getViewState(osgUtil::CullVisitor& visitor);
 
     osg::ref_ptr<BrickStore> _store;
     mutable std::mutex _mutex;
@@ -59,7 +56,6 @@ private:
     osg::ref_ptr<const LightProbe> _lightProbe;
     /** For each kind of nodes (BrickNodes::Kind). */
     mutable std::array<osg::ref_ptr<const BrickNodes>, 4> _nodes;
-    PerVisit<osg::ref_ptr<osg::StateSet>> _viewStates;
 };
 
 } // namespace osgLego

@@ -84,7 +84,10 @@ bool BrickSource::look(const osg::Node& node)
 {
     const std::lock_guard lock(_mutex);
     const bool wasDirty = _isDirty.exchange(false);
-    return !_stored && _watch.look(node, _request, wasDirty);
+    if (_stored) return false;
+    using enum SourceWatch::Need;
+    const bool wasContentDirty = _isContentDirty.exchange(false);
+    return _watch.look(node, _request, wasContentDirty ? CONTENT : wasDirty ? REQUEST : NONE);
 }
 
 std::uint64_t BrickSource::getRevision() const

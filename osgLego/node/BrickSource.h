@@ -40,7 +40,11 @@ public:
     bool getReadBack() const;
 
     /** Flatten the source at the next look, even if its signature has not changed. */
-    void dirty() { _isDirty = true; }
+    void dirty()
+    {
+        _isContentDirty = true;
+        _isDirty = true;
+    }
     bool isDirty() const { return _isDirty; }
 
     /** Use bricks instead of those of the source; null: look at the source again.
@@ -74,6 +78,7 @@ private:
     osg::ref_ptr<const BrickModel> _stored;
     std::string _printedObstacle;
     std::atomic<bool> _isDirty{true};
+    std::atomic<bool> _isContentDirty{false}; // whether the source has changed in a way that is not detected
 };
 
 } // namespace osgLego

@@ -1,9 +1,13 @@
 #include <osgLego/node/SourceWatch.h>
 
+#include <osgLego/data/SharedObjects.h>
+
 #include <atomic>
 #include <utility>
+#include <vector>
 
 #include <osg/Timer>
+#include <osg/observer_ptr>
 
 namespace osgLego
 {
@@ -17,21 +21,48 @@ std::uint64_t makeRevision()
     return ++last;
 }
 
+/** The values that determine the triangles of a source. */
+struct TrianglesKey
+{
+    TrianglesKey(const osg::Node& node, const SourceSignature& ofSource, const LegoSettings& settings) :
+        contents(hashSourceContents(node)), objects(ofSource.objects.begin(), ofSource.objects.end()), grid(settings.grid),
+        edgeLimit(settings.getEdgeLimit())
+    {
+    }
+
+    bool operator==(const TrianglesKey&) const = default;
+
+    std::uint64_t contents;
+    std::vector<osg::observer_ptr<const osg::Referenced>> objects; // whose addresses are in the contents
+    LegoSettings::Grid grid;
+    double edgeLimit;
+};
+
+SharedObjects<TrianglesKey, const GridTriangles>& getSharedTriangles()
+{
+    static SharedObjects<TrianglesKey, const GridTriangles> triangles;
+    return triangles;
+}
+
 } // namespace
 
-bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDirty)
+bool SourceWatch::look(const osg::Node& node, const Request& request, Need need)
 {
     const SourceSignature& signature = _signatures.compute(node);
-    if (!isDirty && signature == _signature) return false;
+    if (need == Need::NONE && signature == _signature) return false;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
-    if (!std::exchange(_hasTexts, scene->getNumTexts() > 0)) scene->warnOfTexts(node);
+    const TrianglesKey key(node, signature, request.settings);
+    if (need == Need::CONTENT) getSharedTriangles().forget(key);
+    _isUnique = need == Need::CONTENT || (_isUnique && signature == _signature);
+    _signature = signature;
     _revision = makeRevision();
+    _obstacle.clear();
+    const auto create = [&] { return flatten(node, request.settings); };
+    const osg::ref_ptr<const GridTriangles> triangles =
+        _isUnique ? create() : getSharedTriangles().findOrCreate(key, create);
     osg::ref_ptr<LegoSource> source;
-    _obstacle = BrickGrid::findObstacle(scene->getBounds(), request.settings);
-    if (scene->getNumTriangles() > 0 && _obstacle.empty())
-        source = LegoSource::create(*scene, request.settings, request.palette, _obstacle);
+    if (triangles) source = LegoSource::create(*triangles, request.settings, request.palette, _obstacle);
     if (source)
     {
         source->revision = _revision;
@@ -40,8 +71,16 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, bool isDir
         source->readBack = request.readBack;
     }
     _source = source;
-    _signature = signature;
     return true;
+}
+
+/** Flatten a source. @return null if it has no visible triangles, or if there is an obstacle. */
+osg::ref_ptr<const GridTriangles> SourceWatch::flatten(const osg::Node& node, const LegoSettings& settings)
+{
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
+    if (!std::exchange(_hasTexts, scene->getNumTexts() > 0)) scene->warnOfTexts(node);
+    _obstacle = BrickGrid::findObstacle(scene->getBounds(), settings);
+    return scene->getNumTriangles() > 0 && _obstacle.empty() ? GridTriangles::create(*scene, settings) : nullptr;
 }
 
 std::uint64_t SourceWatch::drop()

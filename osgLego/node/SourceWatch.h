@@ -30,10 +30,18 @@ public:
         bool readBack = false;
     };
 
-    /** Check a source, and flatten it if it has changed since the last check.
-     * @param isDirty flatten it in any case, as after a change of the request.
+    /** Whether a source must be flattened even if its signature has not changed. */
+    enum class Need
+    {
+        NONE,
+        REQUEST, //!< the request has changed
+        CONTENT  //!< the source has changed in a way that its signature may not show
+    };
+
+    /** Check a source, and flatten it if it has changed since the last check. Watches of equal sources share their
+     * triangles.
      * @return whether it was flattened. */
-    bool look(const osg::Node& node, const Request& request, bool isDirty);
+    bool look(const osg::Node& node, const Request& request, Need need);
 
     /** Forget the source, because other bricks are shown instead.
      * @return the revision of these bricks. */
@@ -51,6 +59,8 @@ public:
     const std::string& getObstacle() const { return _obstacle; }
 
 private:
+    osg::ref_ptr<const GridTriangles> flatten(const osg::Node& node, const LegoSettings& settings);
+
     SourceSignature _signature;
     SourceSignatures _signatures;
     SurfaceTextureCache _textures;
@@ -58,6 +68,7 @@ private:
     std::uint64_t _revision = 0;
     osg::ref_ptr<const LegoSource> _source;
     std::string _obstacle;
+    bool _isUnique = false; // whether the signature may not show how the source differs from others
 };
 
 } // namespace osgLego

@@ -3,6 +3,7 @@
 #include <osgLego/gl/PerVisit.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/SharedGlObjects.h>
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/occlusion/OcclusionNoise.h>
@@ -109,10 +110,10 @@ void attach(osg::FrameBufferObject& buffer, osg::Camera::BufferComponent compone
         buffer.setAttachment(component, osg::FrameBufferAttachment(dynamic_cast<osg::Texture2DMultisample*>(&texture)));
 }
 
-osg::ref_ptr<osg::Program> createProgram(const char* pass, const char* vertexShader, const std::string& definitions)
+osg::ref_ptr<osg::Program> getProgram(const char* pass, const char* vertexShader, const std::string& definitions)
 {
-    return ShaderLibrary::createProgram(pass, {vertexShader, ("occlusion/" + std::string(pass) + ".frag").c_str()},
-                                        definitions);
+    return ShaderLibrary::getProgram(pass, {vertexShader, ("occlusion/" + std::string(pass) + ".frag").c_str()},
+                                     definitions);
 }
 
 std::string define(const char* name, int value)
@@ -193,11 +194,11 @@ AmbientOcclusionPrograms::AmbientOcclusionPrograms(const OcclusionFormat& format
     if (format.hasDistant) definitions += "#define DISTANT_OCCLUSION\n";
     constexpr const char* SCREEN = "occlusion/screen.vert";
     constexpr const char* TILES = "occlusion/screen_tiles.vert";
-    resolve = createProgram("occlusion_resolve", SCREEN, definitions);
-    tiles = createProgram("occlusion_tiles", SCREEN, definitions);
-    occlusion = createProgram("occlusion", TILES, definitions);
-    denoise = createProgram("occlusion_denoise", TILES, definitions);
-    composite = createProgram("occlusion_composite", TILES, definitions + defineLightProbe(probe));
+    resolve = getProgram("occlusion_resolve", SCREEN, definitions);
+    tiles = getProgram("occlusion_tiles", SCREEN, definitions);
+    occlusion = getProgram("occlusion", TILES, definitions);
+    denoise = getProgram("occlusion_denoise", TILES, definitions);
+    composite = getProgram("occlusion_composite", TILES, definitions + defineLightProbe(probe));
     applyLightProbe(probe, *light);
 }
 
@@ -228,6 +229,11 @@ void AmbientOcclusionView::createGeometryBuffer()
     if (!_format.hasDistant) return;
     _distant = createTarget(_format, GL_RGBA8, GL_RGBA);
     attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER3, *_distant);
+}
+
+AmbientOcclusionView::~AmbientOcclusionView()
+{
+    SharedGlObjects::get().removeUser(this);
 }
 
 void AmbientOcclusionView::createPasses()
@@ -321,6 +327,7 @@ void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
 void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
                                 double sceneRadius, bool hasBounds, const std::function<void()>& cullChildren)
 {
+    SharedGlObjects::get().addUser(visitor.getState()->getContextID(), this);
     osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
     osgUtil::RenderStage& outer = *outerBin->getStage();
     setUpStage(outer);
@@ -380,6 +387,7 @@ void AmbientOcclusionView::releaseGLObjects(osg::State* state) const
     _geometryBuffer->releaseGLObjects(state);
     for (const osg::ref_ptr<ScreenPass>& pass : _passes)
         pass->releaseGLObjects(state);
+    SharedGlObjects::get().release(state, this);
 }
 
 } // namespace osgLego

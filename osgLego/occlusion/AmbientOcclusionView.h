@@ -76,7 +76,7 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
-    ~AmbientOcclusionView() override = default;
+    ~AmbientOcclusionView() override;
 
     void createGeometryBuffer();
     void createPasses();

@@ -5,6 +5,7 @@
 #include <osgLego/polygonization/BrickUniforms.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
 
+#include <algorithm>
 #include <optional>
 
 #include <osg/CullFace>
@@ -13,6 +14,9 @@
 #include <osg/PolygonMode>
 #include <osg/RenderInfo>
 #include <osg/Viewport>
+#include <osgUtil/RenderBin>
+#include <osgUtil/RenderLeaf>
+#include <osgUtil/StateGraph>
 
 namespace osgLego
 {
@@ -54,18 +58,45 @@ bool isClockwise(const osg::State& state)
     return frontFace && frontFace->getMode() == osg::FrontFace::CLOCKWISE;
 }
 
+CellView createView(const osg::State& state, const BrickGrid& grid, const osg::Matrixd& cellsToEye)
+{
+    CellView view(grid, cellsToEye, state.getProjectionMatrix());
+    view.isMirrored = view.isMirrored != isClockwise(state);
+    return view;
+}
+
+/** Whether back-facing sides may be visible. */
+bool showsInsides(const osg::State& state, const CellView& view)
+{
+    return view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
+}
+
+double getPictureWidth(const osg::State& state)
+{
+    const osg::Viewport* viewport = state.getCurrentViewport();
+    return viewport ? viewport->width() : 1.0;
+}
+
+/** Whether a job was prepared for these bricks. */
+bool isOf(const SplatJob& job, const DrawnBricks& bricks)
+{
+    return job.buffer == bricks.buffer && job.numSplats == bricks.count && job.blocks == bricks.blocks.data();
+}
+
 } // namespace
 
-BrickDrawable::BrickDrawable(const Options& options, osg::StateSet& geometryState, osg::StateSet& splatState,
-                             osg::StateSet& splatStateByOneLight) :
-    _store(options.store),
-    _drawing(options.drawing), _isPartial(options.isPartial), _outline(options.outline),
-    _noOcclusion(options.hasDistantOcclusion ? new DistantOcclusionTexture : nullptr), _geometryState(&geometryState),
-    _splats(splatState, splatStateByOneLight, options.isPartial)
+BrickDrawable::BrickDrawable(const Options& options, const BrickStates& states) :
+    _store(options.store), _drawing(options.drawing), _isPartial(options.isPartial), _outline(options.outline),
+    _noOcclusion(options.hasDistantOcclusion ? new DistantOcclusionTexture : nullptr), _states(&states), _splats(states)
 {
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
     setDataVariance(osg::Object::STATIC);
+}
+
+BrickDrawable::~BrickDrawable()
+{
+    SharedGlObjects::get().removeUser(this);
 }
 
 osg::BoundingBox BrickDrawable::computeBoundingBox() const
@@ -85,25 +116,22 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         bricks->markUnsupported(contextID, missing);
         return;
     }
-    // Before the context is locked: the store locks itself first, and contexts after that.
-    const Shown shown{_store->getBricks(), _isPartial ? _store->getBuilding() : nullptr, _store->getState()};
+    const SplatDestination destination(state);
+    SplatJob* const job = findSplats(renderInfo, destination);
+    const Shown shown = getShown();
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
     if (!prepare(state, *bricks, shown) || !state.getLastAppliedProgramObject()) return;
 
-    // Bricks have cell coordinates. The transform to eye coordinates is computed in double precision, so that models
-    // far from the origin of their coordinates do not jitter.
-    const BrickGrid& grid = _isPartial ? bricks->building->getModel().getGrid() : bricks->bricks->getGrid();
     // osg::State accepts matrices only as osg::RefMatrix.
     const osg::ref_ptr<const osg::RefMatrix> modelView =
         static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
     Workspace& workspace = _workspaces[contextID];
     if (!workspace.cellsToEye) workspace.cellsToEye = new osg::RefMatrix;
-    workspace.cellsToEye->set(grid.getCellsToModel() * *modelView);
+    workspace.cellsToEye->set(getCellsToEye(*bricks, *modelView));
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    const osg::Viewport* viewport = state.getCurrentViewport();
-    const double width = viewport ? viewport->width() : 1.0;
+    const double width = getPictureWidth(state);
     std::optional<DistantOcclusionView> distant;
     if (_noOcclusion)
     {
@@ -111,11 +139,31 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks->findDistantOcclusion(state);
         distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(), width);
     }
-    const BrickLines lines(_outline, _isPartial && shown.state.numNew > 0, *workspace.cellsToEye,
-                           state.getProjectionMatrix(), width);
-    drawBricks(state, _isPartial ? DrawnBricks(*bricks, shown.state, lines) : DrawnBricks(*bricks, lines), workspace,
-               distant ? &*distant : nullptr);
+    const DrawnBricks drawn = getDrawn(state, *bricks, shown, *workspace.cellsToEye);
+    if (!job || !drawSplats(state, destination, drawn, *job, distant ? &*distant : nullptr))
+        drawTriangles(state, drawn, workspace, distant ? &*distant : nullptr);
     state.applyModelViewMatrix(modelView.get());
+}
+
+BrickDrawable::Shown BrickDrawable::getShown() const
+{
+    return {_store->getBricks(), _isPartial ? _store->getBuilding() : nullptr, _store->getState()};
+}
+
+/** Bricks have cell coordinates. Their transform to eye coordinates is computed in double precision, so that models far
+ * from the origin of their coordinates do not jitter. */
+osg::Matrixd BrickDrawable::getCellsToEye(const ContextBricks& bricks, const osg::Matrixd& modelView) const
+{
+    const BrickGrid& grid = _isPartial ? bricks.building->getModel().getGrid() : bricks.bricks->getGrid();
+    return grid.getCellsToModel() * modelView;
+}
+
+DrawnBricks BrickDrawable::getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
+                                    const osg::Matrixd& cellsToEye) const
+{
+    const BrickLines lines(_outline, _isPartial && shown.state.numNew > 0, cellsToEye, state.getProjectionMatrix(),
+                           getPictureWidth(state));
+    return _isPartial ? DrawnBricks(bricks, shown.state, lines) : DrawnBricks(bricks, lines);
 }
 
 /** Upload the newest bricks if they are not there yet. The caller holds the mutex of `bricks`.
@@ -129,25 +177,137 @@ bool BrickDrawable::prepare(const osg::State& state, ContextBricks& bricks, cons
     return shown.building && bricks.upload(state, *shown.building) && !shown.building->getPoints().points.empty();
 }
 
-void BrickDrawable::drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                               const DistantOcclusionView* distant) const
+/** Find the job for drawing the bricks as splats, and draw its points unless they have been drawn: together with those
+ * of the following nodes, since renderers are slow to change the frame buffer.
+ * @return null if splats can't be used. */
+SplatJob* BrickDrawable::findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const
 {
-    CellView view(bricks.grid, *workspace.cellsToEye, state.getProjectionMatrix());
-    view.isMirrored = view.isMirrored != isClockwise(state);
-    const bool showsInsides = view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
-    workspace.ranges.find(bricks.blocks, bricks.grid, view, showsInsides, bricks.numPlaced);
-    // Polygon offset depends on the slopes of triangles.
-    const bool isOffset = state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL);
-    if (!showsInsides && !isOffset && _drawing != Drawing::TRIANGLES)
+    osg::State& state = *renderInfo.getState();
+    SplatTarget& target = _splats.getTarget(state);
+    if (_drawing == Drawing::TRIANGLES || !state.getLastAppliedProgramObject() || !target.isFor(_drawing))
+        return nullptr;
+    // Splats of partly built models have their numbers in other bits.
+    const std::optional<SplatPicture> picture = _isPartial ? std::nullopt : SplatPicture::find(renderInfo, destination);
+    const osg::ref_ptr<const osg::RefMatrix> modelView =
+        static_cast<const osg::RefMatrix*>(&state.getModelViewMatrix());
+    SplatJob* found = target.find(picture, *this, *modelView);
+    if (!found)
     {
-        const bool isDrawn = _splats.draw(state, bricks, workspace.ranges, view, _drawing, distant);
-        state.apply(_geometryState);
-        if (isDrawn || !state.getLastAppliedProgramObject()) return;
-        if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+        state.unbindVertexBufferObject();
+        const std::size_t first = target.begin(picture, *this, *modelView);
+        addSplats(state, destination, *modelView);
+        if (picture) addFollowing(renderInfo, destination);
+        const bool isReady = drawPoints(state, destination, first);
+        destination.restore();
+        state.applyModelViewMatrix(modelView.get());
+        state.apply(&_states->getTriangles());
+        if (!isReady) target.fail();
+        found = isReady ? &target.getJob(first) : nullptr;
     }
+    if (found) found->isShaded = true;
+    return found && found->isPossible ? found : nullptr;
+}
+
+/** Add a job for the splats of this node. */
+void BrickDrawable::addSplats(const osg::State& state, const SplatDestination& destination,
+                              const osg::Matrixd& modelView) const
+{
+    SplatJob& job = _splats.getTarget(state).addJob();
+    job.node = this;
+    job.modelView = modelView;
+    job.isPossible = false;
+    job.isShaded = false;
+    const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    const Shown shown = getShown();
+    const std::lock_guard lock(bricks->getMutex());
+    if (!prepare(state, *bricks, shown)) return;
+    if (!job.cellsToEye) job.cellsToEye = new osg::RefMatrix;
+    job.cellsToEye->set(getCellsToEye(*bricks, modelView));
+    const DrawnBricks drawn = getDrawn(state, *bricks, shown, *job.cellsToEye);
+    job.view.emplace(createView(state, drawn.grid, *job.cellsToEye));
+    // Polygon offset depends on the slopes of triangles.
+    if (showsInsides(state, *job.view) || state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL)) return;
+    job.ranges.find(drawn.blocks, drawn.grid, *job.view, false, drawn.numPlaced);
+    job.isPossible = _splats.prepare(state, destination, drawn, job);
+}
+
+/** Add jobs for the nodes that are drawn with the same state after this one. */
+void BrickDrawable::addFollowing(osg::RenderInfo& renderInfo, const SplatDestination& destination) const
+{
+    const osg::State& state = *renderInfo.getState();
+    const osg::Matrixd& modelView = state.getModelViewMatrix();
+    for (const osgUtil::StateGraph* graph : renderInfo.getRenderBinStack().back()->getStateGraphList())
+    {
+        if (graph->getStateSet() != &_states->getTriangles()) continue;
+        const auto own =
+            std::find_if(graph->_leaves.begin(), graph->_leaves.end(),
+                         [&](const auto& leaf) { return leaf->_drawable == this && *leaf->_modelview == modelView; });
+        if (own == graph->_leaves.end()) continue;
+        for (auto leaf = own + 1; leaf != graph->_leaves.end(); ++leaf)
+        {
+            const auto* node = dynamic_cast<const BrickDrawable*>((*leaf)->_drawable.get());
+            if (node && !node->_isPartial && node->_drawing == _drawing &&
+                *(*leaf)->_projection == state.getProjectionMatrix())
+                node->addSplats(state, destination, *(*leaf)->_modelview);
+        }
+        return;
+    }
+}
+
+/** Draw the points of jobs into the target, from a first one on.
+ * @return false if a program or the target can't be created. */
+bool BrickDrawable::drawPoints(osg::State& state, const SplatDestination& destination, std::size_t first) const
+{
+    SplatTarget& target = _splats.getTarget(state);
+    bool isBound = false;
+    for (const bool hasStuds : {false, true})
+    {
+        bool isApplied = false;
+        for (std::size_t index = first; index < target.getNumJobs(); ++index)
+        {
+            const SplatJob& job = target.getJob(index);
+            if (!job.isPossible) continue;
+            const osg::ref_ptr<ContextBricks> bricks = job.node->_store->getContext(state.getContextID());
+            const Shown shown = job.node->getShown();
+            const std::lock_guard lock(bricks->getMutex());
+            if (!job.node->prepare(state, *bricks, shown)) continue;
+            const DrawnBricks drawn = job.node->getDrawn(state, *bricks, shown, *job.cellsToEye);
+            if (!isOf(job, drawn) || !BrickSplats::hasPoints(drawn, job, hasStuds)) continue;
+            state.applyModelViewMatrix(job.cellsToEye.get());
+            if (!isApplied && !applyBrickState(state, _states->getPoints(hasStuds))) return false;
+            if (isApplied && state.getUseModelViewAndProjectionUniforms())
+                state.applyModelViewAndProjectionUniformsIfRequired();
+            isApplied = true;
+            if (!isBound && !target.bind(state, destination.getSize())) return false;
+            isBound = true;
+            BrickSplats::drawPoints(state, drawn, job, hasStuds, destination.getSize());
+        }
+    }
+    return true;
+}
+
+/** Shade splats whose points have been drawn.
+ * @return false, with nothing drawn, if that is impossible. */
+bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                               const SplatJob& job, const DistantOcclusionView* distant) const
+{
+    if (!isOf(job, bricks)) return false;
+    const bool isDrawn = _splats.shade(state, destination, bricks, job, distant);
+    state.apply(&_states->getTriangles());
+    if (state.getLastAppliedProgramObject() && state.getUseModelViewAndProjectionUniforms())
+        state.applyModelViewAndProjectionUniformsIfRequired();
+    return isDrawn || !state.getLastAppliedProgramObject();
+}
+
+void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
+                                  const DistantOcclusionView* distant) const
+{
+    const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
+    const bool isOpen = showsInsides(state, view);
+    workspace.ranges.find(bricks.blocks, bricks.grid, view, isOpen, bricks.numPlaced);
     // Front to back, so that fewer hidden pixels are shaded.
-    if (!showsInsides) workspace.ranges.sortFrontToBack();
-    setBrickUniforms(state, bricks, view, showsInsides);
+    if (!isOpen) workspace.ranges.sortFrontToBack();
+    setBrickUniforms(state, bricks, view, isOpen);
     if (distant) distant->apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
 }
@@ -178,6 +338,7 @@ void BrickDrawable::resizeGLObjectBuffers(unsigned int maxSize)
     osg::Drawable::resizeGLObjectBuffers(maxSize);
     _workspaces.resize(maxSize);
     _splats.resizeGLObjectBuffers(maxSize);
+    _states->resizeGLObjectBuffers(maxSize);
     if (_noOcclusion) _noOcclusion->resizeGLObjectBuffers(maxSize);
 }
 
@@ -187,6 +348,7 @@ void BrickDrawable::releaseGLObjects(osg::State* state) const
     _splats.releaseGLObjects(state);
     if (_noOcclusion) _noOcclusion->releaseGLObjects(state);
     _store->releaseGLObjects(state);
+    SharedGlObjects::get().release(state, this);
 }
 
 } // namespace osgLego

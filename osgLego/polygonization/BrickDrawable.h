@@ -1,15 +1,18 @@
 #pragma once
 
 #include <osgLego/LegoSettings.h>
+#include <osgLego/gl/SharedGlObjects.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickSplats.h>
+#include <osgLego/polygonization/BrickStates.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/DrawnBricks.h>
 #include <osgLego/store/BrickStore.h>
 
+#include <cstddef>
+
 #include <osg/Drawable>
-#include <osg/StateSet>
 #include <osg/buffered_value>
 
 namespace osgLego
@@ -18,7 +21,7 @@ namespace osgLego
 /** Draws the bricks of a context: as points that a geometry shader turns into faces and studs (the paper, section
  * III-C, Algorithm 5) or, on software renderers, as splats (BrickSplats).
  *
- * Sets the uniforms of the scene's lights and fog in the programs of BrickNodes; with GL_LIGHTING off, colours are
+ * Sets the uniforms of the scene's lights and fog in the programs of BrickStates; with GL_LIGHTING off, colours are
  * drawn unchanged. Draws nothing in a context that has no bricks yet. It is not an osg::Geometry, since the optimizer
  * merges those.
  */
@@ -34,11 +37,10 @@ public:
         bool hasDistantOcclusion = false; //!< whether the programs use distant occlusion
     };
 
-    /** @param geometryState the state for drawing with the geometry shader, including its program.
-     * @param splatState the state for drawing splats, with the program that shades them.
-     * @param splatStateByOneLight likewise, for scenes with one light. */
-    BrickDrawable(const Options& options, osg::StateSet& geometryState, osg::StateSet& splatState,
-                  osg::StateSet& splatStateByOneLight);
+    BrickDrawable(const Options& options, const BrickStates& states);
+
+    /** Called in the cull traversal before it is drawn in a context. */
+    void useIn(unsigned int contextID) const { SharedGlObjects::get().addUser(contextID, this); }
 
     osg::BoundingBox computeBoundingBox() const override;
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
@@ -68,7 +70,7 @@ public:
     const char* className() const override { return "BrickDrawable"; }
 
 private:
-    ~BrickDrawable() override = default;
+    ~BrickDrawable() override;
 
     /** Memory that is reused by all frames of a context. */
     struct Workspace
@@ -85,9 +87,19 @@ private:
         BuildingState state;
     };
 
+    Shown getShown() const;
     bool prepare(const osg::State& state, ContextBricks& bricks, const Shown& shown) const;
-    void drawBricks(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                    const DistantOcclusionView* distant) const;
+    osg::Matrixd getCellsToEye(const ContextBricks& bricks, const osg::Matrixd& modelView) const;
+    DrawnBricks getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
+                         const osg::Matrixd& cellsToEye) const;
+    SplatJob* findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
+    void addSplats(const osg::State& state, const SplatDestination& destination, const osg::Matrixd& modelView) const;
+    void addFollowing(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
+    bool drawPoints(osg::State& state, const SplatDestination& destination, std::size_t first) const;
+    bool drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                    const SplatJob& job, const DistantOcclusionView* distant) const;
+    void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
+                       const DistantOcclusionView* distant) const;
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;
@@ -95,7 +107,7 @@ private:
     double _outline;
     /** Shown until there is distant occlusion; null if the programs don't use it. */
     osg::ref_ptr<DistantOcclusionTexture> _noOcclusion;
-    osg::ref_ptr<osg::StateSet> _geometryState;
+    osg::ref_ptr<const BrickStates> _states;
     mutable osg::buffered_object<Workspace> _workspaces;
     BrickSplats _splats;
 };

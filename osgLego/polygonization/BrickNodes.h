@@ -7,18 +7,19 @@
 
 #include <osg/Geode>
 #include <osg/ref_ptr>
+#include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
 
-/** The nodes that draw the bricks of a LegoNode, each with its own program and state.
+/** The nodes that draw the bricks of a LegoNode, each in the states for its target (BrickStates).
  *
  * Immutable except for GL objects: a new appearance gets a new object, so that frames in progress keep theirs.
  */
 class BrickNodes : public osg::Referenced
 {
 public:
-    /** Programs differ in these properties. */
+    /** The properties in which the nodes for one look differ; see BrickStates::Kind. */
     struct Kind
     {
         bool isPartial = false; //!< whether the model is drawn partly built (BrickStore::getBuilding())
@@ -28,11 +29,15 @@ public:
     BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
                const LightProbe& probe, const Kind& kind);
 
-    /** Draws into a frame without AmbientOcclusionScene. */
     osg::Geode& getFrameNode() const { return *_frameNode; }
-    /** Draws into the geometry buffer of an AmbientOcclusionScene.
+    /** Cull the node that draws into a frame without AmbientOcclusionScene. */
+    void cullForFrame(osgUtil::CullVisitor& visitor) const { cull(*_frameNode, visitor); }
+    /** Cull the node that draws into the geometry buffer of an AmbientOcclusionScene.
      * @param distant whether the buffer includes distant occlusion. */
-    osg::Geode& getBufferNode(bool distant) const { return distant ? *_distantNode : *_bufferNode; }
+    void cullForBuffer(bool distant, osgUtil::CullVisitor& visitor) const
+    {
+        cull(distant ? *_distantNode : *_bufferNode, visitor);
+    }
 
     /** Mark the bounds as changed. */
     void dirtyBound() const;
@@ -43,6 +48,8 @@ public:
 
 private:
     ~BrickNodes() override = default;
+
+    static void cull(osg::Geode& node, osgUtil::CullVisitor& visitor);
 
     osg::ref_ptr<osg::Geode> _frameNode;
     osg::ref_ptr<osg::Geode> _bufferNode;

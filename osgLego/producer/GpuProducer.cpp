@@ -1,5 +1,6 @@
 #include <osgLego/producer/GpuProducer.h>
 
+#include <osgLego/gl/SharedGlObjects.h>
 #include <osgLego/model/CpuBricks.h>
 
 #include <algorithm>
@@ -27,6 +28,11 @@ osg::ref_ptr<const BrickSet> createGpuBrickSet(const LegoSource& source)
                         });
 }
 
+GpuProducer::~GpuProducer()
+{
+    SharedGlObjects::get().removeUser(this);
+}
+
 void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool)
 {
     const std::lock_guard lock(_mutex);
@@ -34,6 +40,7 @@ void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
     if (_workspace->getWanted().source != &source) _workspace->setSource(source, *createGpuBrickSet(source));
     const PassPlan plan = PassPlan::create(source);
     if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_workspace, plan);
+    SharedGlObjects::get().addUser(visitor.getState()->getContextID(), this);
     _passes->cull(visitor);
     _idleFrames = 0;
 }
@@ -60,6 +67,7 @@ void GpuProducer::update(unsigned int frame)
     if (frame == std::exchange(_lastUpdate, frame)) return;
     if (!_passes || ++_idleFrames <= IDLE_FRAMES) return;
     _passes = nullptr;
+    SharedGlObjects::get().removeUser(this);
     _lastCulls.clear();
     _workspace->releaseTextures();
 }
@@ -76,6 +84,7 @@ void GpuProducer::releaseGLObjects(osg::State* state)
     _workspace->releaseGLObjects(state);
     if (_passes) _passes->releaseGLObjects(state);
     _lastCulls.clear();
+    SharedGlObjects::get().release(state, this);
 }
 
 } // namespace osgLego

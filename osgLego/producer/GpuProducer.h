@@ -41,7 +41,7 @@ private:
         unsigned int frame = 0;
     };
 
-    ~GpuProducer() override = default;
+    ~GpuProducer() override;
 
     bool isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source);
 

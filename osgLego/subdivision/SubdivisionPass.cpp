@@ -192,18 +192,12 @@ bool needsColors(const PassPlan& plan)
     return plan.method == VoxelizationMethod::POINTS;
 }
 
-osg::ref_ptr<osg::Program> createProgram(bool hasColors)
+osg::ref_ptr<osg::Program> getProgram(bool hasColors)
 {
-    osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::createProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"},
-                                     hasColors ? "#define HAS_COLORS\n" : "");
-    for (const char* varying : {"finePosition", "fineTriangle"})
-        program->addTransformFeedBackVarying(varying);
-    if (hasColors)
-        for (const char* varying : {"fineCoordinate", "fineColorAndLevel"})
-            program->addTransformFeedBackVarying(varying);
-    program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
-    return program;
+    std::vector<const char*> captured{"finePosition", "fineTriangle"};
+    if (hasColors) captured.insert(captured.end(), {"fineCoordinate", "fineColorAndLevel"});
+    return ShaderLibrary::getProgram("subdivision", {"subdivision/subdivision.vert", "subdivision/subdivision.geom"},
+                                     hasColors ? "#define HAS_COLORS\n" : "", captured);
 }
 
 } // namespace
@@ -211,7 +205,7 @@ osg::ref_ptr<osg::Program> createProgram(bool hasColors)
 SubdivisionPass::SubdivisionPass(PassWorkspace& workspace, const PassPlan& plan) :
     LegolizationPass(workspace, 0), _plan(plan)
 {
-    setStateSet(createPassState(*createProgram(needsColors(plan))));
+    setStateSet(createPassState(*getProgram(needsColors(plan))));
     setCamera(new PassCamera(*this));
 }
 

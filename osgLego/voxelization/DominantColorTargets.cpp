@@ -7,7 +7,7 @@ namespace osgLego
 {
 
 DominantColorTargets::DominantColorTargets(const PassPlan& plan, osg::Texture2D& sums) :
-    _program(createExactCellsProgram("dominant color", "voxelization/dominant_color.frag", plan.cellsPerTriangle)),
+    _program(getExactCellsProgram("dominant color", "voxelization/dominant_color.frag", plan.cellsPerTriangle)),
     _sums(&sums), _colors(PassCamera::createTarget(plan.imageSize, internalFormatOf(VoxelFormat::COLOR))),
     _depths(PassCamera::createDepthTarget(plan.imageSize))
 {

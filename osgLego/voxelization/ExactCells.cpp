@@ -16,9 +16,9 @@ constexpr int LOOKUP_UNIT = 1; // unit 0 is the surface's texture
 
 } // namespace
 
-osg::ref_ptr<osg::Program> createExactCellsProgram(const char* name, const char* fragmentShader, int cellsPerTriangle)
+osg::ref_ptr<osg::Program> getExactCellsProgram(const char* name, const char* fragmentShader, int cellsPerTriangle)
 {
-    return ShaderLibrary::createProgram(
+    return ShaderLibrary::getProgram(
         name, {"voxelization/voxelization_exact.vert", "voxelization/voxelization_exact.geom", fragmentShader},
         "#define MAXIMUM_CELLS " + std::to_string(cellsPerTriangle) + "\n");
 }

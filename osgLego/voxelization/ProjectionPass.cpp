@@ -62,7 +62,7 @@ ProjectionPass::ProjectionPass(PassWorkspace& workspace, unsigned int step, osg:
     LegolizationPass(workspace, step)
 {
     osg::ref_ptr<osg::StateSet> stateSet = createPassState(
-        *ShaderLibrary::createProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"}));
+        *ShaderLibrary::getProgram("projection", {"voxelization/projection.vert", "voxelization/projection.frag"}));
     stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     setStateSet(stateSet);
     // Alpha below 0 marks empty pixels, because 0 is the number of a cell.

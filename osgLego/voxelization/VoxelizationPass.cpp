@@ -19,15 +19,15 @@ namespace osgLego
 namespace
 {
 
-osg::ref_ptr<osg::Program> createProgram(const PassPlan& plan)
+osg::ref_ptr<osg::Program> getProgram(const PassPlan& plan)
 {
     if (plan.method == VoxelizationMethod::EXACT)
-        return createExactCellsProgram("voxelization exact", "voxelization/voxelization_exact.frag",
-                                       plan.cellsPerTriangle);
+        return getExactCellsProgram("voxelization exact", "voxelization/voxelization_exact.frag",
+                                    plan.cellsPerTriangle);
     if (plan.target == VoxelizationTarget::PROJECTED)
-        return ShaderLibrary::createProgram("voxelization projected", {"voxelization/voxelization_projected.vert",
-                                                                       "voxelization/voxelization_points.frag"});
-    return ShaderLibrary::createProgram(
+        return ShaderLibrary::getProgram("voxelization projected", {"voxelization/voxelization_projected.vert",
+                                                                    "voxelization/voxelization_points.frag"});
+    return ShaderLibrary::getProgram(
         "voxelization points", {"voxelization/voxelization_points.vert", "voxelization/voxelization_points.frag"});
 }
 
@@ -38,7 +38,7 @@ VoxelizationPass::VoxelizationPass(PassWorkspace& workspace, unsigned int step, 
     LegolizationPass(workspace, step),
     _plan(plan), _slab(slab)
 {
-    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*createProgram(plan));
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*getProgram(plan));
     if (plan.format != VoxelFormat::COLOR)
         stateSet->setAttributeAndModes(new osg::BlendFunc(osg::BlendFunc::ONE, osg::BlendFunc::ONE),
                                        osg::StateAttribute::ON | OVERRIDE_PROTECTED);

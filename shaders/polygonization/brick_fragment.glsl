@@ -95,10 +95,12 @@ bool findFragment()
     gl_FragDepth = sceneRays[2].w + sceneRays[3].w * depth;
     uint splat = texelFetch(splats, ivec2(pixel), 0).x;
 #if defined(PARTIAL)
-    int word = 3 * int(splat >> 9);
+    int number = int(splat >> 9) - sceneSplats.x;
 #else
-    int word = 3 * int(splat >> 2);
+    int number = int(splat >> 2) - sceneSplats.x;
 #endif
+    if (number < 0 || number >= sceneSplats.y) return false; // the brick of another node
+    int word = 3 * number;
     uvec3 brick = uvec3(texelFetch(splatBricks, word).x, texelFetch(splatBricks, word + 1).x,
                         texelFetch(splatBricks, word + 2).x);
 #if defined(PARTIAL)

@@ -2,8 +2,9 @@
 // a brick's picture, and each of its pixels intersects its ray with the brick (Majercik et al. 2018, "A Ray-Box Intersection
 // Algorithm and Efficient Dynamic Voxel Rendering"). Studs are prisms, as in the geometry shader.
 //
-// A splat is the number of its brick in the buffer, and the part of it that the ray hits in the lowest two bits: the axis of a
-// face in stud coordinates, whose last axis is up, or STUD. For models drawn partly built (#define PARTIAL), 6 bits with the
+// A splat is the number of its brick, and the part of it that the ray hits in the lowest two bits: the axis of a
+// face in stud coordinates, whose last axis is up, or STUD. The bricks of all nodes that are drawn into the same picture have
+// different numbers: a node's bricks in the order of its buffer, after those of the node before. For models drawn partly built (#define PARTIAL), 6 bits with the
 // open sides of the brick and one that is set for a highlighted part are between the two.
 
 #include "osgLego/BrickDimensions.h"

@@ -7,6 +7,7 @@
 PASSED vec4 sceneRays[4];
 PASSED vec4 sceneEye;      // in cells: the position or, if w is 0, the direction towards the eye
 PASSED ivec4 sceneNumbers; // the up axis, the picture's lower left pixel, the fog mode
+PASSED ivec2 sceneSplats;  // the number of the first brick's splat, and the number of splats
 PASSED vec4 sceneRows[3];  // the matrix from cells to eye coordinates
 PASSED vec4 sceneNormals[3]; // xyz: the columns of the normal matrix; w: the picture's width and height, and 0 in perspective
 PASSED vec4 sceneFog[2];     // colour and density; end and scale

@@ -9,6 +9,8 @@ uniform vec4 eye;
 uniform mat3 rayOrigin;
 uniform mat3 rayDirection;
 uniform vec2 pictureSize;
+uniform int firstSplat;
+uniform int numSplats;
 uniform ivec2 origin; // the picture's lower left pixel
 uniform int tilesAcross;
 uniform float tileSide; // pixels
@@ -63,6 +65,7 @@ void main()
     passMatrices();
     passLight();
     sceneNumbers = ivec4(upAxis, origin, fogMode);
+    sceneSplats = ivec2(firstSplat, numSplats);
     sceneFog[0] = vec4(gl_Fog.color.rgb, gl_Fog.density);
 #if defined(LINES)
     sceneLines = vec4(lineWidth, oldLineWidth, linePixelWidth);

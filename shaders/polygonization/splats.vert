@@ -8,6 +8,7 @@
 
 layout(location = 0) in uvec3 vertexBrick; // see BrickPoint
 
+uniform int firstSplat;   // the number of the first brick's splat
 uniform vec2 pictureSize; // pixels
 uniform vec2 depth;       // at the start of a ray, and the change with the ray's parameter (in perspective: its reciprocal)
 
@@ -82,10 +83,10 @@ void main()
     vec3 toEye = eye.xyz - eye.w * cell;
 #if defined(PARTIAL)
     uint open = placedBrick(vertexBrick).y >> 16;
-    uint number = uint(gl_VertexID) << 9 | noveltyHere() << 8 | (open & 63u) << 2;
+    uint number = uint(firstSplat + gl_VertexID) << 9 | noveltyHere() << 8 | (open & 63u) << 2;
 #else
     uint open = vertexBrick.y >> 16;
-    uint number = uint(gl_VertexID) << 2;
+    uint number = uint(firstSplat + gl_VertexID) << 2;
 #endif
     bvec3 seen = seenSides(toEye, open);
     Box box = boxAround(seen, toEye);

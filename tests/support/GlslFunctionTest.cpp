@@ -53,7 +53,7 @@ std::vector<glm::vec4> GlslFunctionTest::evaluate(const char* name, const char* 
                                                   const std::vector<Arguments>& arguments, osg::StateSet& stateSet)
 {
     ShaderLibrary::add({{name, text}});
-    const osg::ref_ptr<osg::Program> program = ShaderLibrary::createProgram(name, {name}, DECLARATIONS);
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::getProgram(name, {name}, DECLARATIONS);
     program->addTransformFeedBackVarying("result");
     stateSet.setAttributeAndModes(program);
     osg::State& state = *_context->getState();

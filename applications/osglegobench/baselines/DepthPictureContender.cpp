@@ -15,9 +15,9 @@ constexpr int PREVIOUS_DEPTH_UNIT = 1; // unit 0 is the surface's texture
 std::string DepthPictureContender::createObjects(osg::State& state)
 {
     const bool isPeeling = _method == Method::PASSALIS;
-    _program = ShaderLibrary::createProgram(isPeeling ? "depth peeling" : "depth picture",
-                                            {"depth_picture.vert", "depth_picture.frag"},
-                                            isPeeling ? "#define IS_PEELING\n" : "");
+    _program = ShaderLibrary::getProgram(isPeeling ? "depth peeling" : "depth picture",
+                                         {"depth_picture.vert", "depth_picture.frag"},
+                                         isPeeling ? "#define IS_PEELING\n" : "");
     if (std::string error = linkProgram(*_program, state); !error.empty()) return error;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -56,9 +56,9 @@ std::string DominantAxisContender::createObjects(osg::State& state)
 
 std::string DominantAxisContender::createPrograms(osg::State& state)
 {
-    _drawing = ShaderLibrary::createProgram("dominant axis",
-                                            {"dominant_axis.vert", "dominant_axis.geom", "dominant_axis.frag"},
-                                            _coverage == Coverage::CONSERVATIVE ? "#define IS_CONSERVATIVE\n" : "");
+    _drawing =
+        ShaderLibrary::getProgram("dominant axis", {"dominant_axis.vert", "dominant_axis.geom", "dominant_axis.frag"},
+                                  _coverage == Coverage::CONSERVATIVE ? "#define IS_CONSERVATIVE\n" : "");
     _extraction = new osg::Program;
     _extraction->setName("osgLego::dominant axis extraction");
     _extraction->addShader(new osg::Shader(

@@ -35,8 +35,8 @@ std::string SliceMapContender::createObjects(osg::State& state)
         return error;
     if (!osg::setGLExtensionFuncPtr(_clearBuffer, "glClearBufferuiv")) return "GL lacks glClearBufferuiv";
     _numTargets = std::min(getGlInteger(GL_MAX_DRAW_BUFFERS), (dimensions.z + TARGET_BITS - 1) / TARGET_BITS);
-    _program = ShaderLibrary::createProgram("slice map", {"slice_map.vert", "slice_map.frag"},
-                                            "#define NUM_TARGETS " + std::to_string(_numTargets) + "\n");
+    _program = ShaderLibrary::getProgram("slice map", {"slice_map.vert", "slice_map.frag"},
+                                         "#define NUM_TARGETS " + std::to_string(_numTargets) + "\n");
     if (std::string error = linkProgram(*_program, state); !error.empty()) return error;
 
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();

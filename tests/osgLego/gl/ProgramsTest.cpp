@@ -93,11 +93,11 @@ TEST_F(Programs, AreRejectedForWrongTypesInAndBetweenStages)
         {{"wrong-type.vert", "void main() { gl_Position = vec2(0.0); }\n"},
          {"right.vert", "out vec3 color;\nvoid main() { gl_Position = vec4(0.0); color = vec3(0.0); }\n"},
          {"other.frag", "in vec4 color;\nvoid main() { gl_FragColor = color; }\n"}});
-    ShaderLibrary::createProgram("wrong type", {"wrong-type.vert"});
+    ShaderLibrary::getProgram("wrong type", {"wrong-type.vert"});
     EXPECT_EQ(takeProgramErrors().size(), 1u);
-    ShaderLibrary::createProgram("different types", {"right.vert", "other.frag"});
+    ShaderLibrary::getProgram("different types", {"right.vert", "other.frag"});
     EXPECT_EQ(takeProgramErrors().size(), 1u);
-    ShaderLibrary::createProgram("right", {"right.vert"});
+    ShaderLibrary::getProgram("right", {"right.vert"});
     EXPECT_EQ(takeProgramErrors(), std::vector<std::string>());
 }
 

@@ -1,0 +1,192 @@
+#include <osgLego/polygonization/BrickStates.h>
+
+#include <osgLego/data/SharedObjects.h>
+#include <osgLego/gl/PassState.h>
+#include <osgLego/gl/ShaderLibrary.h>
+#include <osgLego/gl/SharedBetweenViewers.h>
+#include <osgLego/gl/StateOverride.h>
+#include <osgLego/light/LightProbeState.h>
+#include <osgLego/polygonization/DistantOcclusionView.h>
+#include <osgLego/polygonization/ReliefMap.h>
+
+#include <utility>
+
+#include <osg/Depth>
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr unsigned int RELIEF_UNIT = 0;
+
+// Protected, since no other program, such as that of a shadow pass, can draw bricks from their buffer.
+constexpr osg::StateAttribute::OverrideValue PROGRAM = osg::StateAttribute::ON | OVERRIDE_PROTECTED;
+
+/** The names of a look's programs and fragment shader. */
+struct LookNames
+{
+    explicit LookNames(Look look) :
+        pass(look == Look::PLAIN ? "polygonization" : "polygonization_full"),
+        fragments(look == Look::PLAIN ? "polygonization/polygonization.frag"
+                                      : "polygonization/polygonization_full.frag")
+    {
+    }
+
+    const char* pass;
+    const char* fragments;
+};
+
+osg::ref_ptr<osg::Texture2D> createReliefTexture(const osg::Image* image)
+{
+    const osg::ref_ptr<osg::Image> map = createReliefMap(image);
+    // Prevents OSG from dropping the map once it is loaded, since other contexts may need it later.
+    map->setDataVariance(osg::Object::DYNAMIC);
+    osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(map);
+    texture->setInternalFormat(GL_RGBA16F_ARB);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    texture->reserveContexts();
+    return texture;
+}
+
+/** The texture of a relief, which looks with the same image share. */
+osg::ref_ptr<osg::Texture2D> getReliefTexture(const osg::Image* image)
+{
+    static SharedObjects<std::pair<osg::observer_ptr<const osg::Image>, unsigned int>, osg::Texture2D> textures;
+    return textures.findOrCreate({image, image ? image->getModifiedCount() : 0},
+                                 [image] { return createReliefTexture(image); });
+}
+
+void applyAppearance(const BrickAppearance& appearance, osg::StateSet& stateSet)
+{
+    stateSet.addUniform(new osg::Uniform("hasJoints", appearance.joints));
+    stateSet.addUniform(new osg::Uniform("variation", static_cast<float>(appearance.variation)));
+    stateSet.addUniform(new osg::Uniform("roughness", static_cast<float>(appearance.roughness)));
+    stateSet.addUniform(new osg::Uniform("reliefHeight", static_cast<float>(appearance.reliefHeight)));
+    stateSet.addUniform(new osg::Uniform("usesMaterial", appearance.materialSpecular));
+    stateSet.addUniform(new osg::Uniform("reliefMap", static_cast<int>(RELIEF_UNIT)));
+    stateSet.setTextureAttribute(RELIEF_UNIT, getReliefTexture(appearance.reliefImage), OVERRIDE_PROTECTED);
+}
+
+/** Prepare for a geometry buffer: it does not contain colours, so they must not be blended. */
+void applyBufferModes(osg::StateSet& stateSet)
+{
+    constexpr osg::StateAttribute::OverrideValue OFF = osg::StateAttribute::OFF | OVERRIDE_PROTECTED;
+    for (const auto mode : {GL_BLEND, GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, GL_COLOR_LOGIC_OP})
+        stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
+}
+
+std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& probe)
+{
+    std::string definitions;
+    if (kind.isPartial) definitions += "#define PARTIAL\n";
+    if (kind.hasLines) definitions += "#define LINES\n";
+    if (look == Look::PLAIN) return definitions;
+    if (kind.target == BrickStates::Target::FRAME) return definitions + defineLightProbe(probe);
+    definitions += "#define GEOMETRY_BUFFER\n";
+    if (kind.target == BrickStates::Target::BUFFER_WITH_DISTANT) definitions += "#define DISTANT_OCCLUSION\n";
+    return definitions;
+}
+
+/** Create the state for triangles. */
+osg::ref_ptr<osg::StateSet> createTriangleState(Look look, const BrickStates::Kind& kind,
+                                                const BrickAppearance& appearance, const LightProbe& probe)
+{
+    const LookNames names(look);
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::getProgram(
+        names.pass, {"polygonization/polygonization.vert", "polygonization/polygonization.geom", names.fragments},
+        define(look, kind, probe));
+    stateSet->setAttributeAndModes(program, PROGRAM);
+    if (look == Look::PLAIN) return stateSet;
+    applyAppearance(appearance, *stateSet);
+    if (kind.target == BrickStates::Target::FRAME)
+        applyLightProbe(probe, *stateSet);
+    else
+        applyBufferModes(*stateSet);
+    if (kind.target != BrickStates::Target::BUFFER_WITH_DISTANT) return stateSet;
+    stateSet->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
+    stateSet->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
+    return stateSet;
+}
+
+/** Create the state for shading splats, which differs from the state for triangles in its program. */
+osg::ref_ptr<osg::StateSet> createShadingState(const osg::StateSet& triangles, Look look,
+                                               const std::string& definitions)
+{
+    const LookNames names(look);
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
+    const osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::getProgram(names.pass, {"polygonization/splat_shading.vert", names.fragments}, definitions);
+    stateSet->setAttributeAndModes(program, PROGRAM);
+    setPointModes(*stateSet);
+    stateSet->addUniform(new osg::Uniform("splats", static_cast<int>(BrickStates::SPLATS_UNIT)));
+    stateSet->addUniform(new osg::Uniform("splatDepths", static_cast<int>(BrickStates::DEPTHS_UNIT)));
+    stateSet->addUniform(new osg::Uniform("splatBricks", static_cast<int>(BrickStates::BRICKS_UNIT)));
+    return stateSet;
+}
+
+osg::ref_ptr<osg::StateSet> createPointState(const std::string& definitions)
+{
+    const osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::getProgram("splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
+    osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
+    stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
+    setPointModes(*stateSet);
+    return stateSet;
+}
+
+} // namespace
+
+BrickStates::Key::Key(Look ofLook, const Kind& ofKind, const BrickAppearance& ofAppearance, const LightProbe& probe) :
+    look(ofLook), kind(ofKind)
+{
+    if (look == Look::PLAIN)
+    {
+        kind.target = Target::FRAME;
+        return;
+    }
+    appearance = ofAppearance;
+    appearance.outline = 0.0; // a property of each node
+    const osg::ref_ptr<const osg::Image> image = std::exchange(appearance.reliefImage, nullptr);
+    relief = image;
+    reliefCount = image ? image->getModifiedCount() : 0;
+    if (kind.target != Target::FRAME) return;
+    light = probe.getConvolvedMap();
+    rotation = probe.getRotation();
+    intensity = probe.getIntensity();
+}
+
+osg::ref_ptr<const BrickStates> BrickStates::get(Look look, const Kind& kind, const BrickAppearance& appearance,
+                                                 const LightProbe& probe)
+{
+    static SharedObjects<Key, const BrickStates> states;
+    return states.findOrCreate(Key(look, kind, appearance, probe),
+                               [&] { return new BrickStates(look, kind, appearance, probe); });
+}
+
+BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe) :
+    _triangles(createTriangleState(look, kind, appearance, probe))
+{
+    const std::string partial = kind.isPartial ? "#define PARTIAL\n" : "";
+    const std::string shading = define(look, kind, probe) + "#define SPLATS\n";
+    _boxes = createPointState(partial);
+    _studded = createPointState("#define STUDS\n" + partial);
+    _shading = createShadingState(*_triangles, look, shading);
+    _shadingByOneLight = createShadingState(*_triangles, look, shading + "#define ONE_LIGHT\n");
+}
+
+void BrickStates::resizeGLObjectBuffers(unsigned int maxSize) const
+{
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_triangles, _boxes, _studded, _shading, _shadingByOneLight})
+        stateSet->resizeGLObjectBuffers(maxSize);
+}
+
+} // namespace osgLego

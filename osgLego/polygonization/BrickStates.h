@@ -1,0 +1,90 @@
+#pragma once
+
+#include <osgLego/BrickAppearance.h>
+#include <osgLego/LegoSettings.h>
+#include <osgLego/LightProbe.h>
+
+#include <osg/Image>
+#include <osg/Quat>
+#include <osg/Referenced>
+#include <osg/State>
+#include <osg/StateSet>
+#include <osg/observer_ptr>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The state sets that draw bricks in one look: programs, uniforms and textures, none of which depends on the bricks.
+ * All nodes with the same look share them, so that many nodes compile their programs once.
+ *
+ * Immutable except for GL objects, which SharedGlObjects releases.
+ */
+class BrickStates : public osg::Referenced
+{
+public:
+    // The texture units of splats; different from the units of the relief, of distant occlusion and of the light probe.
+    static constexpr unsigned int BRICKS_UNIT = 1;
+    static constexpr unsigned int SPLATS_UNIT = 4;
+    static constexpr unsigned int DEPTHS_UNIT = 5;
+
+    /** The targets that bricks are drawn into. */
+    enum class Target
+    {
+        FRAME,              //!< a frame without AmbientOcclusionScene
+        BUFFER,             //!< the geometry buffer of an AmbientOcclusionScene
+        BUFFER_WITH_DISTANT //!< likewise, with distant occlusion
+    };
+
+    /** What programs are for; they differ in these properties. */
+    struct Kind
+    {
+        Target target = Target::FRAME;
+        bool isPartial = false; //!< whether the model is drawn partly built (BrickStore::getBuilding())
+        bool hasLines = false;  //!< whether lines are drawn at the edges of parts, or parts are faded
+
+        bool operator==(const Kind&) const = default;
+    };
+
+    /** Find the states of a look, or create them if no node has them. May be called from any thread. In the plain look,
+     * the target, the appearance and the probe make no difference. */
+    static osg::ref_ptr<const BrickStates> get(Look look, const Kind& kind, const BrickAppearance& appearance,
+                                               const LightProbe& probe);
+
+    /** For drawing with the geometry shader. */
+    osg::StateSet& getTriangles() const { return *_triangles; }
+    /** For finding the splats of bricks with or without visible studs. */
+    const osg::StateSet& getPoints(bool hasStuds) const { return hasStuds ? *_studded : *_boxes; }
+    /** For shading splats, in scenes with one light or with any number of lights. */
+    const osg::StateSet& getShading(bool hasOneLight) const { return hasOneLight ? *_shadingByOneLight : *_shading; }
+
+    void resizeGLObjectBuffers(unsigned int maxSize) const;
+
+private:
+    /** The values that determine the states. */
+    struct Key
+    {
+        Key(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe);
+        bool operator==(const Key&) const = default;
+
+        Look look;
+        Kind kind;
+        BrickAppearance appearance; // without the image
+        osg::observer_ptr<const osg::Image> relief;
+        unsigned int reliefCount = 0;              // Image::getModifiedCount()
+        osg::observer_ptr<const osg::Image> light; // the convolved map, which each light has
+        osg::Quat rotation;
+        double intensity = 0.0;
+    };
+
+    BrickStates(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe);
+    ~BrickStates() override = default;
+
+    osg::ref_ptr<osg::StateSet> _triangles;
+    osg::ref_ptr<osg::StateSet> _boxes;
+    osg::ref_ptr<osg::StateSet> _studded;
+    osg::ref_ptr<osg::StateSet> _shading;
+    osg::ref_ptr<osg::StateSet> _shadingByOneLight;
+};
+
+} // namespace osgLego
