@@ -7,6 +7,7 @@
 
 #include <osg/GLExtensions>
 #include <osg/Math>
+#include <osg/Stats>
 #include <osg/Timer>
 
 namespace osgLego
@@ -79,6 +80,26 @@ double FrameViewer::timeFrame(const char* group)
     if (pop) pop();
     glFinish(); // outside the group, since this wait is not part of the frame
     return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
+}
+
+FrameViewer::Traversals FrameViewer::timeTraversals()
+{
+    osg::Stats& frames = *_viewer.getViewerStats();
+    osg::Stats& rendering = *_viewer.getCamera()->getStats();
+    frames.collectStats("update", true);
+    rendering.collectStats("rendering", true);
+    timeFrame();
+    frames.collectStats("update", false);
+    rendering.collectStats("rendering", false);
+    const unsigned int frame = _viewer.getFrameStamp()->getFrameNumber();
+    const auto read = [frame](const osg::Stats& stats, const char* name)
+    {
+        double seconds = 0.0;
+        if (!stats.getAttribute(frame, name, seconds)) throw std::runtime_error(std::string("OSG measured no ") + name);
+        return 1000.0 * seconds;
+    };
+    return {read(frames, "Update traversal time taken"), read(rendering, "Cull traversal time taken"),
+            read(rendering, "Draw traversal time taken")};
 }
 
 osg::ref_ptr<osg::Image> FrameViewer::read() const

@@ -53,6 +53,16 @@ public:
     /** The picture drawn last. */
     osg::ref_ptr<osg::Image> read() const;
 
+    /** The durations of the traversals of a frame, in milliseconds. Drawing ends when all commands have been issued. */
+    struct Traversals
+    {
+        double update = 0.0;
+        double cull = 0.0;
+        double draw = 0.0;
+    };
+    /** Draw a frame, wait for its completion, and return the durations that OSG has measured. */
+    Traversals timeTraversals();
+
     osg::GraphicsContext& getContext() const { return *_context; }
     unsigned int getContextID() const { return _context->getState()->getContextID(); }
 

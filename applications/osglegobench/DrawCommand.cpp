@@ -3,6 +3,7 @@
 #include "BenchOptions.h"
 #include "BenchScene.h"
 #include "Commands.h"
+#include "NodesComparison.h"
 #include "ResidentMemory.h"
 #include "Spread.h"
 
@@ -29,11 +30,12 @@ struct DrawOptions : BenchOptions
     bool hasParts = false;
     bool hasOcclusion = false;
     unsigned int numFrames = 20;
+    unsigned int numNodes = 0; // 0: one scene, not compared with others
 
     glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
-    BenchScene createScene() const
+    BenchScene createScene(const MeshSource& mesh, unsigned int usualResolution) const
     {
-        BenchScene scene(getMesh(), getResolutions({16}, {64}).front());
+        BenchScene scene(mesh, getResolutions({16}, {usualResolution}).front());
         std::string error;
         if (!LegoSettings::parse(fmt::format("device={},drawing={},look={}{}", device, drawing,
                                              look == "none" ? "full" : look, hasParts ? ",parts=bricks" : ""),
@@ -111,7 +113,7 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
 {
     constexpr double MEBIBYTE = 1024.0 * 1024.0;
     constexpr unsigned int NUM_FRAMES_BEFORE = 20; // more than idle passes are kept
-    const BenchScene scene = options.createScene();
+    const BenchScene scene = options.createScene(options.getMesh(), 64);
     const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr : scene.createLego();
     const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();
     const osg::ref_ptr<osg::Group> root = options.hasOcclusion ? new AmbientOcclusionScene : new osg::Group;
@@ -146,8 +148,29 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
     return row;
 }
 
+/** Compare many nodes with one. */
+void runNodes(const DrawOptions& options)
+{
+    if (options.look == "none") throw std::runtime_error("--nodes draws bricks; expected --look plain or full");
+    if (options.numFrames == 0) throw std::runtime_error("--nodes times frames; expected --frames of at least 1");
+    const MeshSource mesh = options.getMesh(); // checks the options
+    const BenchScene scene = options.createScene(options.meshes.empty() ? MeshSource() : mesh, 12);
+    const JsonValue figures =
+        compareNodes(scene, {options.numNodes, options.numFrames, options.hasOcclusion, options.getSize()});
+    JsonValue document = createDocument("nodes", *createBenchContext());
+    document["width"] = options.getSize().x;
+    document["height"] = options.getSize().y;
+    document["mesh"] = scene.mesh.name;
+    document["settings"] = scene.settings.toString();
+    document["occlusion"] = options.hasOcclusion;
+    document.update(figures);
+    if (!options.jsonFile.empty()) return options.write(document);
+    printNodes(document);
+}
+
 void runDraw(const DrawOptions& options)
 {
+    if (options.numNodes > 0) return runNodes(options);
     options.getMesh(); // reports bad options before there is a context
     FrameViewer viewer(options.getSize());
     JsonValue document = createDocument("draw", viewer.getContext());
@@ -176,6 +199,10 @@ void addDrawCommand(BenchCommandLine& commands)
     command.addFlag("--parts", options->hasParts, "Join cells to real bricks");
     command.addFlag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
     command.addNumber("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)", 0u, 10000u);
+    command.addNumber("--nodes", options->numNodes,
+                      "Instead, compare so many nodes of a mesh (car, at 12) with one node, and with one node that has "
+                      "the same bricks; prints tables unless JSON goes to a file",
+                      0u, 10000u);
     command.setRun([options] { runDraw(*options); });
 }
 
