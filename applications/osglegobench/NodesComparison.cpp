@@ -87,7 +87,8 @@ private:
     osg::ref_ptr<osg::MatrixTransform> createTransform(unsigned int place) const
     {
         const osg::Vec3d across(_step * (place % _numAcross), 0.0, 0.0);
-        const double along = _step * (place / _numAcross);
+        const unsigned int row = place / _numAcross;
+        const double along = _step * row;
         const bool isYUp = _scene.settings.grid.upAxis == UpAxis::Y;
         return new osg::MatrixTransform(
             osg::Matrixd::translate(across + (isYUp ? osg::Vec3d(0.0, 0.0, along) : osg::Vec3d(0.0, along, 0.0))));

@@ -25,8 +25,8 @@ std::uint64_t makeRevision()
 struct TrianglesKey
 {
     TrianglesKey(const osg::Node& node, const SourceSignature& ofSource, const LegoSettings& settings) :
-        contents(hashSourceContents(node)), objects(ofSource.objects.begin(), ofSource.objects.end()), grid(settings.grid),
-        edgeLimit(settings.getEdgeLimit())
+        contents(hashSourceContents(node)), objects(ofSource.objects.begin(), ofSource.objects.end()),
+        grid(settings.grid), edgeLimit(settings.getEdgeLimit())
     {
     }
 
