@@ -14,6 +14,7 @@
 #include <osg/CopyOp>
 #include <osg/Geode>
 #include <osg/Material>
+#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 
 namespace osgLego
@@ -84,6 +85,16 @@ osg::ref_ptr<osg::Geode> createBrickGeode(const BrickModel& model, BrickColors c
     return geode;
 }
 
+/** Move bricks to the place where a node draws them. */
+osg::ref_ptr<osg::Node> placeBricks(osg::Node& bricks, const LegoNode& lego)
+{
+    const osg::Matrixd toNode = lego.getBricksToNode();
+    if (toNode.isIdentity()) return &bricks;
+    osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(toNode);
+    place->addChild(&bricks);
+    return place;
+}
+
 osg::ref_ptr<osg::Node> createBricks(const LegoNode& lego, BrickColors colors, const osg::CopyOp& copyop)
 {
     const osg::ref_ptr<const BrickModel> model = lego.getBricks();
@@ -91,7 +102,7 @@ osg::ref_ptr<osg::Node> createBricks(const LegoNode& lego, BrickColors colors, c
     const osg::ref_ptr<osg::Geode> geode = createBrickGeode(*model, colors);
     geode->setName(lego.getName());
     geode->setNodeMask(lego.getNodeMask());
-    return geode;
+    return placeBricks(*geode, lego);
 }
 
 bool hasBricks(const osg::Node& node)
@@ -105,7 +116,7 @@ osg::ref_ptr<osg::Node> createBaked(const LegoNode& lego)
     osg::ref_ptr<LegoNode> baked = new LegoNode(lego);
     baked->removeChildren(0, baked->getNumChildren());
     baked->setStoredBricks(lego.getBricks().get());
-    return baked;
+    return placeBricks(*baked, lego);
 }
 
 /** Copies the nodes to be replaced, by a function, and the nodes above them. */

@@ -157,6 +157,12 @@ osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
     return _pipeline->getModel();
 }
 
+osg::Matrixd LegoNode::getBricksToNode() const
+{
+    refresh();
+    return _pipeline->getToNode();
+}
+
 LegoProgress LegoNode::getProgress() const
 {
     return _pipeline->getProgress();
@@ -279,7 +285,43 @@ void LegoNode::cull(osg::NodeVisitor& visitor)
 {
     _pipeline->refreshIfDirty(*this);
     osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
-    if (!cullVisitor || !_pipeline->cull(*cullVisitor)) visitSource(visitor);
+    if (!cullVisitor || !cullBricks(*cullVisitor)) visitSource(visitor);
+}
+
+/** @return false if the source is to be drawn instead. */
+bool LegoNode::cullBricks(osgUtil::CullVisitor& visitor)
+{
+    const osg::Matrixd toNode = _pipeline->getToNode();
+    if (toNode.isIdentity()) return _pipeline->cull(visitor);
+    visitor.pushModelViewMatrix(new osg::RefMatrix(toNode * *visitor.getModelViewMatrix()),
+                                osg::Transform::RELATIVE_RF);
+    // The directions of the light follow from the node path.
+    const osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(toNode);
+    visitor.pushOntoNodePath(place);
+    const bool isCulled = _pipeline->cull(visitor);
+    visitor.popFromNodePath();
+    visitor.popModelViewMatrix();
+    return isCulled;
+}
+
+/** Let a visitor visit a node that has the coordinates of the bricks. */
+void LegoNode::visitAtBricks(osg::Node& node, osg::NodeVisitor& visitor)
+{
+    const osg::Matrixd toNode = _pipeline->getToNode();
+    if (toNode.isIdentity())
+    {
+        node.accept(visitor);
+        return;
+    }
+    // Kept, because node paths of intersections refer to it.
+    if (!_lattice) _lattice = new osg::MatrixTransform;
+    if (_lattice->getMatrix() != toNode) _lattice->setMatrix(toNode);
+    if (!_lattice->containsNode(&node))
+    {
+        _lattice->removeChildren(0, _lattice->getNumChildren());
+        _lattice->addChild(&node);
+    }
+    _lattice->accept(visitor);
 }
 
 /** Visit the parts that contexts draw that can't draw bricks: the source or, if there are only stored bricks, these as
@@ -304,7 +346,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
             geometry = _pipeline->getGeometryNode();
         }
         if (geometry)
-            geometry->accept(visitor);
+            visitAtBricks(*geometry, visitor);
         else
             osg::Group::traverse(visitor);
     }
@@ -322,7 +364,7 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
         if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
         _pipeline->refreshIfDirty(*this);
         _pipeline->prepareForPicking();
-        _pipeline->getDisplay().getBrickNode()->accept(visitor);
+        visitAtBricks(*_pipeline->getDisplay().getBrickNode(), visitor);
     }
 }
 

@@ -13,7 +13,14 @@
 #include <string>
 
 #include <osg/Group>
+#include <osg/MatrixTransform>
+#include <osg/Matrixd>
 #include <osg/ref_ptr>
+
+namespace osgUtil
+{
+class CullVisitor;
+}
 
 namespace osgLego
 {
@@ -193,6 +200,10 @@ public:
      * The cells of a source are those of VoxelizationMethod::EXACT, regardless of the settings. Needs no GL context. */
     osg::ref_ptr<const BrickModel> getBricks() const;
 
+    /** The transform from the coordinates of getBricks() to those of the node: the identity, except with Anchor::WORLD,
+     * whose bricks have the coordinates of the world. */
+    osg::Matrixd getBricksToNode() const;
+
     /** The progress of bricks that are being made on the CPU, for getBricks() or a frame. May be called from any
      * thread.
      */
@@ -243,12 +254,15 @@ private:
 
     void refresh() const;
     void cull(osg::NodeVisitor& visitor);
+    bool cullBricks(osgUtil::CullVisitor& visitor);
+    void visitAtBricks(osg::Node& node, osg::NodeVisitor& visitor);
     void visitSource(osg::NodeVisitor& visitor);
     void visitBricks(osg::NodeVisitor& visitor);
 
     osg::ref_ptr<LegoPipeline> _pipeline;
     osg::ref_ptr<BricksCallback> _bricksCallback;
-    mutable osg::BoundingSphere _sourceBound; // when the source was last checked
+    osg::ref_ptr<osg::MatrixTransform> _lattice; // above the bricks in a lattice of the world, for visitors
+    mutable osg::BoundingSphere _sourceBound;    // when the source was last checked
 };
 
 } // namespace osgLego

@@ -99,6 +99,10 @@ void addGrid(Table& table)
         "height of a cell divided by its width, which is 1, 1.2 or 0.4");
     grid.add("up", &Grid::upAxis, Choice<UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}},
              "the axis of the model along which studs point");
+    grid.add("anchor", &Grid::anchor,
+             Choice<Anchor>{
+                 {"fit", Anchor::FIT}, {"first", Anchor::FIRST}, {"model", Anchor::MODEL}, {"world", Anchor::WORLD}},
+             "the lattice of a moving model's cells");
 }
 
 void addVoxelization(Table& table)
@@ -226,6 +230,8 @@ std::string checkGrid(const LegoSettings::Grid& grid)
     if (grid.size && !grid.origin) return "size is given without origin; expected both, and cell";
     if (grid.cellPitch && grid.resolution != LegoSettings::Grid().resolution)
         return "a resolution can't be combined with cell; expected either";
+    if (grid.anchor == Anchor::FIRST && grid.cellPitch)
+        return "bad value 'first' for anchor; expected fit, model or world with cell";
     return {};
 }
 

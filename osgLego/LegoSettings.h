@@ -27,6 +27,15 @@ enum class UpAxis
     Z  //!< OpenSceneGraph's own convention
 };
 
+/** The lattice that the cells of a moving source belong to. */
+enum class Anchor
+{
+    FIT,   //!< with a resolution, a grid that is fitted to each state of the source; with a cell, as MODEL
+    FIRST, //!< the grid that is fitted to the first state of the source, extended by whole cells
+    MODEL, //!< a lattice through the origin of the source's coordinates
+    WORLD  //!< a lattice through the origin of the world, in which transforms above a LegoNode move its source
+};
+
 /** The samples of a triangle that mark cells as covered. */
 enum class VoxelizationMethod
 {
@@ -150,6 +159,10 @@ struct OSGLEGO_EXPORT LegoSettings
         std::optional<glm::ivec3> size;
         Proportions proportions = Proportions::CUBE;
         UpAxis upAxis = UpAxis::Z;
+        /** With FIRST, MODEL and WORLD, the first source determines the width of a cell by the resolution, and later
+         * ones have cells of the same lattice, until settings that give other bricks are set. With WORLD, `cellPitch`,
+         * `origin`, `size` and the up axis are those of the world. FIRST can't be combined with a `cellPitch`. */
+        Anchor anchor = Anchor::FIT;
 
         bool operator==(const Grid&) const = default;
     };

@@ -20,8 +20,9 @@ class SceneTriangleCollector : public SourceVisitor
 public:
     META_NodeVisitor(osgLego, SceneTriangleCollector)
 
-    SceneTriangleCollector(SceneBatches& contents, SurfaceTextureCache& textures) :
-        _contents(contents), _textures(textures)
+    /** @param toRoot as in SourceVisitor. */
+    SceneTriangleCollector(SceneBatches& contents, SurfaceTextureCache& textures, const osg::Matrixd& toRoot) :
+        SourceVisitor(toRoot), _contents(contents), _textures(textures)
     {
     }
 

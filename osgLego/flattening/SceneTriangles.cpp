@@ -52,10 +52,11 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node)
     return create(node, textures);
 }
 
-osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node, SurfaceTextureCache& textures)
+osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node, SurfaceTextureCache& textures,
+                                                          const osg::Matrixd& toRoot)
 {
     SceneBatches contents;
-    SceneTriangleCollector collector(contents, textures);
+    SceneTriangleCollector collector(contents, textures, toRoot);
     // accept() is not const, but the visitor only reads.
     const_cast<osg::Node&>(node).accept(collector);
     contents.numTexts = collector.getNumTexts();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <osg/BoundingBox>
+#include <osg/Matrixd>
 #include <osg/Node>
 #include <osg/Referenced>
 #include <osg/ref_ptr>
@@ -46,8 +47,10 @@ public:
 
     /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);
-    /** Likewise, but reuse textures from earlier calls. */
-    static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures);
+    /** Likewise, but reuse textures from earlier calls.
+     * @param toRoot a transform of the node's coordinates, which is applied to the triangles. */
+    static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node, SurfaceTextureCache& textures,
+                                                     const osg::Matrixd& toRoot = osg::Matrixd());
 
     const std::vector<SceneBatch>& getBatches() const { return _contents.batches; }
     /** The bounds of the triangles' corners, in the node's coordinates; invalid when there are none. */

@@ -18,8 +18,10 @@ bool isText(const osg::Drawable& drawable)
 
 } // namespace
 
-SourceVisitor::SourceVisitor() :
-    osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN)
+SourceVisitor::SourceVisitor() : SourceVisitor(osg::Matrixd()) {}
+
+SourceVisitor::SourceVisitor(const osg::Matrixd& toRoot) :
+    osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN), _matrix(toRoot)
 {
 }
 

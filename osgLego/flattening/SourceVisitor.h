@@ -29,6 +29,10 @@ public:
     META_NodeVisitor(osgLego, SourceVisitor)
 
     SourceVisitor();
+    /** @param toRoot the transform from the coordinates of the node that accepts the visitor to those of
+     * applySurface().
+     */
+    explicit SourceVisitor(const osg::Matrixd& toRoot);
 
     void apply(osg::Node& node) override;
     void apply(osg::Transform& transform) override;
@@ -42,7 +46,8 @@ public:
 
 protected:
     /** Called for each visible drawable.
-     * @param toRoot the transform from its coordinates to those of the node that accepted the visitor.
+     * @param toRoot the transform from its coordinates to those of the node that accepted the visitor, or to the root's
+     * if the constructor was given one.
      * @param stateSets the state sets that apply to it, outermost first, its own last. */
     virtual void applySurface(const osg::Drawable& drawable, const osg::Matrixd& toRoot,
                               const std::vector<const osg::StateSet*>& stateSets) = 0;

@@ -108,6 +108,12 @@ osg::ref_ptr<const LegoSource> BrickSource::getSource() const
     return _watch.getSource();
 }
 
+osg::Matrixd BrickSource::getToNode() const
+{
+    const std::lock_guard lock(_mutex);
+    return _stored ? osg::Matrixd() : _watch.getToNode();
+}
+
 std::string BrickSource::getObstacle() const
 {
     const std::lock_guard lock(_mutex);

@@ -66,6 +66,9 @@ public:
     /** The source of the last look; null if it has no visible triangles, or if there is an obstacle or stored bricks.
      */
     osg::ref_ptr<const LegoSource> getSource() const;
+    /** The transform from the coordinates of the bricks to those of the node: the identity, except for bricks of a
+     * source in a lattice of the world. */
+    osg::Matrixd getToNode() const;
     /** The reason why a source with triangles can't be legolized; empty if there is none. */
     std::string getObstacle() const;
     /** Print the obstacle, once for each. */

@@ -196,6 +196,17 @@ osg::ref_ptr<const BrickModel> LegoPipeline::getModel()
     return source ? _query.getModel(*source) : nullptr;
 }
 
+osg::BoundingBoxd LegoPipeline::getBounds() const
+{
+    const osg::BoundingBoxd bounds = _store->getBounds();
+    const osg::Matrixd toNode = getToNode();
+    if (!bounds.valid() || toNode.isIdentity()) return bounds;
+    osg::BoundingBoxd moved;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+        moved.expandBy(bounds.corner(corner) * toNode);
+    return moved;
+}
+
 void LegoPipeline::prepareForPicking()
 {
     const osg::ref_ptr<const LegoSource> source = getSource();

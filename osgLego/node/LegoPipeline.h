@@ -100,8 +100,10 @@ public:
     LegoProgress getProgress() const { return _cpuProducer->getProgress(); }
     /** Cancel the making of bricks on the CPU, without waiting for it to end. */
     void cancel() { _cpuProducer->cancel(); }
-    /** The bounds of the bricks, including those still being made. */
-    osg::BoundingBoxd getBounds() const { return _store->getBounds(); }
+    /** The transform from the coordinates of the bricks to those of the node. */
+    osg::Matrixd getToNode() const { return _source.getToNode(); }
+    /** The bounds of the bricks, including those still being made, in the node's coordinates. */
+    osg::BoundingBoxd getBounds() const;
 
     /** Ensure that there is a brick set for picking, even before any context has drawn one. */
     void prepareForPicking();

@@ -49,7 +49,8 @@ SharedObjects<TrianglesKey, const GridTriangles>& getSharedTriangles()
 bool SourceWatch::look(const osg::Node& node, const Request& request, Need need)
 {
     const SourceSignature& signature = _signatures.compute(node);
-    if (need == Need::NONE && signature == _signature) return false;
+    const bool hasMoved = _place.update(node, request.settings.grid.anchor == Anchor::WORLD);
+    if (need == Need::NONE && !hasMoved && signature == _signature) return false;
 
     const osg::Timer_t start = osg::Timer::instance()->tick();
     const TrianglesKey key(node, signature, request.settings);
@@ -58,11 +59,15 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, Need need)
     _signature = signature;
     _revision = makeRevision();
     _obstacle.clear();
-    const auto create = [&] { return flatten(node, request.settings); };
+    LegoSettings settings = request.settings;
+    const auto create = [&] { return flatten(node, settings); };
+    // The lattice of another anchor depends on earlier sources, or on the place of the node.
+    const bool isFitted = settings.grid.anchor == Anchor::FIT;
+    if (isFitted) _lattice = {};
     const osg::ref_ptr<const GridTriangles> triangles =
-        _isUnique ? create() : getSharedTriangles().findOrCreate(key, create);
+        _isUnique || !isFitted ? create() : getSharedTriangles().findOrCreate(key, create);
     osg::ref_ptr<LegoSource> source;
-    if (triangles) source = LegoSource::create(*triangles, request.settings, request.palette, _obstacle);
+    if (triangles) source = LegoSource::create(*triangles, settings, request.palette, _obstacle);
     if (source)
     {
         source->revision = _revision;
@@ -74,12 +79,15 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, Need need)
     return true;
 }
 
-/** Flatten a source. @return null if it has no visible triangles, or if there is an obstacle. */
-osg::ref_ptr<const GridTriangles> SourceWatch::flatten(const osg::Node& node, const LegoSettings& settings)
+/** Flatten a source, and state its lattice in the settings. @return null if it has no visible triangles, or if there is
+ * an obstacle. */
+osg::ref_ptr<const GridTriangles> SourceWatch::flatten(const osg::Node& node, LegoSettings& settings)
 {
-    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures);
+    const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures, _place.getToWorld());
     if (!std::exchange(_hasTexts, scene->getNumTexts() > 0)) scene->warnOfTexts(node);
-    _obstacle = BrickGrid::findObstacle(scene->getBounds(), settings);
+    settings = _lattice.apply(scene->getBounds(), settings);
+    _obstacle = _place.getObstacle();
+    if (_obstacle.empty()) _obstacle = BrickGrid::findObstacle(scene->getBounds(), settings);
     return scene->getNumTriangles() > 0 && _obstacle.empty() ? GridTriangles::create(*scene, settings) : nullptr;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <osgLego/LegoSettings.h>
+#include <osgLego/flattening/KeptLattice.h>
 #include <osgLego/flattening/LegoSource.h>
 #include <osgLego/flattening/SourceSignature.h>
 #include <osgLego/flattening/SurfaceTextureCache.h>
+#include <osgLego/node/NodePlace.h>
 
 #include <cstdint>
 #include <string>
@@ -38,8 +40,8 @@ public:
         CONTENT  //!< the source has changed in a way that its signature may not show
     };
 
-    /** Check a source, and flatten it if it has changed since the last check. Watches of equal sources share their
-     * triangles.
+    /** Check a source, and flatten it if it has changed since the last check, or has moved in the world that its bricks
+     * belong to. Watches of equal sources share their triangles, if grids are fitted to them.
      * @return whether it was flattened. */
     bool look(const osg::Node& node, const Request& request, Need need);
 
@@ -58,9 +60,14 @@ public:
     /** The reason why a source with triangles can't be legolized; empty if there is none. */
     const std::string& getObstacle() const { return _obstacle; }
 
-private:
-    osg::ref_ptr<const GridTriangles> flatten(const osg::Node& node, const LegoSettings& settings);
+    /** The transform from the coordinates of the bricks to those of the node; see NodePlace. */
+    const osg::Matrixd& getToNode() const { return _place.getToNode(); }
 
+private:
+    osg::ref_ptr<const GridTriangles> flatten(const osg::Node& node, LegoSettings& settings);
+
+    NodePlace _place;
+    KeptLattice _lattice;
     SourceSignature _signature;
     SourceSignatures _signatures;
     SurfaceTextureCache _textures;

@@ -95,7 +95,7 @@ TEST(LegoSettings, TheTextFormRoundTrips)
           "64,palette=ldraw,colors=12,dither=on",
           "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant,support=on",
           "32,drawing=splats,progress=0.5,show=load", "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain",
-          "cell=2,up=y", "cell=1e-09,origin=0:0:0",
+          "cell=2,up=y,anchor=world", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
     {
         EXPECT_EQ(test::parseSettings(text).toString(), text);
@@ -249,6 +249,7 @@ TEST(LegoSettings, MistakesInTheGridAreReportedWithTheExpectedValues)
                   "bad value '" + std::string(value) + "'" + expectedSize);
     EXPECT_NE(errorOf("cell=1,origin=0:0:0,size=4:4:1025,up=y").find(expectedSize), std::string::npos);
     EXPECT_EQ(errorOf("origin=0:0:0"), "origin is given without cell; expected both");
+    EXPECT_EQ(errorOf("cell=1,anchor=first"), "bad value 'first' for anchor; expected fit, model or world with cell");
     EXPECT_EQ(errorOf("cell=1,size=4:4:4"), "size is given without origin; expected both, and cell");
     for (const char* text : {"64,cell=1", "cell=1,64", "origin=0:0:0,64", "resolution=64,size=4:4:4"})
         EXPECT_EQ(errorOf(text), "a resolution can't be combined with cell, origin or size; expected either") << text;
