@@ -56,12 +56,13 @@ bool ComponentJoiner::isAlone(Index anchor) const
     return isAlone;
 }
 
-bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, LayoutRandom& random)
+bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, const std::vector<bool>& isActive,
+                           LayoutRandom& random)
 {
     constexpr int FEWEST_PARTS = 2;
     constexpr int MOST_PARTS = 12;
     const CellLattice& lattice = _map.getLattice();
-    const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr};
+    const LayoutRegion everything{0, lattice.getNumLayers(), 0, lattice.getProblem().size.y, 0, 0, nullptr, &isActive};
     for (int attempt = 0; attempt < limits.perPair && _numAttempts < limits.total; ++attempt)
     {
         ++_numAttempts;
@@ -92,7 +93,7 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
             // If each part touches no other part above or below, the cost of parts alone makes window search merge
             // them.
             if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
-            if (join(cell, other, limits, random)) _components.join(cell, other);
+            if (join(cell, other, limits, isActive, random)) _components.join(cell, other);
         }
     }
     return true;

@@ -30,7 +30,8 @@ public:
     };
 
     /** Join as many components as possible.
-     * @param isActive for each cell, whether it may be one of a pair; empty: all cells may.
+     * @param isActive for each cell, whether it may be one of a pair, and parts that begin there may
+     * change; empty: all cells may.
      * @return false if it was cancelled. */
     bool joinAll(const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random,
                  const std::function<bool()>& isCancelled);
@@ -41,7 +42,7 @@ private:
     void findComponents();
     Pairs findPairs(const std::vector<bool>& isActive);
     bool isAlone(Index anchor) const;
-    bool join(Index cell, Index other, const Limits& limits, LayoutRandom& random);
+    bool join(Index cell, Index other, const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random);
 
     PartMap& _map;
     LayoutWindow _window;

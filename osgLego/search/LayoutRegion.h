@@ -2,6 +2,7 @@
 
 #include <osgLego/layout/PartMap.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace osgLego
@@ -19,6 +20,8 @@ struct LayoutRegion
     /** For each anchor of a part that no thread changes, the anchor that stands for its component of such parts; NONE
      * for other cells. */
     const std::vector<CellLattice::Index>* fixedComponents = nullptr;
+    /** For each cell, whether a part that begins there may change; null or empty: all may. */
+    const std::vector<bool>* activeCells = nullptr;
 
     /** Whether a part lies inside. */
     bool contains(const PartMap& map, CellLattice::Index anchor) const
@@ -28,6 +31,11 @@ struct LayoutRegion
         const int y = lattice.getY(anchor);
         const int z = lattice.getZ(anchor);
         return z >= zBegin && z + shape.height <= zEnd && y >= yBegin && y + shape.depth <= yEnd;
+    }
+    /** Whether a part may change. */
+    bool isActive(CellLattice::Index anchor) const
+    {
+        return !activeCells || activeCells->empty() || (*activeCells)[static_cast<std::size_t>(anchor)];
     }
     /** Whether the part that covers a cell may be read. */
     bool isReadable(const CellLattice& lattice, CellLattice::Index cell) const

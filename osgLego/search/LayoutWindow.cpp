@@ -78,7 +78,8 @@ void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region, bool ha
                            const Index neighbor = _map.getAnchor(other);
                            if (std::find(_seen.begin(), _seen.end(), neighbor) != _seen.end()) continue;
                            _seen.push_back(neighbor);
-                           if (region.contains(_map, neighbor)) _frontier.push_back(neighbor);
+                           if (region.contains(_map, neighbor) && region.isActive(neighbor))
+                               _frontier.push_back(neighbor);
                        }
                    });
 }

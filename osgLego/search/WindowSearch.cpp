@@ -39,8 +39,9 @@ std::vector<LayoutRegion> WindowSearch::makeRegions(int layerPhase, int rowPhase
     const auto offset = static_cast<int>(_round * 5 % static_cast<std::uint32_t>(2 * _thickness));
     for (int z = layerPhase * _thickness - offset; z < numLayers; z += 2 * _thickness)
     {
-        LayoutRegion region{std::max(z, 0),   std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS,
-                            &_fixedComponents};
+        LayoutRegion region{
+            std::max(z, 0), std::min(z + _thickness, numLayers), 0, numRows, _thickness, NUM_ROWS, &_fixedComponents,
+            &_isActive};
         if (region.zEnd <= region.zBegin) continue;
         const Index numCells = lattice.getLayerStart(region.zEnd) - lattice.getLayerStart(region.zBegin);
         if (numCells == 0) continue;
@@ -125,9 +126,7 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limit
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
     for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
-        if (_map.isAnchor(cell) && (_isActive.empty() || _isActive[static_cast<std::size_t>(cell)]) &&
-            region.contains(_map, cell))
-            seeds.push_back(cell);
+        if (_map.isAnchor(cell) && region.isActive(cell) && region.contains(_map, cell)) seeds.push_back(cell);
     LayoutWindow& window = _windows.local();
     for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {

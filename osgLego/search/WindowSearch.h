@@ -30,7 +30,7 @@ public:
         int maximumNodes = 0;           //!< maximum number of steps of the search in one window
     };
 
-    /** @param isActive for each cell, whether windows may begin there; empty: windows may begin anywhere. */
+    /** @param isActive for each cell, whether parts that begin there may change; empty: all parts may. */
     WindowSearch(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive);
 
     /** Improve windows throughout the model.

@@ -166,23 +166,23 @@ TEST(WindowSearch, BeginsWindowsAtPartsOfAllLayersAndRowsInEachRound)
     EXPECT_LT(laid.map.countParts(), 2 * 160 * 10 * 11 / 10);
 }
 
-TEST(WindowSearch, LaysOnlyPartsWithinAWindowOfAnActiveCell)
+TEST(WindowSearch, ChangesNoPartThatBeginsAtAnInactiveCell)
 {
-    // Eight single cells may become one part. While the first 14 parts include eight single ones, a window that begins
-    // in the first of them lays a long part more; so seven long and seven single parts remain.
+    // Eight single cells may become one part.
     constexpr int LENGTH = 100;
+    constexpr int NUM_ACTIVE = 24;
     constexpr LayoutColor ONLY_SINGLE_AND_LONGEST{0b100001, 0b100001};
     LayoutRow row(makeCells({LENGTH, 1, 1}, [](int, int, int) { return 0; }, {ONLY_SINGLE_AND_LONGEST}),
                   {std::vector<int>(LENGTH, 1)});
     const LayoutOptions options;
     std::vector<bool> isActive(LENGTH, false);
-    isActive.front() = true;
+    std::fill_n(isActive.begin(), NUM_ACTIVE, true);
     WindowSearch search(row.map, row.sizes, options, isActive);
     for (int round = 0; round < 200; ++round)
         search.runRound(0, {1, 100000});
     const LaidParts parts = row.getParts();
-    ASSERT_EQ(parts.size(), LENGTH - 7u * 7u);
-    for (std::size_t i = 14; i < parts.size(); ++i)
+    ASSERT_EQ(parts.size(), std::size_t(NUM_ACTIVE / 8 + LENGTH - NUM_ACTIVE));
+    for (std::size_t i = NUM_ACTIVE / 8; i < parts.size(); ++i)
         EXPECT_EQ(parts[i].size[0], 1);
 }
 
