@@ -5,6 +5,8 @@
 #include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
 
+#include <utility>
+
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/GLObjectsVisitor>
@@ -28,6 +30,7 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setTiming(node.getTiming());
     setReadBack(node.getReadBack());
     setWaiting(node.getWaiting());
+    setWaitingLimit(node.getWaitingLimit());
     setBricksCallback(node.getBricksCallback().get());
     setAppearance(node.getAppearance());
     setLightProbe(node.getLightProbe());
@@ -35,6 +38,7 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setBuildingPlan(node.getBuildingPlan());
     setNumNewParts(node.getNumNewParts());
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+    setUpdateMode(node.getUpdateMode());
 }
 
 LegoNode::~LegoNode() = default;
@@ -132,6 +136,31 @@ bool LegoNode::getWaiting() const
     return _pipeline->getWaiting();
 }
 
+bool LegoNode::setWaitingLimit(double seconds)
+{
+    if (!(seconds >= 0.0))
+    {
+        OSG_WARN << "osgLego: bad limit " << seconds << " for waiting; expected seconds from 0 on" << std::endl;
+        return false;
+    }
+    _pipeline->setWaitingLimit(seconds);
+    return true;
+}
+
+double LegoNode::getWaitingLimit() const
+{
+    return _pipeline->getWaitingLimit();
+}
+
+void LegoNode::setUpdateMode(UpdateMode mode)
+{
+    const bool wasFrozen = std::exchange(_updateMode, mode) == UpdateMode::FROZEN;
+    const bool isFrozen = mode == UpdateMode::FROZEN;
+    if (wasFrozen == isFrozen) return;
+    const unsigned int count = getNumChildrenRequiringUpdateTraversal();
+    setNumChildrenRequiringUpdateTraversal(isFrozen ? count - 1 : count + 1);
+}
+
 void LegoNode::setBricksCallback(BricksCallback* callback)
 {
     _bricksCallback = callback;
@@ -161,6 +190,11 @@ osg::Matrixd LegoNode::getBricksToNode() const
 {
     refresh();
     return _pipeline->getToNode();
+}
+
+osg::ref_ptr<const BrickModel> LegoNode::getShownBricks() const
+{
+    return _pipeline->getShownModel();
 }
 
 LegoProgress LegoNode::getProgress() const
@@ -260,6 +294,7 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     {
     case osg::NodeVisitor::UPDATE_VISITOR:
         osg::Group::traverse(visitor);
+        if (_updateMode == UpdateMode::EVERY_FRAME) _pipeline->dirty();
         refresh();
         if (_pipeline->update(visitor.getTraversalNumber())) dirtyBound();
         return;
@@ -274,10 +309,10 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     }
 }
 
-/** Check the source for changes, and record its bound. */
+/** Check the source for changes unless it is frozen, and record its bound. */
 void LegoNode::refresh() const
 {
-    _pipeline->refresh(*this);
+    if (_updateMode != UpdateMode::FROZEN || _pipeline->isDirty()) _pipeline->refresh(*this);
     _sourceBound = osg::Group::computeBound();
 }
 

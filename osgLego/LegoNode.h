@@ -68,7 +68,7 @@ class LegoPipeline;
  * source itself is drawn: lights and clip planes below the node, cameras that render to textures, and paged levels of
  * detail that are not loaded yet. State set above the node does not affect the colours of the bricks. Since the source
  * is checked once a frame, a viewer that runs on demand draws all the time, as with every node that has an update
- * callback.
+ * callback, except with UpdateMode::FROZEN.
  *
  * Functions may be called from the thread that updates the scene; those with a context ID from any thread.
  */
@@ -115,9 +115,30 @@ public:
      * Off by default: the node keeps showing the previous bricks until the new ones are ready. Changed settings cancel
      * work in progress. A change of the source alone does so, too, though never twice in a row, so that bricks of a
      * continually changing source are updated at intervals, as fast as they can be made. Frames always wait for the
-     * first bricks, since there is nothing else to show. */
+     * first bricks, unless LegoSettings::View::meanwhile says otherwise. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
+
+    /** Limit the time that a frame waits for bricks or for the order of building. Unlimited by default. After that
+     * time, the frame shows the previous bricks or, before the first ones, the source, while the bricks are still being
+     * made; getProgress() tells how far they are. cancel() in another thread also ends the wait.
+     * @param seconds 0 or more; infinity: no limit.
+     * @return false, with a warning and no change, for other values. */
+    bool setWaitingLimit(double seconds);
+    double getWaitingLimit() const;
+
+    /** The frames that check the source for changes. */
+    enum class UpdateMode
+    {
+        ON_CHANGE,   //!< every frame; bricks are remade if a change is detected
+        EVERY_FRAME, //!< every frame, and bricks are remade as after dirty(), for changes that can't be detected
+        FROZEN       //!< none; bricks are remade only after setSettings() or dirty()
+    };
+    /** Choose when the source is checked. With UpdateMode::FROZEN, the node needs no update traversal, so that a viewer
+     * that runs on demand sleeps while nothing else changes; BricksCallback tells when new bricks are ready. Called
+     * where the scene may change, like addChild(). */
+    void setUpdateMode(UpdateMode mode);
+    UpdateMode getUpdateMode() const { return _updateMode; }
 
     /** Called when bricks made on the CPU are ready to be shown from the next frame on. Viewers that run on demand use
      * it to request that frame.
@@ -204,6 +225,11 @@ public:
      * whose bricks have the coordinates of the world. */
     osg::Matrixd getBricksToNode() const;
 
+    /** The bricks that frames show at present: those stored, or the last ones made on the CPU. Returns at once; null if
+     * there are none, and for bricks made on the GPU, which getBricks(contextID) reads back. May be called from any
+     * thread. */
+    osg::ref_ptr<const BrickModel> getShownBricks() const;
+
     /** The progress of bricks that are being made on the CPU, for getBricks() or a frame. May be called from any
      * thread.
      */
@@ -262,7 +288,8 @@ private:
     osg::ref_ptr<LegoPipeline> _pipeline;
     osg::ref_ptr<BricksCallback> _bricksCallback;
     osg::ref_ptr<osg::MatrixTransform> _lattice; // above the bricks in a lattice of the world, for visitors
-    mutable osg::BoundingSphere _sourceBound;    // when the source was last checked
+    UpdateMode _updateMode = UpdateMode::ON_CHANGE;
+    mutable osg::BoundingSphere _sourceBound; // when the source was last checked
 };
 
 } // namespace osgLego

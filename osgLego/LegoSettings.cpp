@@ -171,6 +171,10 @@ void addView(Table& table)
              "the share of parts that is shown, in the order of building");
     view.add("show", &View::show, Choice<Show>{{"color", Show::COLOR}, {"load", Show::LOAD}},
              "parts in their colours, or in colours for the load on their joints");
+    view.add(
+        "meanwhile", &View::meanwhile,
+        Choice<Meanwhile>{{"wait", Meanwhile::WAIT}, {"source", Meanwhile::SOURCE}, {"nothing", Meanwhile::NOTHING}},
+        "until the first bricks are ready, the frame waits, or shows the source or nothing");
 }
 
 /** All keys. A setting is added here, and as a member in the header. */

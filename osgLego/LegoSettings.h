@@ -73,6 +73,14 @@ enum class Drawing
     SPLATS     //!< points whose pixels cast rays; triangles if rays can't show the bricks, such as bricks cut open
 };
 
+/** The picture of a LegoNode until its first bricks have been made on the CPU. */
+enum class Meanwhile
+{
+    WAIT,   //!< nothing else: the first frame waits for them
+    SOURCE, //!< the source
+    NOTHING //!< nothing; the frame does not wait
+};
+
 /** The cells that become bricks. */
 enum class Fill
 {
@@ -227,6 +235,8 @@ struct OSGLEGO_EXPORT LegoSettings
         /** The share of parts that is shown, 0 to 1, in the order of building (LegoNode::setBuildProgress()). */
         double progress = 1.0;
         Show show = Show::COLOR;
+        /** The picture until the first bricks of a LegoNode are ready. */
+        Meanwhile meanwhile = Meanwhile::WAIT;
 
         bool operator==(const View&) const = default;
     };

@@ -69,7 +69,7 @@ osg::ref_ptr<const BuildingPlan> BuildingProducer::getPlan() const
     return _plan;
 }
 
-void BuildingProducer::produce(const BrickSet& bricks, bool waits)
+void BuildingProducer::produce(const BrickSet& bricks, double seconds)
 {
     const auto createWork = [&]
     {
@@ -80,8 +80,9 @@ void BuildingProducer::produce(const BrickSet& bricks, bool waits)
             return building ? std::optional(building) : std::nullopt;
         };
     };
-    const std::shared_ptr<Job::Run> run = _job.request(bricks.getRevision(), waits, createWork).run;
-    if (waits) run->wait();
+    const std::shared_ptr<Job::Run> run =
+        _job.request(bricks.getRevision(), seconds == BackgroundTask::FOREVER, createWork).run;
+    if (run && seconds > 0.0) run->wait(seconds);
     _job.deliver();
 }
 

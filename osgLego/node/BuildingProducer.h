@@ -31,8 +31,8 @@ public:
 
     /** Deliver the set of these bricks to the store, or begin to make it. Cancels work on older bricks, though never
      * twice in a row, so that bricks that are remade all the time are shown, too.
-     * @param waits wait for the set of these bricks. */
-    void produce(const BrickSet& bricks, bool waits);
+     * @param seconds to wait for the set of these bricks. */
+    void produce(const BrickSet& bricks, double seconds);
 
 private:
     using Job = BackgroundJob<osg::ref_ptr<const BuildingSet>>;

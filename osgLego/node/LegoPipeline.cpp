@@ -124,15 +124,30 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
     if (mustDrawSource(state, *bricks, revision)) return false;
+    bool isLate = false;
     if (source && !bricks->isOf(revision))
     {
-        chooseProducer(source->settings, state.getContextID()).produce(*source, visitor, mustWait(*bricks));
+        isLate = produce(*source, *bricks, visitor);
         if (mustDrawSource(state, *bricks, revision)) return false;
+        if (isLate && !hasBricks(*bricks)) return source->settings.view.meanwhile == Meanwhile::NOTHING;
     }
-    if (_waiting && !source) _cpuProducer->finish();
-    prepareBuilding(source);
+    if (_waiting && !source) _cpuProducer->finish(_waitingLimit);
+    prepareBuilding(isLate ? nullptr : source.get());
     _display.cull(visitor);
     return true;
+}
+
+/** Have the bricks of a source made.
+ * @return whether the CPU has not finished them in time for this frame. */
+bool LegoPipeline::produce(const LegoSource& source, const ContextBricks& bricks, osgUtil::CullVisitor& visitor)
+{
+    const bool mustWait = _waiting || (source.settings.view.meanwhile == Meanwhile::WAIT && !hasBricks(bricks));
+    BrickProducer& producer = chooseProducer(source.settings, visitor.getState()->getContextID());
+    producer.produce(source, visitor, mustWait ? _waitingLimit.load() : 0.0);
+    if (&producer != _cpuProducer.get()) return false;
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    // Picking may have made a set without points.
+    return !newest || !newest->hasPoints() || newest->getRevision() != source.revision;
 }
 
 /** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is
@@ -146,15 +161,15 @@ BrickProducer& LegoPipeline::chooseProducer(const LegoSettings& settings, unsign
     return *_cpuProducer;
 }
 
-/** Whether a frame must wait for its bricks: on request, or because there are no others to show. */
-bool LegoPipeline::mustWait(const ContextBricks& bricks) const
+/** Whether there are bricks to show, of whatever source. */
+bool LegoPipeline::hasBricks(const ContextBricks& bricks) const
 {
-    if (_waiting) return true;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    return bricks.isEmpty() && !(newest && newest->hasPoints());
+    return !bricks.isEmpty() || (newest && newest->hasPoints());
 }
 
-/** Request the building set if not all parts are shown alike. @param source null for stored bricks. */
+/** Request the building set if not all parts are shown alike. @param source null for stored bricks, and for those of
+ * an earlier source. */
 void LegoPipeline::prepareBuilding(const LegoSource* source)
 {
     if (_store->getState().isWhole()) return;
@@ -162,7 +177,7 @@ void LegoPipeline::prepareBuilding(const LegoSource* source)
     // Passes deliver their bricks only when they have been drawn.
     const bool isOnItsWay = source && !(newest && newest->getRevision() == source->revision);
     if (_waiting && isOnItsWay) newest = createGpuBrickSet(*source);
-    if (newest) _building->produce(*newest, _waiting);
+    if (newest) _building->produce(*newest, _waiting ? _waitingLimit.load() : 0.0);
 }
 
 bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const
@@ -187,6 +202,12 @@ std::string LegoPipeline::getObstacle() const
 {
     const std::string failure = _query.getFailure(_source.getLastRevision());
     return failure.empty() ? _source.getObstacle() : failure;
+}
+
+osg::ref_ptr<const BrickModel> LegoPipeline::getShownModel() const
+{
+    const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
+    return newest && newest->hasPoints() ? newest->getModel() : nullptr;
 }
 
 osg::ref_ptr<const BrickModel> LegoPipeline::getModel()

@@ -52,6 +52,9 @@ public:
     /** Whether frames wait for bricks made on the CPU. */
     void setWaiting(bool waiting) { _waiting = waiting; }
     bool getWaiting() const { return _waiting; }
+    /** The longest time in seconds that a frame waits for them. */
+    void setWaitingLimit(double seconds) { _waitingLimit = seconds; }
+    double getWaitingLimit() const { return _waitingLimit; }
     /** Set the function to call when a set has been made on the CPU; it is called in the thread that made the set. */
     void setAnnouncement(std::function<void()> announcement);
 
@@ -94,6 +97,8 @@ public:
     osg::ref_ptr<const LegoSource> getSource() const { return _source.getSource(); }
     /** The reason why a source with triangles can't be legolized; empty if there is none. */
     std::string getObstacle() const;
+    /** The bricks that frames show, without those of the GPU; null if there are none. */
+    osg::ref_ptr<const BrickModel> getShownModel() const;
     /** The stored bricks, or else those of the source, made now if necessary; null if there are neither. */
     osg::ref_ptr<const BrickModel> getModel();
     /** The progress of bricks that are being made on the CPU. */
@@ -118,12 +123,14 @@ private:
 
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
-    bool mustWait(const ContextBricks& bricks) const;
+    bool produce(const LegoSource& source, const ContextBricks& bricks, osgUtil::CullVisitor& visitor);
+    bool hasBricks(const ContextBricks& bricks) const;
     void showStored(const BrickModel& bricks);
     void prepareBuilding(const LegoSource* source);
 
     BrickSource _source;
     std::atomic<bool> _waiting{false};
+    std::atomic<double> _waitingLimit{BackgroundTask::FOREVER};
 
     std::mutex _mutex; // held while the source is checked, and while the state of the store or the last bounds change
     osg::BoundingBoxd _lastBounds;

@@ -122,7 +122,7 @@ public:
     }
 
     std::uint64_t getRevision() const { return _revision; }
-    void wait() const { _task.wait(); }
+    void wait(double seconds = BackgroundTask::FOREVER) const { _task.wait(seconds); }
     bool isCancelled() const { return _task.isCancelled(); }
     Outcome getOutcome() const { return _task.hasEnded() ? _outcome : Outcome::NONE; }
     /** Null unless the outcome is MADE. */

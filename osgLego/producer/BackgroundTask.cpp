@@ -1,5 +1,6 @@
 #include <osgLego/producer/BackgroundTask.h>
 
+#include <chrono>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -58,6 +59,17 @@ void BackgroundTask::cancel()
     _group.cancel();
 }
 
+void BackgroundTask::wait(double seconds) const
+{
+    constexpr double LONGEST = 1e6; // which clocks can count
+    const auto hasEnded = [this] { return _hasEnded.load(); };
+    std::unique_lock lock(_endMutex);
+    if (seconds < LONGEST)
+        _end.wait_for(lock, std::chrono::duration<double>(seconds), hasEnded);
+    else
+        _end.wait(lock, hasEnded);
+}
+
 void BackgroundTask::run()
 {
     // In the group, so that cancelling it ends loops of oneTBB. Outside of it, oneTBB may report that it has no
@@ -66,8 +78,11 @@ void BackgroundTask::run()
         catchFailure([this] { _group.run_and_wait([this] { _steps.work(); }); }, _steps.outOfMemory, _steps.prefix);
     _steps.work = nullptr; // and all that it holds
     _steps.settle(failure);
-    _hasEnded = true;
-    _hasEnded.notify_all();
+    {
+        const std::lock_guard lock(_endMutex);
+        _hasEnded = true;
+    }
+    _end.notify_all();
     _steps.announce();
     _hasReturned = true;
 }

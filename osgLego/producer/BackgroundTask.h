@@ -1,7 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <functional>
+#include <limits>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -34,6 +37,8 @@ public:
         std::function<void()> announce;                         //!< called after that
     };
 
+    static constexpr double FOREVER = std::numeric_limits<double>::infinity(); //!< seconds
+
     explicit BackgroundTask(Steps steps) : _steps(std::move(steps)) {}
     /** Cancels the task, and waits until it has ended. */
     ~BackgroundTask();
@@ -47,13 +52,15 @@ public:
     bool hasReturned() const { return _hasReturned; }
     void cancel();
     bool isCancelled() const { return _isCancelled; }
-    /** Wait until the task has ended. Another thread may start it meanwhile. */
-    void wait() const { _hasEnded.wait(false); }
+    /** Wait until the task has ended, or for a number of seconds. Another thread may start it meanwhile. */
+    void wait(double seconds = FOREVER) const;
 
 private:
     void run();
 
     Steps _steps;
+    mutable std::mutex _endMutex;
+    mutable std::condition_variable _end; // notified when it has ended
     std::atomic<bool> _hasEnded{false};
     std::atomic<bool> _hasReturned{false};
     std::atomic<bool> _isCancelled{false};

@@ -18,9 +18,9 @@ class BrickProducer : public osg::Referenced
 public:
     /** Make the bricks of a source for the context of a visitor, unless they exist or are being made. Cancels work on
      * an older source.
-     * @param waits true: return only when the bricks are available to the frame being culled; false: they may follow in
-     * a later frame. */
-    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits) = 0;
+     * @param seconds to wait for bricks that are available to the frame being culled; otherwise, they follow in a later
+     * frame. */
+    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) = 0;
 
     /** Deliver the sets finished since the last call, and release resources that have been idle for a while. Called in
      * every update traversal, with the number of the frame. */

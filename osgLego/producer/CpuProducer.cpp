@@ -49,18 +49,20 @@ CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
 {
 }
 
-void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits)
+void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds)
 {
-    const auto [run, isNew] = request(source, waits);
+    const bool waits = seconds > 0.0;
+    // Within a limit, bricks of a source that changes in every frame might never be made.
+    const auto [run, isNew] = request(source, seconds == BackgroundTask::FOREVER);
     // A set that was begun in this frame belongs to a later one, however fast it was made.
     if (!run || (isNew && !waits)) return;
-    if (waits) run->wait();
+    if (waits) run->wait(seconds);
     _job.deliver();
     if (run->getOutcome() == Job::Outcome::FAILED)
         _store->getContext(visitor.getState()->getContextID())->fail(source.revision, run->getFailure());
 }
 
-CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool waits)
+CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool isUrgent)
 {
     const auto createWork = [&]
     {
@@ -82,7 +84,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool wa
             return Made{bricks, std::move(layout)};
         };
     };
-    return _job.request(source.revision, waits || hasOtherSettings(source), createWork);
+    return _job.request(source.revision, isUrgent || hasOtherSettings(source), createWork);
 }
 
 /** Whether a source needs other bricks than the last one even if its triangles are the same. */
@@ -155,9 +157,9 @@ void CpuProducer::update(unsigned int)
     _job.deliver();
 }
 
-void CpuProducer::finish()
+void CpuProducer::finish(double seconds)
 {
-    if (const std::shared_ptr<Job::Run> run = _job.getRun()) run->wait();
+    if (const std::shared_ptr<Job::Run> run = _job.getRun()) run->wait(seconds);
     _job.deliver();
 }
 

@@ -35,7 +35,7 @@ public:
     /** @param announce called when a set is finished, in the thread that made it. */
     CpuProducer(BrickStore& store, std::function<void()> announce);
 
-    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, bool waits) override;
+    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) override;
     void update(unsigned int frame) override;
     void cancel() override;
     void resizeGLObjectBuffers(unsigned int) override {}
@@ -48,7 +48,7 @@ public:
     /** Begin to make the set of stored bricks with Show::LOAD. Cancels work on others. @param revision of the set. */
     void produceByLoad(const BrickModel& bricks, std::uint64_t revision);
     /** Wait for the set in progress, if there is one, and deliver it. */
-    void finish();
+    void finish(double seconds = BackgroundTask::FOREVER);
 
     /** The progress of the set in progress. */
     LegoProgress getProgress() const;
@@ -71,7 +71,7 @@ private:
 
     std::shared_ptr<Progress> begin(const LegoSettings& settings);
     bool hasOtherSettings(const LegoSource& source) const;
-    Job::Request request(const LegoSource& source, bool waits);
+    Job::Request request(const LegoSource& source, bool isUrgent);
     void warn(const std::string& warning);
     void deliver(const Job::Run& run);
 

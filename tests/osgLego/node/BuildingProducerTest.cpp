@@ -26,16 +26,16 @@ TEST(BuildingProducer, GivesUpASetWhoseModelCantBeMade)
     grid.dimensions = glm::ivec3(1);
     const osg::ref_ptr<const BrickSet> broken = new BrickSet(
         1, grid, []() -> osg::ref_ptr<const BrickModel> { throw std::runtime_error("there is no model"); });
-    EXPECT_NO_THROW(producer.produce(*broken, true));
+    EXPECT_NO_THROW(producer.produce(*broken, BackgroundTask::FOREVER));
     const osg::ref_ptr<const BrickSet> huge =
         new BrickSet(2, grid, []() -> osg::ref_ptr<const BrickModel> { throw std::bad_alloc(); });
-    EXPECT_NO_THROW(producer.produce(*huge, true));
+    EXPECT_NO_THROW(producer.produce(*huge, BackgroundTask::FOREVER));
     EXPECT_FALSE(store->getBuilding());
     EXPECT_EQ(numAnnounced, 0);
 
     // A later set is made all the same.
     const osg::ref_ptr<const BrickModel> model = BrickModel::create(grid, {Brick{}});
-    producer.produce(*new BrickSet(3, *model, {}), true);
+    producer.produce(*new BrickSet(3, *model, {}), BackgroundTask::FOREVER);
     ASSERT_TRUE(store->getBuilding());
     EXPECT_EQ(store->getBuilding()->getRevision(), 3u);
     numAnnounced.wait(0); // a set may be waited for before it is announced

@@ -4,10 +4,14 @@
 
 #include <GlTest.h>
 #include <Meshes.h>
+#include <Notices.h>
 
 #include <algorithm>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
+#include <string>
+#include <thread>
 
 #include <osg/MatrixTransform>
 
@@ -122,6 +126,123 @@ TEST_F(CpuProducerFramesTest, BricksOfOtherSettingsAreNotThoseOfTheCurrentOnes)
     EXPECT_EQ(_lego->getBricks()->getGrid().dimensions.x, 20);
     _lego->dirty();
     EXPECT_FALSE(_lego->isLegolized(_contextID)) << "after dirty()";
+}
+
+TEST_F(CpuProducerFramesTest, BeforeTheFirstBricksTheSettingChoosesThePicture)
+{
+    const osg::ref_ptr<osg::Image> bricks = drawFrame();
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(_transform);
+    _viewer.setSceneData(group);
+    const osg::ref_ptr<osg::Image> source = drawFrame();
+    ASSERT_GT(countDifferent(*source, *bricks, 20), 1000u);
+    for (const bool showsSource : {true, false})
+    {
+        _lego = new LegoNode(
+            parseSettings(showsSource ? "16,device=cpu,meanwhile=source" : "16,device=cpu,meanwhile=nothing"));
+        _lego->addChild(_transform);
+        _lego->setBricksCallback(_announcements);
+        _viewer.setSceneData(_lego);
+        const osg::ref_ptr<osg::Image> first = drawFrame();
+        EXPECT_FALSE(_lego->getShownBricks());
+        EXPECT_FALSE(_lego->isLegolized(_contextID));
+        if (showsSource)
+            EXPECT_EQ(countDifferent(*first, *source, 0), 0u);
+        else
+            EXPECT_EQ(countDrawn(*first), 0u);
+        while (!_lego->isLegolized(_contextID))
+            _viewer.frame();
+        EXPECT_EQ(countDifferent(*readPixels(*_context), *bricks, 0), 0u);
+        ASSERT_TRUE(_lego->getShownBricks());
+        EXPECT_EQ(_lego->getShownBricks(), _lego->getBricks());
+    }
+}
+
+TEST_F(CpuProducerFramesTest, AFrameWaitsNoLongerThanTheLimit)
+{
+    _lego->setWaiting(true);
+    ASSERT_TRUE(_lego->setWaitingLimit(0.0));
+    drawFrame();
+    EXPECT_FALSE(_lego->isLegolized(_contextID)) << "the first bricks";
+    _lego->setWaitingLimit(60.0);
+    drawFrame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
+    const osg::ref_ptr<const BrickModel> before = _lego->getShownBricks();
+    ASSERT_TRUE(before);
+    // Takes longer than the limit and the frame.
+    _lego->setSettings(parseSettings("600,device=cpu,parts=bricks,effort=best"));
+    _lego->setWaitingLimit(0.001);
+    drawFrame();
+    EXPECT_FALSE(_lego->isLegolized(_contextID));
+    EXPECT_EQ(_lego->getShownBricks(), before);
+    _lego->setSettings(parseSettings("12,device=cpu"));
+    _lego->setWaitingLimit(std::numeric_limits<double>::infinity());
+    drawFrame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
+    EXPECT_EQ(_lego->getShownBricks()->getGrid().dimensions.x, 12);
+}
+
+TEST_F(CpuProducerFramesTest, AWaitWithALimitEndsWhenItIsCancelled)
+{
+    _lego->setSettings(parseSettings("600,device=cpu,parts=bricks,effort=best"));
+    _lego->setWaitingLimit(100000.0);
+    std::thread canceller(
+        [&]
+        {
+            while (_lego->getProgress().stage == LegoProgress::Stage::IDLE)
+                std::this_thread::yield();
+            _lego->cancel();
+        });
+    drawFrame();
+    canceller.join();
+    EXPECT_FALSE(_lego->isLegolized(_contextID));
+}
+
+TEST_F(CpuProducerFramesTest, ABadLimitIsRefused)
+{
+    _lego->setWaitingLimit(3.0);
+    for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()})
+    {
+        const std::string notices = noticesOf([&] { EXPECT_FALSE(_lego->setWaitingLimit(bad)); });
+        EXPECT_NE(notices.find("expected seconds from 0 on"), std::string::npos) << notices;
+        EXPECT_EQ(_lego->getWaitingLimit(), 3.0);
+    }
+    EXPECT_EQ(osg::clone(_lego.get())->getWaitingLimit(), 3.0);
+}
+
+TEST_F(CpuProducerFramesTest, AFrozenNodeKeepsItsBricksUntilItsSettingsChange)
+{
+    _lego->setWaiting(true);
+    const osg::ref_ptr<osg::Image> before = drawFrame();
+    EXPECT_TRUE(_viewer.checkNeedToDoFrame()) << "to check the source";
+    _lego->setUpdateMode(LegoNode::UpdateMode::FROZEN);
+    EXPECT_FALSE(_viewer.checkNeedToDoFrame());
+    _transform->setMatrix(osg::Matrix::scale(0.5, 1.0, 1.0));
+    EXPECT_EQ(countDifferent(*drawFrame(), *before, 0), 0u);
+    EXPECT_EQ(osg::clone(_lego.get())->getUpdateMode(), LegoNode::UpdateMode::FROZEN);
+    _lego->setSettings(parseSettings("12,device=cpu"));
+    drawFrame();
+    EXPECT_TRUE(_lego->isLegolized(_contextID));
+    EXPECT_EQ(_lego->getShownBricks()->getGrid().dimensions, _lego->getBricks()->getGrid().dimensions);
+    EXPECT_LT(_lego->getShownBricks()->getGrid().dimensions.x, 12) << "of the current source";
+    _lego->setUpdateMode(LegoNode::UpdateMode::ON_CHANGE);
+    EXPECT_TRUE(_viewer.checkNeedToDoFrame());
+}
+
+TEST_F(CpuProducerFramesTest, AnUnannouncedChangeIsFollowedIfEveryFrameIsRemade)
+{
+    const osg::ref_ptr<osg::Geometry> triangle = createTriangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 1});
+    _transform->removeChildren(0, 1);
+    _transform->addChild(triangle);
+    _lego->setWaiting(true);
+    drawFrame();
+    const std::size_t before = _lego->getShownBricks()->getBricks().size();
+    (*static_cast<osg::Vec3Array*>(triangle->getVertexArray()))[2].set(1.0f, 0.0f, -0.9f);
+    drawFrame();
+    EXPECT_EQ(_lego->getShownBricks()->getBricks().size(), before) << "not detected";
+    _lego->setUpdateMode(LegoNode::UpdateMode::EVERY_FRAME);
+    drawFrame();
+    EXPECT_LT(_lego->getShownBricks()->getBricks().size(), before);
 }
 
 TEST_F(CpuProducerFramesTest, WithWaitingEachFrameShowsTheCurrentSource)
