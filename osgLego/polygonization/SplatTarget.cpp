@@ -57,7 +57,7 @@ std::uint64_t hashContents(const osgUtil::RenderBin& bin)
     {
         add(reinterpret_cast<std::uintptr_t>(leaf._drawable.get()));
         if (!leaf._modelview) return;
-        for (const int element : {12, 13, 14})
+        for (int element = 0; element < 16; ++element)
             add(std::bit_cast<std::uint64_t>(leaf._modelview->ptr()[element]));
     };
     for (const osgUtil::StateGraph* graph : bin.getStateGraphList())
