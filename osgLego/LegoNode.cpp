@@ -5,6 +5,7 @@
 #include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
 
+#include <optional>
 #include <utility>
 
 #include <osg/Notify>
@@ -396,8 +397,14 @@ void LegoNode::visitBricks(osg::NodeVisitor& visitor)
     }
     else
     {
-        if (visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN) osg::Group::traverse(visitor);
+        const bool visitsAll = visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ALL_CHILDREN;
+        if (visitsAll) osg::Group::traverse(visitor);
         _pipeline->refreshIfDirty(*this);
+        if (const std::optional<Meanwhile> meanwhile = _pipeline->getMeanwhile())
+        {
+            if (meanwhile == Meanwhile::SOURCE && !visitsAll) osg::Group::traverse(visitor);
+            return;
+        }
         _pipeline->prepareForPicking();
         visitAtBricks(*_pipeline->getDisplay().getBrickNode(), visitor);
     }

@@ -53,7 +53,9 @@ class LegoPipeline;
  *     viewer.setSceneData(lego);
  *
  * Node visitors other than the update, event and cull visitors see the bricks alone if they traverse active children,
- * and both the source and the bricks if they traverse all children. BrickIntersection gives the brick that was picked.
+ * and both the source and the bricks if they traverse all children. Before the first bricks, they see the same as
+ * frames show (LegoSettings::View::meanwhile), or wait for the bricks if they need triangles. BrickIntersection gives
+ * the brick that was picked.
  *
  * Bricks can also be stored in the node, instead of being made from a source: see setStoredBricks().
  *

@@ -9,7 +9,8 @@ namespace osgLego
 osg::ref_ptr<const BrickModel> BrickQuery::getModel(const LegoSource& source)
 {
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
-    if (newest && newest->getRevision() == source.revision) return newest->getModel();
+    const bool isLazy = source.settings.needsCpu() && newest && !newest->hasPoints();
+    if (newest && newest->getRevision() == source.revision && !isLazy) return newest->getModel();
     const osg::ref_ptr<const BrickSet> made = makeOnCpu(source);
     return made ? made->getModel() : nullptr;
 }
@@ -25,16 +26,26 @@ osg::ref_ptr<const BrickSet> BrickQuery::makeOnCpu(const LegoSource& source)
     return bricks;
 }
 
+/** Create a set whose model the producer makes when it is needed: few visitors look at triangles. Frames show these
+ * bricks, too, since bricks that the GPU can't make take long to make again. */
+osg::ref_ptr<const BrickSet> BrickQuery::createLazySet(const LegoSource& source) const
+{
+    const auto makeModel = [producer = _producer, kept = osg::ref_ptr<const LegoSource>(&source)]
+    {
+        std::string ignored; // frames report it
+        const osg::ref_ptr<const BrickSet> bricks = producer->getBricks(*kept, ignored);
+        return bricks ? bricks->getModel() : nullptr;
+    };
+    return new BrickSet(source.revision, source.triangles->getGrid(), makeModel);
+}
+
 void BrickQuery::prepareForPicking(const LegoSource& source)
 {
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     // A set that is shown is picked until the next set is shown. A set made only for picking must match the source.
     const bool isShown = newest && (newest->hasPoints() || newest->getRevision() == source.revision);
     if (isShown) return;
-    // Bricks that the GPU can't make take long to make again, so those made for picking are shown, too.
-    const osg::ref_ptr<const BrickSet> bricks =
-        source.settings.needsCpu() ? makeOnCpu(source) : createGpuBrickSet(source);
-    if (bricks) _store->deliver(*bricks);
+    _store->deliver(source.settings.needsCpu() ? *createLazySet(source) : *createGpuBrickSet(source));
 }
 
 std::string BrickQuery::getFailure(std::uint64_t revision) const

@@ -26,7 +26,8 @@ public:
 
     /** The bricks of a source. @return null, with the reason in getFailure(), if they can't be made. */
     osg::ref_ptr<const BrickModel> getModel(const LegoSource& source);
-    /** Ensure that there is a brick set for picking, even before any context has drawn one. */
+    /** Ensure that there is a brick set for picking, even before any context has drawn one. Its bricks are made when
+     * they are needed. */
     void prepareForPicking(const LegoSource& source);
     /** The reason why the bricks of the source of this revision could not be made; empty if there is none. */
     std::string getFailure(std::uint64_t revision) const;
@@ -39,6 +40,7 @@ public:
 
 private:
     osg::ref_ptr<const BrickSet> makeOnCpu(const LegoSource& source);
+    osg::ref_ptr<const BrickSet> createLazySet(const LegoSource& source) const;
 
     osg::ref_ptr<BrickStore> _store;
     osg::ref_ptr<CpuProducer> _producer;

@@ -228,6 +228,13 @@ osg::BoundingBoxd LegoPipeline::getBounds() const
     return moved;
 }
 
+std::optional<Meanwhile> LegoPipeline::getMeanwhile() const
+{
+    const osg::ref_ptr<const LegoSource> source = getSource();
+    if (!source || source->settings.view.meanwhile == Meanwhile::WAIT || _store->getBricks()) return std::nullopt;
+    return source->settings.view.meanwhile;
+}
+
 void LegoPipeline::prepareForPicking()
 {
     const osg::ref_ptr<const LegoSource> source = getSource();

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <osg/BoundingBox>
@@ -110,6 +111,8 @@ public:
     /** The bounds of the bricks, including those still being made, in the node's coordinates. */
     osg::BoundingBoxd getBounds() const;
 
+    /** The picture before the first bricks; nothing once there are bricks, and if frames wait for them. */
+    std::optional<Meanwhile> getMeanwhile() const;
     /** Ensure that there is a brick set for picking, even before any context has drawn one. */
     void prepareForPicking();
     /** The bricks of getModel() as osg::Geometry, created by the first call; null if there are none. */

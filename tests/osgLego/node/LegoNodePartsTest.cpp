@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 #include <osgUtil/LineSegmentIntersector>
+#include <osgUtil/Optimizer>
 
 namespace osgLego::test
 {
@@ -112,6 +113,38 @@ TEST(LegoNodeParts, ANodeThatCannotBeFilledHasNoBricksAndSaysWhyAlsoAfterPicking
     EXPECT_TRUE(lego->setSettings(parseSettings("16,fill=solid")));
     EXPECT_TRUE(lego->getBricks());
     EXPECT_EQ(lego->getObstacle(), "");
+}
+
+TEST(LegoNodeParts, AVisitorThatNeedsNoTrianglesDoesNotWaitForParts)
+{
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("400,parts=bricks,fill=solid,effort=best"));
+    lego->addChild(createSphere());
+    osgUtil::Optimizer optimizer;
+    optimizer.optimize(lego);
+    EXPECT_TRUE(lego->getBound().valid());
+    EXPECT_EQ(lego->getProgress().stage, LegoProgress::Stage::IDLE);
+    EXPECT_FALSE(lego->getShownBricks());
+}
+
+TEST(LegoNodeParts, BeforeTheFirstBricksPickingFindsThePicture)
+{
+    for (const char* meanwhile : {"source", "nothing", "wait"})
+    {
+        const osg::ref_ptr<LegoNode> lego =
+            new LegoNode(parseSettings(std::string("8,parts=bricks,meanwhile=") + meanwhile));
+        lego->addChild(createSphere());
+        const osg::ref_ptr<osgUtil::LineSegmentIntersector> ray =
+            new osgUtil::LineSegmentIntersector(osg::Vec3d(0.05, 0.05, 9), osg::Vec3d(0.05, 0.05, -9));
+        osgUtil::IntersectionVisitor visitor(ray);
+        lego->accept(visitor);
+        ASSERT_EQ(ray->containsIntersections(), meanwhile != std::string("nothing")) << meanwhile;
+        if (!ray->containsIntersections()) continue;
+        const double height = ray->getFirstIntersection().getWorldIntersectPoint().z();
+        if (meanwhile == std::string("source"))
+            EXPECT_LT(height, 1.0) << "the sphere";
+        else
+            EXPECT_GT(height, 1.0) << "a stud above it";
+    }
 }
 
 TEST(LegoNodeParts, PickingUsesThePartsThatWereLaid)
