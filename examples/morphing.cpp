@@ -15,10 +15,9 @@ int main()
     // A box that grows at one end, from 4 units along x to 8.
     const auto createBox = [](float length)
     {
-        const osg::ref_ptr<osg::Geometry> box = new osg::Geometry(
-            *new osg::ShapeDrawable(new osg::Box({0.5f * length + 0.01f, 0.0f, 0.0f}, length, 1.5f, 1.5f)),
-            osg::CopyOp::DEEP_COPY_ALL);
-        return box;
+        const osg::ref_ptr<osg::ShapeDrawable> box =
+            new osg::ShapeDrawable(new osg::Box({0.5f * length + 0.01f, 0.0f, 0.0f}, length, 1.5f, 1.5f));
+        return osg::ref_ptr(new osg::Geometry(*box, osg::CopyOp::DEEP_COPY_ALL));
     };
     const osg::ref_ptr<osgAnimation::MorphGeometry> morph = new osgAnimation::MorphGeometry(*createBox(4.0f));
     morph->setMethod(osgAnimation::MorphGeometry::NORMALIZED);

@@ -3,6 +3,8 @@
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/producer/GpuProducer.h>
 
+#include <osg/observer_ptr>
+
 namespace osgLego
 {
 
@@ -30,8 +32,12 @@ osg::ref_ptr<const BrickSet> BrickQuery::makeOnCpu(const LegoSource& source)
  * bricks, too, since bricks that the GPU can't make take long to make again. */
 osg::ref_ptr<const BrickSet> BrickQuery::createLazySet(const LegoSource& source) const
 {
-    const auto makeModel = [producer = _producer, kept = osg::ref_ptr<const LegoSource>(&source)]
+    // Not a reference: the producer has the store, and the store has the set.
+    const auto makeModel = [observed = osg::observer_ptr<CpuProducer>(_producer),
+                            kept = osg::ref_ptr<const LegoSource>(&source)]() -> osg::ref_ptr<const BrickModel>
     {
+        osg::ref_ptr<CpuProducer> producer;
+        if (!observed.lock(producer)) return nullptr;
         std::string ignored; // frames report it
         const osg::ref_ptr<const BrickSet> bricks = producer->getBricks(*kept, ignored);
         return bricks ? bricks->getModel() : nullptr;
