@@ -207,7 +207,8 @@ TEST_F(CpuProducerFramesTest, ABadLimitIsRefused)
         EXPECT_NE(notices.find("expected seconds from 0 on"), std::string::npos) << notices;
         EXPECT_EQ(_lego->getWaitingLimit(), 3.0);
     }
-    EXPECT_EQ(osg::clone(_lego.get())->getWaitingLimit(), 3.0);
+    const osg::ref_ptr<LegoNode> copy = osg::clone(_lego.get());
+    EXPECT_EQ(copy->getWaitingLimit(), 3.0);
 }
 
 TEST_F(CpuProducerFramesTest, AFrozenNodeKeepsItsBricksUntilItsSettingsChange)
@@ -219,7 +220,8 @@ TEST_F(CpuProducerFramesTest, AFrozenNodeKeepsItsBricksUntilItsSettingsChange)
     EXPECT_FALSE(_viewer.checkNeedToDoFrame());
     _transform->setMatrix(osg::Matrix::scale(0.5, 1.0, 1.0));
     EXPECT_EQ(countDifferent(*drawFrame(), *before, 0), 0u);
-    EXPECT_EQ(osg::clone(_lego.get())->getUpdateMode(), LegoNode::UpdateMode::FROZEN);
+    const osg::ref_ptr<LegoNode> copy = osg::clone(_lego.get());
+    EXPECT_EQ(copy->getUpdateMode(), LegoNode::UpdateMode::FROZEN);
     _lego->setSettings(parseSettings("12,device=cpu"));
     drawFrame();
     EXPECT_TRUE(_lego->isLegolized(_contextID));
