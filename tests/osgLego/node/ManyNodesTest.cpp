@@ -182,15 +182,25 @@ protected:
         return readPixels(*_context);
     }
 
-    int countLinked(int numNodes, const std::string& settings, bool hasOcclusion)
+    enum class Occlusion
+    {
+        NONE,
+        ONE_SCENE,
+        SCENE_FOR_EACH_NODE //!< as the files of paged tiles have
+    };
+
+    int countLinked(int numNodes, const std::string& settings, Occlusion occlusion)
     {
         const osg::ref_ptr<osg::GraphicsContext> context = createContext();
         const osg::ref_ptr<osg::Group> scene =
-            hasOcclusion ? createGroup("low", nullptr).get() : osg::ref_ptr(new osg::Group);
+            occlusion == Occlusion::ONE_SCENE ? createGroup("low", nullptr).get() : osg::ref_ptr(new osg::Group);
         Nodes nodes;
         for (int node = 0; node < numNodes; ++node)
             nodes.push_back(createCar(settings));
         place(nodes, *scene, 2.2);
+        if (occlusion == Occlusion::SCENE_FOR_EACH_NODE)
+            for (unsigned int child = 0; child < scene->getNumChildren(); ++child)
+                scene->setChild(child, createGroup("low", scene->getChild(child)));
         osgViewer::Viewer viewer;
         setUpViewer(viewer, *context, *scene);
         scene->setNodeMask(0);
@@ -207,11 +217,11 @@ protected:
 TEST_F(ManyNodes, WithEqualSettingsLinkAsManyProgramsAsOne)
 {
     for (const char* settings : {"8", "8,look=plain", "8,device=cpu"})
-        for (const bool hasOcclusion : {false, true})
+        for (const Occlusion occlusion : {Occlusion::NONE, Occlusion::ONE_SCENE, Occlusion::SCENE_FOR_EACH_NODE})
         {
-            const int one = countLinked(1, settings, hasOcclusion);
+            const int one = countLinked(1, settings, occlusion);
             EXPECT_GT(one, 0);
-            EXPECT_EQ(countLinked(10, settings, hasOcclusion), one) << settings << " " << hasOcclusion;
+            EXPECT_EQ(countLinked(10, settings, occlusion), one) << settings << " " << static_cast<int>(occlusion);
         }
 }
 
