@@ -76,9 +76,10 @@ public:
     {
         _extensions.glUniformMatrix3fv(find(name), 1, GL_FALSE, &value[0].x);
     }
-    void set(const UniformName& name, const glm::mat4& value) const
+    void set(const UniformName& name, const glm::mat4& value) const { set(name, &value, 1); }
+    void set(const UniformName& name, const glm::mat4* values, GLsizei count) const
     {
-        _extensions.glUniformMatrix4fv(find(name), 1, GL_FALSE, &value[0].x);
+        _extensions.glUniformMatrix4fv(find(name), count, GL_FALSE, glm::value_ptr(*values));
     }
 
 private:

@@ -333,7 +333,10 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     setUpStage(outer);
     visitor.setCurrentRenderBin(_stage);
     visitor.pushStateSet(_childState);
+    // Techniques of osgShadow look for the camera there. The stage itself is not drawn by the camera's callbacks.
+    _stage->setCamera(outer.getCamera());
     cullChildren();
+    _stage->setCamera(nullptr);
     visitor.popStateSet();
     visitor.setCurrentRenderBin(outerBin);
     TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);

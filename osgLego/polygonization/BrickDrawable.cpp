@@ -3,10 +3,8 @@
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
-#include <osgLego/polygonization/DistantOcclusionView.h>
 
 #include <algorithm>
-#include <optional>
 
 #include <osg/CullFace>
 #include <osg/Depth>
@@ -131,18 +129,24 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     workspace.cellsToEye->set(getCellsToEye(*bricks, *modelView));
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    const double width = getPictureWidth(state);
-    std::optional<DistantOcclusionView> distant;
-    if (_noOcclusion)
-    {
-        // The distant occlusion is that of all bricks.
-        DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks->findDistantOcclusion(state);
-        distant.emplace(texture ? *texture : *_noOcclusion, *workspace.cellsToEye, state.getProjectionMatrix(), width);
-    }
+    const HiddenLight hidden = findHiddenLight(renderInfo, *bricks, *workspace.cellsToEye);
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *workspace.cellsToEye);
-    if (!job || !drawSplats(state, destination, drawn, *job, distant ? &*distant : nullptr))
-        drawTriangles(state, drawn, workspace, distant ? &*distant : nullptr);
+    if (!job || !drawSplats(state, destination, drawn, *job, hidden)) drawTriangles(state, drawn, workspace, hidden);
     state.applyModelViewMatrix(modelView.get());
+}
+
+/** The caller holds the mutex of `bricks`. */
+HiddenLight BrickDrawable::findHiddenLight(osg::RenderInfo& renderInfo, ContextBricks& bricks,
+                                           const osg::Matrixd& cellsToEye) const
+{
+    const osg::State& state = *renderInfo.getState();
+    HiddenLight hidden{ShadowMaps(renderInfo, cellsToEye.getTrans()), {}};
+    if (!_noOcclusion) return hidden;
+    // The distant occlusion is that of all bricks.
+    DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks.findDistantOcclusion(state);
+    hidden.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
+                           getPictureWidth(state));
+    return hidden;
 }
 
 BrickDrawable::Shown BrickDrawable::getShown() const
@@ -289,10 +293,10 @@ bool BrickDrawable::drawPoints(osg::State& state, const SplatDestination& destin
 /** Shade splats whose points have been drawn.
  * @return false, with nothing drawn, if that is impossible. */
 bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                               const SplatJob& job, const DistantOcclusionView* distant) const
+                               const SplatJob& job, const HiddenLight& hidden) const
 {
     if (!isOf(job, bricks)) return false;
-    const bool isDrawn = _splats.shade(state, destination, bricks, job, distant);
+    const bool isDrawn = _splats.shade(state, destination, bricks, job, hidden);
     state.apply(&_states->getTriangles());
     if (state.getLastAppliedProgramObject() && state.getUseModelViewAndProjectionUniforms())
         state.applyModelViewAndProjectionUniformsIfRequired();
@@ -300,16 +304,19 @@ bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destin
 }
 
 void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                                  const DistantOcclusionView* distant) const
+                                  const HiddenLight& hidden) const
 {
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
     const bool isOpen = showsInsides(state, view);
     workspace.ranges.find(bricks.blocks, bricks.grid, view, isOpen, bricks.numPlaced);
     // Front to back, so that fewer hidden pixels are shaded.
     if (!isOpen) workspace.ranges.sortFrontToBack();
+    const bool hasShadows = !hidden.shadows.isEmpty();
+    if (hasShadows && !applyBrickState(state, *_states->getShading(true).triangles)) return;
     setBrickUniforms(state, bricks, view, isOpen);
-    if (distant) distant->apply(state);
+    hidden.apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
+    if (hasShadows) state.apply(&_states->getTriangles());
 }
 
 osg::ref_ptr<const BrickModel> BrickDrawable::getModel() const

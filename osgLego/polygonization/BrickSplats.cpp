@@ -105,14 +105,15 @@ void BrickSplats::drawPoints(osg::State& state, const DrawnBricks& bricks, const
 }
 
 bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                        const SplatJob& job, const DistantOcclusionView* distant) const
+                        const SplatJob& job, const HiddenLight& hidden) const
 {
     static const UniformName ORIGIN("origin");
     static const UniformName FIRST("firstSplat");
     static const UniformName COUNT("numSplats");
     if (job.ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
     SplatTarget& target = getTarget(state);
-    if (!applyBrickState(state, _states->getShading(hasOneLight(state))))
+    const BrickStates::Shading shading = _states->getShading(!hidden.shadows.isEmpty());
+    if (!applyBrickState(state, hasOneLight(state) ? *shading.splatsByOneLight : *shading.splats))
     {
         target.fail();
         return false;
@@ -121,7 +122,7 @@ bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, 
     state.applyTextureAttribute(BrickStates::DEPTHS_UNIT, &target.getDepths());
     const BrickTexture texture(state, target.getBricks(), bricks);
     setBrickUniforms(state, bricks, *job.view, false);
-    if (distant) distant->apply(state);
+    hidden.apply(state);
     setRays(state, job.rays, destination.getSize());
     const ProgramUniforms uniforms(state);
     uniforms.set(ORIGIN, destination.getOrigin());

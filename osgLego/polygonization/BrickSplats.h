@@ -3,8 +3,8 @@
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickStates.h>
 #include <osgLego/polygonization/CellView.h>
-#include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/DrawnBricks.h>
+#include <osgLego/polygonization/HiddenLight.h>
 #include <osgLego/polygonization/PictureTiles.h>
 #include <osgLego/polygonization/SplatTarget.h>
 
@@ -48,10 +48,9 @@ public:
     static void drawPoints(osg::State& state, const DrawnBricks& bricks, const SplatJob& job, bool hasStuds,
                            const glm::ivec2& size);
     /** Shade the pixels of a job whose points have been drawn. Leaves the state for shading applied.
-     * @param distant the distant occlusion for this state; null if it uses none.
      * @return false, with nothing drawn, if its program can't be applied. */
     bool shade(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks, const SplatJob& job,
-               const DistantOcclusionView* distant) const;
+               const HiddenLight& hidden) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state) const;

@@ -95,16 +95,19 @@ std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& p
     return definitions;
 }
 
-/** Create the state for triangles. */
-osg::ref_ptr<osg::StateSet> createTriangleState(Look look, const BrickStates::Kind& kind,
-                                                const BrickAppearance& appearance, const LightProbe& probe)
+osg::ref_ptr<osg::Program> getTriangleProgram(Look look, const std::string& definitions)
 {
     const LookNames names(look);
-    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-    const osg::ref_ptr<osg::Program> program = ShaderLibrary::getProgram(
+    return ShaderLibrary::getProgram(
         names.pass, {"polygonization/polygonization.vert", "polygonization/polygonization.geom", names.fragments},
-        define(look, kind, probe));
-    stateSet->setAttributeAndModes(program, PROGRAM);
+        definitions);
+}
+
+/** Create the state that all programs for shading have in common. */
+osg::ref_ptr<osg::StateSet> createCommonState(Look look, const BrickStates::Kind& kind,
+                                              const BrickAppearance& appearance, const LightProbe& probe)
+{
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
     if (look == Look::PLAIN) return stateSet;
     applyAppearance(appearance, *stateSet);
     if (kind.target == BrickStates::Target::FRAME)
@@ -117,20 +120,32 @@ osg::ref_ptr<osg::StateSet> createTriangleState(Look look, const BrickStates::Ki
     return stateSet;
 }
 
-/** Create the state for shading splats, which differs from the state for triangles in its program. */
-osg::ref_ptr<osg::StateSet> createShadingState(const osg::StateSet& triangles, Look look,
-                                               const std::string& definitions)
+/** Create the state for shading with a program. */
+osg::ref_ptr<osg::StateSet> createShadingState(const osg::StateSet& common, osg::Program& program)
+{
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet(common, osg::CopyOp::SHALLOW_COPY);
+    stateSet->setAttributeAndModes(&program, PROGRAM);
+    return stateSet;
+}
+
+osg::ref_ptr<osg::StateSet> createSplatState(const osg::StateSet& common, Look look, const std::string& definitions)
 {
     const LookNames names(look);
-    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet(triangles, osg::CopyOp::SHALLOW_COPY);
-    const osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::getProgram(names.pass, {"polygonization/splat_shading.vert", names.fragments}, definitions);
-    stateSet->setAttributeAndModes(program, PROGRAM);
+    osg::ref_ptr<osg::StateSet> stateSet = createShadingState(
+        common,
+        *ShaderLibrary::getProgram(names.pass, {"polygonization/splat_shading.vert", names.fragments}, definitions));
     setPointModes(*stateSet);
     stateSet->addUniform(new osg::Uniform("splats", static_cast<int>(BrickStates::SPLATS_UNIT)));
     stateSet->addUniform(new osg::Uniform("splatDepths", static_cast<int>(BrickStates::DEPTHS_UNIT)));
     stateSet->addUniform(new osg::Uniform("splatBricks", static_cast<int>(BrickStates::BRICKS_UNIT)));
     return stateSet;
+}
+
+BrickStates::Shading createShading(const osg::StateSet& common, Look look, const std::string& definitions)
+{
+    const std::string splats = definitions + "#define SPLATS\n";
+    return {createShadingState(common, *getTriangleProgram(look, definitions)), createSplatState(common, look, splats),
+            createSplatState(common, look, splats + "#define ONE_LIGHT\n")};
 }
 
 osg::ref_ptr<osg::StateSet> createPointState(const std::string& definitions)
@@ -173,20 +188,29 @@ osg::ref_ptr<const BrickStates> BrickStates::get(Look look, const Kind& kind, co
 }
 
 BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe) :
-    _triangles(createTriangleState(look, kind, appearance, probe))
+    _look(look), _definitions(define(look, kind, probe)), _common(createCommonState(look, kind, appearance, probe)),
+    _shading(createShading(*_common, look, _definitions))
 {
     const std::string partial = kind.isPartial ? "#define PARTIAL\n" : "";
-    const std::string shading = define(look, kind, probe) + "#define SPLATS\n";
     _boxes = createPointState(partial);
     _studded = createPointState("#define STUDS\n" + partial);
-    _shading = createShadingState(*_triangles, look, shading);
-    _shadingByOneLight = createShadingState(*_triangles, look, shading + "#define ONE_LIGHT\n");
+}
+
+BrickStates::Shading BrickStates::getShading(bool hasShadows) const
+{
+    if (!hasShadows) return _shading;
+    const std::lock_guard lock(_mutex);
+    if (!_shadowed.triangles) _shadowed = createShading(*_common, _look, _definitions + "#define SHADOWS\n");
+    return _shadowed;
 }
 
 void BrickStates::resizeGLObjectBuffers(unsigned int maxSize) const
 {
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_triangles, _boxes, _studded, _shading, _shadingByOneLight})
-        stateSet->resizeGLObjectBuffers(maxSize);
+    const std::lock_guard lock(_mutex);
+    for (const osg::ref_ptr<osg::StateSet>& stateSet :
+         {_boxes, _studded, _shading.triangles, _shading.splats, _shading.splatsByOneLight, _shadowed.triangles,
+          _shadowed.splats, _shadowed.splatsByOneLight})
+        if (stateSet) stateSet->resizeGLObjectBuffers(maxSize);
 }
 
 } // namespace osgLego

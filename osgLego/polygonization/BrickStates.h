@@ -4,6 +4,9 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LightProbe.h>
 
+#include <mutex>
+#include <string>
+
 #include <osg/Image>
 #include <osg/Quat>
 #include <osg/Referenced>
@@ -18,7 +21,7 @@ namespace osgLego
 /** The state sets that draw bricks in one look: programs, uniforms and textures, none of which depends on the bricks.
  * All nodes with the same look share them, so that many nodes compile their programs once.
  *
- * Immutable except for GL objects, which SharedGlObjects releases.
+ * Immutable except for GL objects, which SharedGlObjects releases. Functions may be called from any thread.
  */
 class BrickStates : public osg::Referenced
 {
@@ -46,17 +49,26 @@ public:
         bool operator==(const Kind&) const = default;
     };
 
-    /** Find the states of a look, or create them if no node has them. May be called from any thread. In the plain look,
-     * the target, the appearance and the probe make no difference. */
+    /** Find the states of a look, or create them if no node has them. In the plain look, the target, the appearance and
+     * the probe make no difference. */
     static osg::ref_ptr<const BrickStates> get(Look look, const Kind& kind, const BrickAppearance& appearance,
                                                const LightProbe& probe);
 
-    /** For drawing with the geometry shader. */
-    osg::StateSet& getTriangles() const { return *_triangles; }
+    /** The states of the programs that shade bricks. */
+    struct Shading
+    {
+        osg::ref_ptr<osg::StateSet> triangles;        //!< for drawing with the geometry shader
+        osg::ref_ptr<osg::StateSet> splats;           //!< in scenes with any number of lights
+        osg::ref_ptr<osg::StateSet> splatsByOneLight; //!< in scenes with one light
+    };
+
+    /** For drawing with the geometry shader, without shadows of the scene. */
+    osg::StateSet& getTriangles() const { return *_shading.triangles; }
+    /** The states for bricks with or without shadows of the scene (ShadowMaps). Those with shadows are created at the
+     * first call. */
+    Shading getShading(bool hasShadows) const;
     /** For finding the splats of bricks with or without visible studs. */
     const osg::StateSet& getPoints(bool hasStuds) const { return hasStuds ? *_studded : *_boxes; }
-    /** For shading splats, in scenes with one light or with any number of lights. */
-    const osg::StateSet& getShading(bool hasOneLight) const { return hasOneLight ? *_shadingByOneLight : *_shading; }
 
     void resizeGLObjectBuffers(unsigned int maxSize) const;
 
@@ -80,11 +92,14 @@ private:
     BrickStates(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe);
     ~BrickStates() override = default;
 
-    osg::ref_ptr<osg::StateSet> _triangles;
+    Look _look;
+    std::string _definitions;
+    osg::ref_ptr<osg::StateSet> _common; // of all programs for shading
+    Shading _shading;
     osg::ref_ptr<osg::StateSet> _boxes;
     osg::ref_ptr<osg::StateSet> _studded;
-    osg::ref_ptr<osg::StateSet> _shading;
-    osg::ref_ptr<osg::StateSet> _shadingByOneLight;
+    mutable std::mutex _mutex;
+    mutable Shading _shadowed;
 };
 
 } // namespace osgLego

@@ -1,8 +1,8 @@
 #include <osgLego/polygonization/BrickUniforms.h>
 
 #include <osgLego/gl/ProgramUniforms.h>
+#include <osgLego/polygonization/LightNumbers.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,23 +12,6 @@ namespace osgLego
 namespace
 {
 
-constexpr int NUM_LIGHTS = 8;
-
-/** The lights that a state has enabled. */
-struct LightNumbers
-{
-    explicit LightNumbers(const osg::State& state)
-    {
-        for (int light = 0; light < NUM_LIGHTS; ++light)
-            if (state.getLastAppliedMode(GL_LIGHT0 + static_cast<unsigned int>(light)))
-                numbers[static_cast<std::size_t>(count++)] = light;
-        if (!state.getLastAppliedMode(GL_LIGHTING)) count = -1;
-    }
-
-    std::array<int, NUM_LIGHTS> numbers{};
-    int count = 0; // negative: lighting is off
-};
-
 /** Set the uniforms of the lights. */
 void setLights(const ProgramUniforms& uniforms, const osg::State& state)
 {
@@ -36,7 +19,7 @@ void setLights(const ProgramUniforms& uniforms, const osg::State& state)
     static const UniformName NUMBER("numLights");
     static const UniformName NUMBERS("lightNumbers");
     uniforms.set(NUMBER, lights.count);
-    uniforms.set(NUMBERS, lights.numbers.data(), NUM_LIGHTS);
+    uniforms.set(NUMBERS, lights.numbers.data(), LightNumbers::MAXIMUM);
 }
 
 /** Set the uniforms of lines, of shaders/polygonization/part_lines.glsl. */

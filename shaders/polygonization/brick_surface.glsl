@@ -34,6 +34,7 @@ struct Surface
     float openness; // 1; less in the gap of a joint
     float agreement; // length of the pixel's mean normal; 1: all normals are equal
     float roughness;
+    float lift; // where shadows are looked up above the surface, in eye coordinates
 };
 
 // The combined effect of edges and relief within the pixel.
@@ -182,6 +183,8 @@ void mergeFaces(inout Surface surface, vec3 toEye, float wide)
     surface.agreement = mix(1.0, agreement, share);
     surface.openness *= mix(1.0, MERGED_OPENNESS, share);
     surface.roughness += share * (1.0 / (agreement * agreement) - 1.0);
+    // Outside of the shadow that the brick casts on its own faces.
+    surface.lift = share / length(normalMatrix[0]);
 }
 
 Surface surfaceHere(vec3 toEye)
@@ -227,6 +230,7 @@ Surface surfaceHere(vec3 toEye)
     // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;
     surface.agreement = 1.0;
+    surface.lift = 0.0;
     mergeFaces(surface, toEye, wide);
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);

@@ -3,6 +3,7 @@
 #include "polygonization/brick_fragment.glsl"
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
+#include "polygonization/shadows.glsl"
 #if defined(LINES)
 #include "polygonization/part_lines.glsl"
 #endif
@@ -25,8 +26,9 @@ vec3 shade(vec3 albedo)
         vec3 direction = normalize(toLight);
         float cosine = max(dot(normal, direction), 0.0);
         float highlight = cosine > 0.0 ? max(dot(reflect(-direction, normal), toEye), 0.0) : 0.0;
-        diffuse += attenuation * (light.ambient + cosine * light.diffuse);
-        specular += attenuation * pow(highlight, SHININESS) * light.specular;
+        float share = litShare(place, eyePosition, normal, 0.0);
+        diffuse += attenuation * (light.ambient + share * cosine * light.diffuse);
+        specular += share * attenuation * pow(highlight, SHININESS) * light.specular;
     }
     return mix(albedo * diffuse, specular, SPECULAR);
 }

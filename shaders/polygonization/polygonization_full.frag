@@ -4,6 +4,7 @@
 #include "polygonization/brick_surface.glsl"
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
+#include "polygonization/shadows.glsl"
 #include "light/color_space.glsl"
 #if defined(GEOMETRY_BUFFER)
 #include "polygonization/geometry_buffer.glsl"
@@ -24,9 +25,16 @@ const float DIRECT_SHARE = 1.0 / 6.0;
 // Physically correct highlights would be extremely bright, since lights are small; a headlight would wash out flat faces.
 const float HIGHLIGHT = 0.02;
 
+// In the shadow of all lights, surfaces that face them lose this fraction of the environment light, too: without the lights
+// alone, bricks would be hardly darker.
+const float SHADOW_DARKNESS = 0.6;
+
 // Direct light from the scene's lights; highlights use Phong's lobe, normalized so that a narrower one is brighter.
-vec3 directLight(Surface surface, vec3 albedo)
+// `environment` is the fraction of the environment light that shadows leave.
+vec3 directLight(Surface surface, vec3 albedo, out float environment)
 {
+    float hidden = 0.0;
+    float all = 1e-5;
     vec3 toEye = towardsEye(eyePosition);
     vec3 diffuse = vec3(0.0);
     vec3 specular = vec3(0.0);
@@ -38,11 +46,16 @@ vec3 directLight(Surface surface, vec3 albedo)
         vec3 toLight = towardsLight(light, eyePosition);
         vec3 direction = normalize(toLight);
         float cosine = surface.agreement * max(dot(surface.shading, direction), 0.0) * step(0.0, dot(surface.normal, direction));
-        float attenuation = attenuationOf(light, toLight) * cosine;
+        float share = litShare(place, eyePosition, surface.normal, surface.lift);
+        float brightness = dot(light.diffuse, vec3(1.0));
+        hidden += brightness * cosine * (1.0 - share);
+        all += brightness;
+        float attenuation = attenuationOf(light, toLight) * cosine * share;
         float highlight = max(dot(reflect(-direction, surface.shading), toEye), 0.0);
         diffuse += attenuation * DIRECT_SHARE * light.diffuse;
         specular += attenuation * pow(max(highlight, 1e-4), shininess) * light.specular;
     }
+    environment = 1.0 - SHADOW_DARKNESS * hidden / all;
     vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
     if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;
     return albedo * diffuse + reflectance * specular;
@@ -77,9 +90,10 @@ void main()
 #endif
         return;
     }
-    vec3 light = directLight(surface, albedo) * surface.openness;
+    float environment;
+    vec3 light = directLight(surface, albedo, environment) * surface.openness;
     gl_FragData[0] = vec4(light, surface.roughness);
-    gl_FragData[1] = vec4(surface.color * pow(surface.openness, 1.0 / GAMMA), transmittance);
+    gl_FragData[1] = vec4(surface.color * pow(environment * surface.openness, 1.0 / GAMMA), transmittance);
     gl_FragData[2] = packNormals(surface.normal, surface.shading);
 #if defined(DISTANT_OCCLUSION)
     gl_FragData[3] = distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition));
@@ -97,9 +111,11 @@ void main()
     if (numLights >= 0)
     {
         vec3 albedo = toLight(surface.color);
-        vec3 ambient = albedo * irradianceAt(surface.shading) +
+        float environment;
+        vec3 direct = directLight(surface, albedo, environment);
+        vec3 ambient = environment * albedo * irradianceAt(surface.shading) +
                        reflectionAt(surface.shading, towardsEye(eyePosition), surface.roughness);
-        shown = toColor((directLight(surface, albedo) + ambient) * surface.openness);
+        shown = toColor((direct + ambient) * surface.openness);
     }
     gl_FragColor = vec4(mix(fogColor, shown, transmittance), 1.0);
 }

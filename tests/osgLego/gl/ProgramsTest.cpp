@@ -6,6 +6,9 @@
 #include <Meshes.h>
 #include <Probes.h>
 
+#include <osgShadow/ShadowMap>
+#include <osgShadow/ShadowedScene>
+
 namespace osgLego::test
 {
 
@@ -56,10 +59,16 @@ protected:
         lego->setNumNewParts(numNewParts);
         lego->setWaiting(true);
         lego->addChild(createSphere(4));
-        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-        osgViewer::Viewer viewer;
-        setUpViewer(viewer, *context, *lego);
-        viewer.frame();
+        const osg::ref_ptr<osgShadow::ShadowedScene> shadowed = new osgShadow::ShadowedScene;
+        shadowed->setShadowTechnique(new osgShadow::ShadowMap);
+        shadowed->addChild(lego);
+        for (const osg::ref_ptr<osg::Node>& scene : {osg::ref_ptr<osg::Node>(lego), osg::ref_ptr<osg::Node>(shadowed)})
+        {
+            const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+            osgViewer::Viewer viewer;
+            setUpViewer(viewer, *context, *scene);
+            viewer.frame();
+        }
     }
 
     static void createOcclusion(const Probes& probes)
