@@ -6,10 +6,15 @@ namespace osgLego
 namespace
 {
 
-/** From x, y, z to x, -z, y, without the rounding errors of osg::Matrixd::rotate(). */
+// Exact, without the rounding errors of osg::Matrixd::rotate().
 const osg::Matrixd TURN(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 
 } // namespace
+
+const osg::Matrixd& getUprightTurn()
+{
+    return TURN;
+}
 
 osg::ref_ptr<osg::MatrixTransform> turnUpright(osg::Node& node)
 {

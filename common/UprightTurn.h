@@ -7,9 +7,12 @@
 namespace osgLego
 {
 
-/** Put a node with Y upwards below a transform that makes it stand in OpenSceneGraph's world, where Z is upwards: by
- * the turn with which OpenSceneGraph's reader of .obj files turns its models. `.legolize` does this to bricks with
- * `up=y`.
+/** The turn from Y-up to Z-up, with which OpenSceneGraph's reader of .obj files turns its models: from x, y, z to
+ * x, -z, y. */
+const osg::Matrixd& getUprightTurn();
+
+/** Put a node with Y upwards below a transform that makes it stand in OpenSceneGraph's world, where Z is upwards.
+ * `.legolize` does this to bricks with `up=y`.
  *
  * @return the transform. */
 osg::ref_ptr<osg::MatrixTransform> turnUpright(osg::Node& node);

@@ -1,0 +1,120 @@
+#include "AssimpTextures.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include <osg/Notify>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+
+namespace
+{
+
+/** The extension of an encoded picture's format, by its first bytes or the name that the file gives it. */
+std::string findEncoding(std::string_view bytes, const std::string& named)
+{
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\x89PNG"sv)) return "png";
+    if (bytes.starts_with("\xff\xd8\xff"sv)) return "jpg";
+    return named;
+}
+
+osg::ref_ptr<osg::Image> decode(std::string_view bytes, const std::string& named, std::string& error)
+{
+    const std::string extension = findEncoding(bytes, named);
+    osgDB::ReaderWriter* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
+    if (!reader)
+    {
+        error = "its format '" + extension + "' has no reader; expected png or jpg";
+        return nullptr;
+    }
+    std::istringstream stream{std::string(bytes)};
+    osgDB::ReaderWriter::ReadResult result = reader->readImage(stream);
+    if (!result.validImage()) error = "it is damaged; expected a picture in the format '" + extension + "'";
+    return result.getImage();
+}
+
+/** Copy texels that the file holds without encoding; their first row is the upper one. */
+osg::ref_ptr<osg::Image> copyTexels(const aiTexture& texture)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(static_cast<int>(texture.mWidth), static_cast<int>(texture.mHeight), 1, GL_RGBA,
+                         GL_UNSIGNED_BYTE);
+    const aiTexel* texel = texture.pcData;
+    for (unsigned int row = texture.mHeight; row-- > 0;)
+        for (unsigned int column = 0; column < texture.mWidth; ++column, ++texel)
+        {
+            unsigned char* pixel = image->data(column, row);
+            pixel[0] = texel->r;
+            pixel[1] = texel->g;
+            pixel[2] = texel->b;
+            pixel[3] = texel->a;
+        }
+    return image;
+}
+
+osg::ref_ptr<osg::Image> readEmbedded(const aiTexture& texture, std::string& error)
+{
+    if (texture.mHeight > 0) return copyTexels(texture);
+    return decode({reinterpret_cast<const char*>(texture.pcData), texture.mWidth}, texture.achFormatHint, error);
+}
+
+/** Replace the escapes of a URI, such as %20, by their characters. */
+std::string unescape(const std::string& reference)
+{
+    std::string text;
+    for (std::size_t place = 0; place < reference.size(); ++place)
+    {
+        const std::string digits = reference[place] == '%' ? reference.substr(place + 1, 2) : std::string();
+        if (digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos)
+        {
+            text += static_cast<char>(std::strtol(digits.c_str(), nullptr, 16));
+            place += 2;
+        }
+        else
+            text += reference[place];
+    }
+    return text;
+}
+
+} // namespace
+
+AssimpTextures::AssimpTextures(const aiScene& scene, std::string name, const osgDB::Options& options) :
+    _scene(scene), _name(std::move(name)), _options(&options)
+{
+}
+
+osg::ref_ptr<osg::Image> AssimpTextures::read(const std::string& reference)
+{
+    const auto [place, isNew] = _images.try_emplace(reference);
+    if (!isNew) return place->second;
+    std::string error;
+    const aiTexture* embedded = _scene.GetEmbeddedTexture(reference.c_str());
+    place->second = embedded ? readEmbedded(*embedded, error) : readFile(reference, error);
+    if (!place->second)
+        OSG_WARN << "osgLego: '" << _name << "': can't read its texture '" << reference << "': " << error << std::endl;
+    return place->second;
+}
+
+osg::ref_ptr<osg::Image> AssimpTextures::readFile(const std::string& reference, std::string& error) const
+{
+    std::string path = reference;
+    std::replace(path.begin(), path.end(), '\\', '/');
+    if (path.starts_with("//")) path.erase(0, 2); // Blender's prefix of relative paths
+    // Files of FBX and others hold paths of the machine that wrote them.
+    for (const std::string& candidate : {path, unescape(path), osgDB::getSimpleFileName(path)})
+    {
+        const std::string found = osgDB::findDataFile(candidate, _options);
+        if (found.empty()) continue;
+        osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(found, _options);
+        if (!image) error = "'" + found + "' is not a picture that osgDB reads";
+        return image;
+    }
+    error = "there is no such file in the folder of the model or in osgDB's path";
+    return nullptr;
+}

@@ -1,0 +1,97 @@
+#include "AssimpFormats.h"
+#include "AssimpReader.h"
+
+#include <common/ReadableFile.h>
+
+#include <functional>
+#include <new>
+#include <sstream>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/ReaderWriter>
+#include <osgDB/Registry>
+
+/** Reads models through Assimp, in formats for which OpenSceneGraph 3.6 has no plugin: .glb, .gltf, .fbx, .off and
+ * those of AssimpFormats.cpp.
+ *
+ *     osgviewer duck.glb.64.legolize
+ *     osgconv -O noRotation engine.gltf engine.obj
+ *
+ * Models with Y upwards, as those of glTF, are turned upright, as OpenSceneGraph's reader of .obj files turns its
+ * models, unless the option `noRotation` is given. */
+class ReaderWriterAssimp : public osgDB::ReaderWriter
+{
+public:
+    ReaderWriterAssimp()
+    {
+        for (const AssimpFormat& format : getAssimpFormats())
+            supportsExtension(std::string(format.extension), std::string(format.name) + " through Assimp");
+        supportsOption("noRotation", "Keep the Y axis of the model, instead of turning the model upright");
+    }
+
+    const char* className() const override { return "Assimp reader"; }
+
+    ReadResult readObject(const std::string& name, const Options* options) const override
+    {
+        return readNode(name, options);
+    }
+
+    ReadResult readNode(const std::string& name, const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
+        const std::string path = osgDB::findDataFile(name, options);
+        if (path.empty()) return ReadResult::FILE_NOT_FOUND;
+        const osg::ref_ptr<Options> used = copyOptions(options);
+        used->getDatabasePathList().push_front(osgDB::getFilePath(path));
+        return createNode(name, *used,
+                          [&path](AssimpReader& reader, std::string& error)
+                          {
+                              error = osgLego::findObstacleToReading(path);
+                              return error.empty() ? reader.readFile(path, error) : nullptr;
+                          });
+    }
+
+    // Streams are the content of archives and of files from servers.
+    ReadResult readObject(std::istream& stream, const Options* options) const override
+    {
+        return readNode(stream, options);
+    }
+
+    ReadResult readNode(std::istream& stream, const Options* options) const override
+    {
+        const std::string name = options ? options->getPluginStringData("STREAM_FILENAME") : std::string();
+        return createNode(name.empty() ? "a stream" : name, *copyOptions(options),
+                          [&](AssimpReader& reader, std::string& error)
+                          {
+                              std::ostringstream content;
+                              content << stream.rdbuf();
+                              return reader.readContent(content.str(), osgDB::getLowerCaseFileExtension(name), error);
+                          });
+    }
+
+private:
+    using Read = std::function<osg::ref_ptr<osg::Node>(AssimpReader& reader, std::string& error)>;
+
+    static osg::ref_ptr<Options> copyOptions(const Options* options)
+    {
+        return options ? options->cloneOptions() : new Options;
+    }
+
+    static ReadResult createNode(const std::string& name, const Options& options, const Read& read)
+    {
+        std::string error;
+        try
+        {
+            AssimpReader reader(name, options);
+            if (const osg::ref_ptr<osg::Node> node = read(reader, error)) return node.get();
+        }
+        catch (const std::bad_alloc&)
+        {
+            error = "there is not enough memory for it";
+        }
+        return ReadResult("osgLego: can't read '" + name + "': " + error);
+    }
+};
+
+REGISTER_OSGPLUGIN(assimp, ReaderWriterAssimp)
