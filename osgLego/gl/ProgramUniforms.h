@@ -48,6 +48,10 @@ public:
     {
         _extensions.glUniform1iv(find(name), count, values);
     }
+    void set(const UniformName& name, const float* values, GLsizei count) const
+    {
+        _extensions.glUniform1fv(find(name), count, values);
+    }
     void set(const UniformName& name, const glm::ivec2& value) const
     {
         _extensions.glUniform2iv(find(name), 1, &value.x);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include <glm/mat4x4.hpp>
 #include <osg/Light>
 #include <osg/TexGen>
+#include <osg/Uniform>
 #include <osg/Vec4d>
 #include <osgUtil/PositionalStateContainer>
 
@@ -20,6 +22,8 @@ namespace
 
 // The first texture unit; after those of light probes.
 constexpr unsigned int FIRST_UNIT = 8;
+// The least radius in which the edges of shadows are blurred, in texels: sharper ones show the texels.
+constexpr float LEAST_BLUR = 0.75f;
 
 /** The attributes that a stage positions in eye coordinates: its own, and those of the camera that contains it. */
 struct PositionedState
@@ -46,6 +50,17 @@ const osg::Texture2D* findDepthTexture(const osg::State& state, unsigned int uni
     if (found == units[unit].end() || found->second.attributeVec.empty()) return nullptr;
     const auto* texture = dynamic_cast<const osg::Texture2D*>(found->second.attributeVec.back().first);
     return texture && texture->getShadowComparison() ? texture : nullptr;
+}
+
+/** The uniform of osgShadow::SoftShadowMap for the radius of its blur; 0 if state sets have none. */
+float findSoftness(const osg::State& state)
+{
+    static const std::string NAME("osgShadow_softnessWidth");
+    const auto found = state.getUniformMap().find(NAME);
+    float softness = 0.0f;
+    if (found == state.getUniformMap().end() || found->second.uniformVec.empty()) return softness;
+    found->second.uniformVec.back().first->get(softness);
+    return softness;
 }
 
 /** The transform of a TexGen from the eye coordinates in which it is applied. */
@@ -103,7 +118,9 @@ ShadowMaps::ShadowMaps(osg::RenderInfo& renderInfo, const osg::Vec3d& place)
     const osg::State& state = *renderInfo.getState();
     osgUtil::RenderStage& stage = *renderInfo.getRenderBinStack().back()->getStage();
     addMaps(state, stage);
-    if (!isEmpty()) findLights(state, stage, place);
+    if (isEmpty()) return;
+    findLights(state, stage, place);
+    _softness = findSoftness(state);
 }
 
 void ShadowMaps::addMaps(const osg::State& state, osgUtil::RenderStage& stage)
@@ -162,6 +179,7 @@ void ShadowMaps::apply(osg::State& state) const
 {
     std::array<int, MAXIMUM> units{};
     std::array<int, MAXIMUM> lights{};
+    std::array<float, MAXIMUM> blurs{};
     std::array<glm::mat4, MAXIMUM> planes{};
     for (std::size_t index = 0; index < MAXIMUM; ++index)
     {
@@ -172,16 +190,19 @@ void ShadowMaps::apply(osg::State& state) const
         state.haveAppliedTextureAttribute(unit, map.texture);
         units[index] = static_cast<int>(unit);
         lights[index] = map.light;
+        blurs[index] = std::max(LEAST_BLUR, _softness * static_cast<float>(map.texture->getTextureWidth()));
         planes[index] = glm::transpose(toGlsl(map.eyeToMap));
     }
     static const UniformName NUMBER("numShadowMaps");
     static const UniformName MAPS("shadowMaps");
     static const UniformName LIGHTS("shadowedLights");
+    static const UniformName BLURS("shadowBlurs");
     static const UniformName PLANES("shadowPlanes");
     const ProgramUniforms uniforms(state);
     uniforms.set(NUMBER, static_cast<int>(_count));
     uniforms.set(MAPS, units.data(), static_cast<GLsizei>(MAXIMUM));
     uniforms.set(LIGHTS, lights.data(), static_cast<GLsizei>(MAXIMUM));
+    uniforms.set(BLURS, blurs.data(), static_cast<GLsizei>(MAXIMUM));
     uniforms.set(PLANES, planes.data(), static_cast<GLsizei>(MAXIMUM));
 }
 

@@ -48,6 +48,7 @@ private:
 
     std::array<Map, MAXIMUM> _maps;
     std::size_t _count = 0;
+    float _softness = 0.0f; // the radius in which osgShadow::SoftShadowMap blurs shadows, in texture coordinates
 };
 
 } // namespace osgLego
