@@ -5,6 +5,7 @@
 #include <osgLego/node/BrickFileWriter.h>
 #include <osgLego/node/LegoPipeline.h>
 
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -21,8 +22,7 @@ LegoNode::LegoNode(const LegoSettings& settings) : _pipeline(new LegoPipeline(Le
 {
     BrickFileWriter::install();
     setSettings(settings);
-    // Check the source once per frame, even if no child has an update callback.
-    setNumChildrenRequiringUpdateTraversal(1);
+    setRequiresUpdate(true);
 }
 
 LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
@@ -38,7 +38,6 @@ LegoNode::LegoNode(const LegoNode& node, const osg::CopyOp& copyop) :
     setStoredBricks(node.getStoredBricks());
     setBuildingPlan(node.getBuildingPlan());
     setNumNewParts(node.getNumNewParts());
-    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     setUpdateMode(node.getUpdateMode());
 }
 
@@ -62,7 +61,7 @@ bool LegoNode::changeSettings(const LegoSettings& settings, bool requiresPalette
         return false;
     }
     _pipeline->setSettings(settings, palette);
-    dirtyBound();
+    requireUpdate();
     return true;
 }
 
@@ -79,6 +78,7 @@ bool LegoNode::setAppearance(const BrickAppearance& appearance)
         return false;
     }
     _pipeline->getDisplay().setAppearance(appearance);
+    setRequiresUpdate(true);
     return true;
 }
 
@@ -92,6 +92,7 @@ void LegoNode::setLightProbe(const LightProbe* probe)
     // A copy, since it is read while frames are culled.
     const osg::ref_ptr<LightProbe> copy = probe ? new LightProbe(*probe) : new LightProbe;
     _pipeline->getDisplay().setLightProbe(*copy);
+    setRequiresUpdate(true);
 }
 
 osg::ref_ptr<const LightProbe> LegoNode::getLightProbe() const
@@ -102,18 +103,25 @@ osg::ref_ptr<const LightProbe> LegoNode::getLightProbe() const
 void LegoNode::dirty()
 {
     _pipeline->dirty();
+    requireUpdate();
+}
+
+/** Update the node, and compute its bound, before the next frame. */
+void LegoNode::requireUpdate()
+{
     dirtyBound();
+    setRequiresUpdate(true);
 }
 
 bool LegoNode::hasTriangles() const
 {
-    refresh();
+    refreshBetweenFrames();
     return _pipeline->getRevision() != 0 || !_pipeline->getObstacle().empty();
 }
 
 std::string LegoNode::getObstacle() const
 {
-    refresh();
+    refreshBetweenFrames();
     return _pipeline->getObstacle();
 }
 
@@ -155,11 +163,8 @@ double LegoNode::getWaitingLimit() const
 
 void LegoNode::setUpdateMode(UpdateMode mode)
 {
-    const bool wasFrozen = std::exchange(_updateMode, mode) == UpdateMode::FROZEN;
-    const bool isFrozen = mode == UpdateMode::FROZEN;
-    if (wasFrozen == isFrozen) return;
-    const unsigned int count = getNumChildrenRequiringUpdateTraversal();
-    setNumChildrenRequiringUpdateTraversal(isFrozen ? count - 1 : count + 1);
+    _updateMode = mode;
+    setRequiresUpdate(true);
 }
 
 void LegoNode::setBricksCallback(BricksCallback* callback)
@@ -183,13 +188,13 @@ bool LegoNode::getReadBack() const
 
 osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
 {
-    refresh();
+    refreshBetweenFrames();
     return _pipeline->getModel();
 }
 
 osg::Matrixd LegoNode::getBricksToNode() const
 {
-    refresh();
+    refreshBetweenFrames();
     return _pipeline->getToNode();
 }
 
@@ -216,7 +221,7 @@ osg::ref_ptr<const BrickModel> LegoNode::getBricks(unsigned int contextID) const
 void LegoNode::setStoredBricks(const BrickModel* bricks)
 {
     _pipeline->setStoredBricks(bricks);
-    dirtyBound();
+    requireUpdate();
 }
 
 osg::ref_ptr<const BrickModel> LegoNode::getStoredBricks() const
@@ -234,6 +239,7 @@ bool LegoNode::setBuildProgress(double progress)
         return false;
     }
     _pipeline->setProgress(progress);
+    setRequiresUpdate(true);
     return true;
 }
 
@@ -245,6 +251,7 @@ double LegoNode::getBuildProgress() const
 void LegoNode::setBuildingPlan(const BuildingPlan* plan)
 {
     _pipeline->getBuilding().setPlan(plan);
+    setRequiresUpdate(true);
 }
 
 osg::ref_ptr<const BuildingPlan> LegoNode::getBuildingPlan() const
@@ -255,6 +262,7 @@ osg::ref_ptr<const BuildingPlan> LegoNode::getBuildingPlan() const
 void LegoNode::setNumNewParts(std::size_t count)
 {
     _pipeline->setNumNewParts(count);
+    setRequiresUpdate(true);
 }
 
 std::size_t LegoNode::getNumNewParts() const
@@ -295,9 +303,7 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
     {
     case osg::NodeVisitor::UPDATE_VISITOR:
         osg::Group::traverse(visitor);
-        if (_updateMode == UpdateMode::EVERY_FRAME) _pipeline->dirty();
-        refresh();
-        if (_pipeline->update(visitor.getTraversalNumber())) dirtyBound();
+        update(visitor);
         return;
     case osg::NodeVisitor::EVENT_VISITOR:
         osg::Group::traverse(visitor);
@@ -317,11 +323,41 @@ void LegoNode::refresh() const
     _sourceBound = osg::Group::computeBound();
 }
 
+/** The same between frames: the next update computes the bound of changed bricks. */
+void LegoNode::refreshBetweenFrames() const
+{
+    refresh();
+    // The node itself does not change: the source did, before this call.
+    if (_pipeline->isBusy()) const_cast<LegoNode*>(this)->setRequiresUpdate(true);
+}
+
+/** Require update traversals, apart from those of children. Several threads may cull nodes at the same time. */
+void LegoNode::setRequiresUpdate(bool requiresUpdate)
+{
+    static std::mutex mutex; // nodes are counted in the same parents
+    const std::lock_guard lock(mutex);
+    if (std::exchange(_requiresUpdate, requiresUpdate) == requiresUpdate) return;
+    const unsigned int count = getNumChildrenRequiringUpdateTraversal();
+    setNumChildrenRequiringUpdateTraversal(requiresUpdate ? count + 1 : count - 1);
+}
+
+void LegoNode::update(osg::NodeVisitor& visitor)
+{
+    if (_updateMode == UpdateMode::EVERY_FRAME) _pipeline->dirty();
+    refresh();
+    if (_pipeline->update(visitor)) dirtyBound();
+    setRequiresUpdate(_updateMode == UpdateMode::EVERY_FRAME || _pipeline->isBusy());
+}
+
 void LegoNode::cull(osg::NodeVisitor& visitor)
 {
-    _pipeline->refreshIfDirty(*this);
+    if (_updateMode == UpdateMode::ON_CHANGE)
+        _pipeline->refreshInFrame(*this, visitor);
+    else
+        _pipeline->refreshIfDirty(*this);
     osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
     if (!cullVisitor || !cullBricks(*cullVisitor)) visitSource(visitor);
+    if (_pipeline->isBusy()) setRequiresUpdate(true);
 }
 
 /** @return false if the source is to be drawn instead. */

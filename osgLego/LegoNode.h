@@ -40,8 +40,8 @@ class LegoPipeline;
  *    an array is announced by `array->dirty()`, or the array belongs to a geometry whose data variance is DYNAMIC;
  *    transforms, switches, materials and textures need no announcement. Call dirty() after a change that is not
  *    detected even so.
- * 3. The scene is updated once a frame, as in every osgViewer. Without an update traversal, only the first source,
- *    setSettings() and dirty() take effect.
+ * 3. The scene is updated once a frame, as in every osgViewer, before it is culled. The bound of a node that changes
+ *    in cull traversals alone may be one frame late.
  * 4. Contexts that share GL objects are drawn in one thread (osgViewer::ViewerBase::SingleThreaded).
  * 5. As for every node, GL objects are released while the node is in the scene of a context that closes, or earlier by
  *    releaseGLObjects() while no thread draws (osgViewer::ViewerBase::stopThreading()).
@@ -68,9 +68,11 @@ class LegoPipeline;
  *
  * Parts of the source that draw something other than triangles, or that act during culling, take effect only where the
  * source itself is drawn: lights and clip planes below the node, cameras that render to textures, and paged levels of
- * detail that are not loaded yet. State set above the node does not affect the colours of the bricks. Since the source
- * is checked once a frame, a viewer that runs on demand draws all the time, as with every node that has an update
- * callback, except with UpdateMode::FROZEN.
+ * detail that are not loaded yet. State set above the node does not affect the colours of the bricks.
+ *
+ * A viewer that runs on demand (osgViewer::ViewerBase::ON_DEMAND) draws until the bricks of the current source and
+ * settings are shown, and sleeps then, unless update callbacks in the source keep it awake. A program that changes the
+ * source while it sleeps calls osgViewer::ViewerBase::requestRedraw(), as for any other node.
  *
  * Functions may be called from the thread that updates the scene; those with a context ID from any thread.
  */
@@ -132,18 +134,16 @@ public:
     /** The frames that check the source for changes. */
     enum class UpdateMode
     {
-        ON_CHANGE,   //!< every frame; bricks are remade if a change is detected
+        ON_CHANGE,   //!< every frame that shows the node; bricks are remade if a change is detected
         EVERY_FRAME, //!< every frame, and bricks are remade as after dirty(), for changes that can't be detected
         FROZEN       //!< none; bricks are remade only after setSettings() or dirty()
     };
-    /** Choose when the source is checked. With UpdateMode::FROZEN, the node needs no update traversal, so that a viewer
-     * that runs on demand sleeps while nothing else changes; BricksCallback tells when new bricks are ready. Called
-     * where the scene may change, like addChild(). */
+    /** Choose when the source is checked. With UpdateMode::EVERY_FRAME, a viewer that runs on demand never sleeps.
+     * Called where the scene may change, like addChild(). */
     void setUpdateMode(UpdateMode mode);
     UpdateMode getUpdateMode() const { return _updateMode; }
 
-    /** Called when bricks made on the CPU are ready to be shown from the next frame on. Viewers that run on demand use
-     * it to request that frame.
+    /** Called when bricks made on the CPU are ready to be shown from the next frame on.
      *
      * A worker thread calls ready(), or a thread that waits for the bricks, such as the one in osgViewer's frame().
      * ready() may only do what any thread may do, such as osgViewer::ViewerBase::requestRedraw(); it must not call the
@@ -280,7 +280,11 @@ private:
      * required and can't be read. */
     bool changeSettings(const LegoSettings& settings, bool requiresPalette);
 
+    void requireUpdate();
+    void setRequiresUpdate(bool requiresUpdate);
     void refresh() const;
+    void refreshBetweenFrames() const;
+    void update(osg::NodeVisitor& visitor);
     void cull(osg::NodeVisitor& visitor);
     bool cullBricks(osgUtil::CullVisitor& visitor);
     void visitAtBricks(osg::Node& node, osg::NodeVisitor& visitor);
@@ -291,6 +295,7 @@ private:
     osg::ref_ptr<BricksCallback> _bricksCallback;
     osg::ref_ptr<osg::MatrixTransform> _lattice; // above the bricks in a lattice of the world, for visitors
     UpdateMode _updateMode = UpdateMode::ON_CHANGE;
+    bool _requiresUpdate = false;
     mutable osg::BoundingSphere _sourceBound; // when the source was last checked
 };
 

@@ -33,6 +33,10 @@ public:
      * twice in a row, so that bricks that are remade all the time are shown, too.
      * @param seconds to wait for the set of these bricks. */
     void produce(const BrickSet& bricks, double seconds);
+    /** Deliver the set that was made last, unless it has been delivered. */
+    void update() { _job.deliver(); }
+    /** Whether a set is being made or has not been delivered. */
+    bool isBusy() const { return _job.isBusy(); }
 
 private:
     using Job = BackgroundJob<osg::ref_ptr<const BuildingSet>>;

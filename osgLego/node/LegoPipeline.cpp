@@ -84,9 +84,28 @@ void LegoPipeline::showStored(const BrickModel& bricks)
     _display.dirtyBound();
 }
 
+LegoPipeline::Frame::Frame(const osg::NodeVisitor& visitor) :
+    viewer(visitor.getFrameStamp()), number(visitor.getTraversalNumber())
+{
+}
+
 void LegoPipeline::refresh(const osg::Node& source)
 {
     const std::lock_guard lock(_mutex);
+    look(source);
+}
+
+void LegoPipeline::refreshInFrame(const osg::Node& source, const osg::NodeVisitor& visitor)
+{
+    const std::lock_guard lock(_mutex);
+    const Frame frame(visitor);
+    const bool wasChecked = std::exchange(_lastFrame, frame) == frame;
+    if (!wasChecked || _source.isDirty()) look(source);
+}
+
+/** Check the source; called with the lock. */
+void LegoPipeline::look(const osg::Node& source)
+{
     if (!_source.look(source)) return;
     if (const osg::ref_ptr<const LegoSource> lego = _source.getSource())
         _store->expect(lego->revision, lego->triangles->getGrid());
@@ -100,16 +119,26 @@ void LegoPipeline::refresh(const osg::Node& source)
     _display.dirtyBound();
 }
 
-bool LegoPipeline::update(unsigned int frame)
+bool LegoPipeline::update(const osg::NodeVisitor& visitor)
 {
-    _cpuProducer->update(frame);
-    _gpuProducer->update(frame);
+    _cpuProducer->update(visitor.getTraversalNumber());
+    _gpuProducer->update(visitor.getTraversalNumber());
+    _building->update();
     const osg::BoundingBoxd bounds = getBounds();
     const std::lock_guard lock(_mutex);
+    _lastFrame = Frame(visitor);
     if (bounds == _lastBounds) return false;
     _lastBounds = bounds;
     _display.dirtyBound();
     return true;
+}
+
+bool LegoPipeline::isBusy()
+{
+    if (isDirty() || _cpuProducer->isBusy() || _gpuProducer->isBusy() || _building->isBusy()) return true;
+    const osg::BoundingBoxd bounds = getBounds();
+    const std::lock_guard lock(_mutex);
+    return bounds != _lastBounds;
 }
 
 bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)

@@ -19,7 +19,9 @@
 #include <string>
 
 #include <osg/BoundingBox>
+#include <osg/FrameStamp>
 #include <osg/Node>
+#include <osg/NodeVisitor>
 #include <osg/Referenced>
 #include <osg/ref_ptr>
 #include <osgUtil/CullVisitor>
@@ -80,9 +82,14 @@ public:
     {
         if (isDirty()) refresh(source);
     }
-    /** Show the bricks that the producers have finished. Called in every update, after refresh().
+    /** The same, but only if it has not been checked in the frame of a visitor. */
+    void refreshInFrame(const osg::Node& source, const osg::NodeVisitor& visitor);
+    /** Show the bricks that the producers have finished. Called in updates, after refresh().
      * @return whether the bounds of the bricks have changed since the last update. */
-    bool update(unsigned int frame);
+    bool update(const osg::NodeVisitor& visitor);
+    /** Whether another update is needed even if nothing else changes: to show bricks that are being made, or to release
+     * their passes. */
+    bool isBusy();
 
     /** Queue the bricks for drawing, after having them made if the visitor's context lacks them.
      * @return false if the context can't show bricks, or there are none; the caller then draws the source. */
@@ -131,12 +138,27 @@ private:
     void showStored(const BrickModel& bricks);
     void prepareBuilding(const LegoSource* source);
 
+    /** The frame of a viewer. */
+    struct Frame
+    {
+        Frame() = default;
+        explicit Frame(const osg::NodeVisitor& visitor);
+        bool operator==(const Frame&) const = default;
+
+        const osg::FrameStamp* viewer = nullptr; // only compared
+        unsigned int number = 0;
+    };
+
+    void look(const osg::Node& source);
+
     BrickSource _source;
     std::atomic<bool> _waiting{false};
     std::atomic<double> _waitingLimit{BackgroundTask::FOREVER};
 
-    std::mutex _mutex; // held while the source is checked, and while the state of the store or the last bounds change
+    // Held while the source is checked, and while the state of the store or the members below change.
+    std::mutex _mutex;
     osg::BoundingBoxd _lastBounds;
+    Frame _lastFrame; // in which the source was checked
 
     osg::ref_ptr<BrickStore> _store;
     BrickDisplay _display;

@@ -86,6 +86,8 @@ public:
     Request request(std::uint64_t revision, bool isUrgent, const std::function<Work()>& createWork);
     /** The last run that was requested; null if there is none, or if it was cancelled. */
     std::shared_ptr<Run> getRun() const;
+    /** Whether a run is in progress or has not been delivered. */
+    bool isBusy() const;
     /** Deliver the last run if it has ended, unless it has been delivered. */
     void deliver();
     /** Cancel the run in progress, without waiting for it to end. */
@@ -185,6 +187,13 @@ std::shared_ptr<typename BackgroundJob<Result>::Run> BackgroundJob<Result>::getR
 {
     const std::lock_guard lock(_mutex);
     return _last;
+}
+
+template <typename Result>
+bool BackgroundJob<Result>::isBusy() const
+{
+    const std::lock_guard lock(_mutex);
+    return _last && !_isDelivered;
 }
 
 template <typename Result>

@@ -23,8 +23,11 @@ public:
     virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) = 0;
 
     /** Deliver the sets finished since the last call, and release resources that have been idle for a while. Called in
-     * every update traversal, with the number of the frame. */
+     * the update traversal of each frame while isBusy(), and possibly in others, with the number of the frame. */
     virtual void update(unsigned int frame) = 0;
+
+    /** Whether update() has something to do in a later frame. */
+    virtual bool isBusy() const = 0;
 
     /** Cancel work in progress, because there is no source any more. */
     virtual void cancel() = 0;

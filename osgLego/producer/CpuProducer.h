@@ -37,6 +37,7 @@ public:
 
     void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) override;
     void update(unsigned int frame) override;
+    bool isBusy() const override { return _job.isBusy(); }
     void cancel() override;
     void resizeGLObjectBuffers(unsigned int) override {}
     void releaseGLObjects(osg::State*) override {}

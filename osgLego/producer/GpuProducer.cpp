@@ -72,6 +72,12 @@ void GpuProducer::update(unsigned int frame)
     _workspace->releaseTextures();
 }
 
+bool GpuProducer::isBusy() const
+{
+    const std::lock_guard lock(_mutex);
+    return _passes.valid();
+}
+
 void GpuProducer::resizeGLObjectBuffers(unsigned int maxSize)
 {
     const std::lock_guard lock(_mutex);

@@ -28,6 +28,7 @@ public:
 
     void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) override;
     void update(unsigned int frame) override;
+    bool isBusy() const override;
     void cancel() override { _workspace->clearSource(); }
     void resizeGLObjectBuffers(unsigned int maxSize) override;
     void releaseGLObjects(osg::State* state) override;
@@ -46,7 +47,7 @@ private:
     bool isFirstCullOfFrame(osgUtil::CullVisitor& visitor, const LegoSource& source);
 
     osg::ref_ptr<PassWorkspace> _workspace;
-    std::mutex _mutex;
+    mutable std::mutex _mutex;
     osg::ref_ptr<LegolizationPasses> _passes;
     std::vector<LastCull> _lastCulls;
     unsigned int _idleFrames = 0;

@@ -211,42 +211,6 @@ TEST_F(CpuProducerFramesTest, ABadLimitIsRefused)
     EXPECT_EQ(copy->getWaitingLimit(), 3.0);
 }
 
-TEST_F(CpuProducerFramesTest, AFrozenNodeKeepsItsBricksUntilItsSettingsChange)
-{
-    _lego->setWaiting(true);
-    const osg::ref_ptr<osg::Image> before = drawFrame();
-    EXPECT_TRUE(_viewer.checkNeedToDoFrame()) << "to check the source";
-    _lego->setUpdateMode(LegoNode::UpdateMode::FROZEN);
-    EXPECT_FALSE(_viewer.checkNeedToDoFrame());
-    _transform->setMatrix(osg::Matrix::scale(0.5, 1.0, 1.0));
-    EXPECT_EQ(countDifferent(*drawFrame(), *before, 0), 0u);
-    const osg::ref_ptr<LegoNode> copy = osg::clone(_lego.get());
-    EXPECT_EQ(copy->getUpdateMode(), LegoNode::UpdateMode::FROZEN);
-    _lego->setSettings(parseSettings("12,device=cpu"));
-    drawFrame();
-    EXPECT_TRUE(_lego->isLegolized(_contextID));
-    EXPECT_EQ(_lego->getShownBricks()->getGrid().dimensions, _lego->getBricks()->getGrid().dimensions);
-    EXPECT_LT(_lego->getShownBricks()->getGrid().dimensions.x, 12) << "of the current source";
-    _lego->setUpdateMode(LegoNode::UpdateMode::ON_CHANGE);
-    EXPECT_TRUE(_viewer.checkNeedToDoFrame());
-}
-
-TEST_F(CpuProducerFramesTest, AnUnannouncedChangeIsFollowedIfEveryFrameIsRemade)
-{
-    const osg::ref_ptr<osg::Geometry> triangle = createTriangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 1});
-    _transform->removeChildren(0, 1);
-    _transform->addChild(triangle);
-    _lego->setWaiting(true);
-    drawFrame();
-    const std::size_t before = _lego->getShownBricks()->getBricks().size();
-    (*static_cast<osg::Vec3Array*>(triangle->getVertexArray()))[2].set(1.0f, 0.0f, -0.9f);
-    drawFrame();
-    EXPECT_EQ(_lego->getShownBricks()->getBricks().size(), before) << "not detected";
-    _lego->setUpdateMode(LegoNode::UpdateMode::EVERY_FRAME);
-    drawFrame();
-    EXPECT_LT(_lego->getShownBricks()->getBricks().size(), before);
-}
-
 TEST_F(CpuProducerFramesTest, WithWaitingEachFrameShowsTheCurrentSource)
 {
     _lego->setWaiting(true);

@@ -30,7 +30,7 @@ public:
         if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
         {
             _pipeline->refresh(*_source);
-            _pipeline->update(visitor.getTraversalNumber());
+            _pipeline->update(visitor);
         }
         else if (osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor())
             _pipeline->cull(*cullVisitor);
