@@ -30,6 +30,10 @@ int main()
     const auto& cell = hit->brick.cell;
     std::cout << "cell " << cell[0] << ' ' << cell[1] << ' ' << cell[2] << ", a part of " << hit->part->getSize().x
               << " x " << hit->part->getSize().y << (hit->isStud ? ", its stud\n" : "\n");
+    // Show the part in magenta.
+    const osg::ref_ptr<const osgLego::BrickModel> bricks = lego->getBricks();
+    const auto index = static_cast<std::size_t>(bricks->findPart(hit->brick.getCell()) - bricks->getParts().data());
+    if (!lego->setHighlightedParts({&index, 1}, {255, 0, 200})) return 1;
     // The ray comes from above, so it meets the topmost layer.
     return cell[2] == hit->model->getGrid().dimensions.z - 1 ? 0 : 1;
 }

@@ -186,6 +186,18 @@ bool LegoNode::getReadBack() const
     return _pipeline->getReadBack();
 }
 
+bool LegoNode::setHighlightedParts(std::span<const std::size_t> parts, const std::array<std::uint8_t, 3>& color)
+{
+    if (!parts.empty()) refreshBetweenFrames();
+    if (const std::string error = _pipeline->setHighlightedParts(parts, color); !error.empty())
+    {
+        OSG_WARN << "osgLego: " << error << std::endl;
+        return false;
+    }
+    setRequiresUpdate(true);
+    return true;
+}
+
 osg::ref_ptr<const BrickModel> LegoNode::getBricks() const
 {
     refreshBetweenFrames();

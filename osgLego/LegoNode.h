@@ -9,7 +9,10 @@
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/LightProbe.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include <osg/Group>
@@ -216,6 +219,17 @@ public:
      * @param count the number of these parts; 0: no highlight. */
     void setNumNewParts(std::size_t count);
     std::size_t getNumNewParts() const;
+
+    /** Draw parts in another colour, for example those that were picked. Nothing is remade: the next frame uploads the
+     * points of the bricks again.
+     *
+     * The highlight ends when other bricks are shown. Bricks that the GPU made are not highlighted, as they have no
+     * parts.
+     * @param parts indices in getShownBricks()->getParts() or, if no bricks are shown yet, in getBricks()->getParts(),
+     * for which this call waits. Without parts, indices in getBricks() of that model. Empty: no highlight.
+     * @param color red, green and blue (sRGB, 0 to 255).
+     * @return false, with a warning and no change, for an index that the bricks don't have, and without bricks. */
+    bool setHighlightedParts(std::span<const std::size_t> parts, const std::array<std::uint8_t, 3>& color);
 
     /** The bricks: those stored, or else those of the source, made on the CPU by the first call and kept until the
      * source changes; null without triangles.

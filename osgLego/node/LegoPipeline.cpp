@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/GlRequirements.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace osgLego
@@ -47,6 +48,25 @@ void LegoPipeline::setNumNewParts(std::size_t count)
     BuildingState state = _store->getState();
     state.numNew = count;
     _store->setState(state);
+}
+
+std::string LegoPipeline::setHighlightedParts(std::span<const std::size_t> parts, const PartHighlight::Color& color)
+{
+    osg::ref_ptr<const PartHighlight> highlight;
+    if (!parts.empty())
+    {
+        osg::ref_ptr<const BrickModel> model = getShownModel();
+        if (!model) model = getModel();
+        if (!model) return "there are no bricks to highlight; expected a source with triangles, or stored bricks";
+        const std::size_t count = model->getParts().empty() ? model->getBricks().size() : model->getParts().size();
+        const std::size_t last = *std::ranges::max_element(parts);
+        if (last >= count)
+            return "bad index " + std::to_string(last) + " of a highlighted part; expected 0 to " +
+                   std::to_string(count - 1);
+        highlight = new PartHighlight(*model, parts, color);
+    }
+    _store->setHighlight(highlight);
+    return {};
 }
 
 void LegoPipeline::setAnnouncement(std::function<void()> announcement)

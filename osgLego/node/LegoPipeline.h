@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/data/PartHighlight.h>
 #include <osgLego/node/BrickDisplay.h>
 #include <osgLego/node/BrickQuery.h>
 #include <osgLego/node/BrickSource.h>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <osg/BoundingBox>
@@ -46,6 +48,9 @@ public:
     void setProgress(double progress);
     void setNumNewParts(std::size_t count);
     std::size_t getNumNewParts() const { return _store->getState().numNew; }
+    /** Show parts of the bricks in another colour, until the bricks are replaced. No parts: no highlight.
+     * @return one sentence if there are no such parts; otherwise empty. */
+    std::string setHighlightedParts(std::span<const std::size_t> parts, const PartHighlight::Color& color);
     /** The order of building, and the sets for drawing the bricks partly built. */
     BuildingProducer& getBuilding() { return *_building; }
     void setTiming(bool timing) { _source.setTiming(timing); }

@@ -151,7 +151,8 @@ HiddenLight BrickDrawable::findHiddenLight(osg::RenderInfo& renderInfo, ContextB
 
 BrickDrawable::Shown BrickDrawable::getShown() const
 {
-    return {_store->getBricks(), _isPartial ? _store->getBuilding() : nullptr, _store->getState()};
+    return {_store->getBricks(), _isPartial ? _store->getBuilding() : nullptr, _store->getState(),
+            _store->getHighlight()};
 }
 
 /** Bricks have cell coordinates. Their transform to eye coordinates is computed in double precision, so that models far
@@ -177,8 +178,10 @@ bool BrickDrawable::prepare(const osg::State& state, ContextBricks& bricks, cons
     // Also if they are drawn partly built, so that the last frame of an animation has nothing to upload.
     if (shown.bricks && shown.bricks->hasPoints()) bricks.upload(state, *shown.bricks);
     bricks.pollBlocks(state);
+    const bool hasBuilding = _isPartial && shown.building && bricks.upload(state, *shown.building);
+    bricks.highlight(state, shown.highlight);
     if (!_isPartial) return bricks.numBricks > 0;
-    return shown.building && bricks.upload(state, *shown.building) && !shown.building->getPoints().points.empty();
+    return hasBuilding && !shown.building->getPoints().points.empty();
 }
 
 /** Find the job for drawing the bricks as splats, and draw its points unless they have been drawn: together with those

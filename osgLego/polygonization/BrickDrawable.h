@@ -85,6 +85,7 @@ private:
         osg::ref_ptr<const BrickSet> bricks;
         osg::ref_ptr<const BuildingSet> building;
         BuildingState state;
+        osg::ref_ptr<const PartHighlight> highlight;
     };
 
     Shown getShown() const;

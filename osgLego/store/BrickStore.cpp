@@ -18,6 +18,7 @@ void BrickStore::deliver(const BrickSet& bricks)
     // A source may have two sets: one that every context can upload, and one whose points are on a GPU.
     if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
     _bricks = &bricks;
+    if (_highlight && bricks.hasPoints() && bricks.getModel() != &_highlight->getModel()) _highlight = nullptr;
 }
 
 void BrickStore::clear(std::uint64_t revision)
@@ -27,6 +28,7 @@ void BrickStore::clear(std::uint64_t revision)
     _leastRevision = revision;
     _bricks = nullptr;
     _building = nullptr;
+    _highlight = nullptr;
     for (const auto& [contextID, bricks] : _contexts)
         bricks->hide(revision);
 }
@@ -54,6 +56,18 @@ BuildingState BrickStore::getState() const
 {
     const std::lock_guard lock(_mutex);
     return _state;
+}
+
+void BrickStore::setHighlight(const PartHighlight* highlight)
+{
+    const std::lock_guard lock(_mutex);
+    _highlight = highlight;
+}
+
+osg::ref_ptr<const PartHighlight> BrickStore::getHighlight() const
+{
+    const std::lock_guard lock(_mutex);
+    return _highlight;
 }
 
 osg::BoundingBoxd BrickStore::getBounds() const

@@ -2,6 +2,7 @@
 
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/data/BuildingSet.h>
+#include <osgLego/data/PartHighlight.h>
 #include <osgLego/store/ContextBricks.h>
 
 #include <cstddef>
@@ -48,6 +49,9 @@ public:
     osg::ref_ptr<const BuildingSet> getBuilding() const;
     void setState(const BuildingState& state);
     BuildingState getState() const;
+    /** Highlight parts until bricks of another model are delivered; null: none. */
+    void setHighlight(const PartHighlight* highlight);
+    osg::ref_ptr<const PartHighlight> getHighlight() const;
 
     /** The bounds of the newest set and, until it is the expected one, of the expected bricks. In model units, studs
      * included; invalid if there are no bricks. */
@@ -71,6 +75,7 @@ private:
     osg::ref_ptr<const BrickSet> _bricks;
     osg::ref_ptr<const BuildingSet> _building;
     BuildingState _state;
+    osg::ref_ptr<const PartHighlight> _highlight;
     mutable std::map<unsigned int, osg::ref_ptr<ContextBricks>> _contexts;
 };
 

@@ -28,6 +28,19 @@ GlBuffer createBuffer(const osg::State& state, const std::vector<Item>& items)
     return buffer;
 }
 
+/** Replace a buffer of points by one in which a highlight is shown, or no longer shown.
+ * @param shown the highlight in the buffer.
+ * @param wanted null, or a highlight of any model. */
+void showHighlight(const osg::State& state, const BrickModel& model, const std::vector<BrickPoint>& points,
+                   const PartHighlight* wanted, osg::ref_ptr<const PartHighlight>& shown, GlBuffer& buffer)
+{
+    if (wanted && &wanted->getModel() != &model) wanted = nullptr;
+    if (wanted == shown) return;
+    shown = wanted;
+    GlBuffer uploaded = createBuffer(state, wanted ? wanted->apply(points) : points);
+    if (!takeOutOfMemoryError()) buffer = std::move(uploaded);
+}
+
 std::string describeLackOfMemory(std::size_t numBricks)
 {
     return "there is not enough memory on the GPU for " + std::to_string(numBricks) +
@@ -67,6 +80,7 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     if (made.bricks->getRevision() < _leastRevision) return;
     bricks = made.bricks;
     buffer = std::move(made.buffer);
+    _highlight = nullptr;
     numBricks = made.numBricks;
     blocks.clear();
     _distantOcclusion = nullptr;
@@ -95,6 +109,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     }
     bricks = &wanted;
     buffer = std::move(uploaded);
+    _highlight = nullptr;
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
     _distantOcclusion = nullptr;
@@ -122,8 +137,18 @@ bool ContextBricks::upload(const osg::State& state, const BuildingSet& wanted)
     }
     building = &wanted;
     buildingBuffer = std::move(uploaded);
+    _buildingHighlight = nullptr;
     rankBuffer = std::move(ranks);
     return true;
+}
+
+void ContextBricks::highlight(const osg::State& state, const PartHighlight* wanted)
+{
+    if (bricks && bricks->hasPoints())
+        showHighlight(state, *bricks->getModel(), bricks->getPoints().points, wanted, _highlight, buffer);
+    if (building)
+        showHighlight(state, building->getModel(), building->getPoints().points, wanted, _buildingHighlight,
+                      buildingBuffer);
 }
 
 void ContextBricks::pollBlocks(const osg::State& state)
@@ -194,6 +219,8 @@ void ContextBricks::clear()
     building = nullptr;
     buffer = GlBuffer();
     buildingBuffer = GlBuffer();
+    _highlight = nullptr;
+    _buildingHighlight = nullptr;
     rankBuffer = GlBuffer();
     numBricks = 0;
     blocks.clear();

@@ -5,6 +5,7 @@
 #include <osgLego/data/BrickBlock.h>
 #include <osgLego/data/BrickSet.h>
 #include <osgLego/data/BuildingSet.h>
+#include <osgLego/data/PartHighlight.h>
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/store/BlockReader.h>
 #include <osgLego/store/DistantOcclusionTexture.h>
@@ -63,6 +64,9 @@ public:
      * is current.
      * @return whether there was enough memory. */
     bool upload(const osg::State& state, const BuildingSet& wanted);
+    /** Colour the parts of a highlight in the points that were uploaded; null: none. Does nothing if they are coloured
+     * already, and without memory. The caller holds the mutex, and the context is current. */
+    void highlight(const osg::State& state, const PartHighlight* wanted);
     /** Check for the blocks of bricks made on the GPU. The caller holds the mutex, and the context is current. */
     void pollBlocks(const osg::State& state);
     /** The distant occlusion of the bricks as a texture, created by the first call after they were shown. For bricks
@@ -100,6 +104,8 @@ private:
 
     mutable std::mutex _mutex;
     BlockReader _blockReader;
+    osg::ref_ptr<const PartHighlight> _highlight;         // in the points of the bricks
+    osg::ref_ptr<const PartHighlight> _buildingHighlight; // in those of the model partly built
     bool _wantsDistantOcclusion = false;
     osg::ref_ptr<DistantOcclusionTexture> _distantOcclusion;
     osg::ref_ptr<const BrickModel> _model;
