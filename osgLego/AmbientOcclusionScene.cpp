@@ -52,7 +52,7 @@ void AmbientOcclusionScene::traverse(osg::NodeVisitor& visitor)
         return;
     }
     view->setTiming(_timing);
-    view->cull(*cullVisitor, _settings, getBound().radius(), isCullingActive(), [&] { osg::Group::traverse(visitor); });
+    view->cull(*cullVisitor, _settings, getBound(), isCullingActive(), [&] { osg::Group::traverse(visitor); });
 }
 
 void AmbientOcclusionScene::resizeGLObjectBuffers(unsigned int maxSize)

@@ -325,20 +325,16 @@ void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
 }
 
 void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings,
-                                double sceneRadius, bool hasBounds, const std::function<void()>& cullChildren)
+                                const osg::BoundingSphere& bound, bool hasBounds,
+                                const std::function<void()>& cullChildren)
 {
     SharedGlObjects::get().addUser(visitor.getState()->getContextID(), this);
     osgUtil::RenderBin* outerBin = visitor.getCurrentRenderBin();
     osgUtil::RenderStage& outer = *outerBin->getStage();
     setUpStage(outer);
-    visitor.setCurrentRenderBin(_stage);
     visitor.pushStateSet(_childState);
-    // Techniques of osgShadow look for the camera there. The stage itself is not drawn by the camera's callbacks.
-    _stage->setCamera(outer.getCamera());
-    cullChildren();
-    _stage->setCamera(nullptr);
+    _stage->cull(visitor, cullChildren);
     visitor.popStateSet();
-    visitor.setCurrentRenderBin(outerBin);
     TransparentHandOver(*_childState, *_transparentState).handOn(*_stage, *outerBin);
     _stage->handOnPostRenderStages(outer);
     PictureArea area{glm::ivec2(0), _format.size};
@@ -352,16 +348,21 @@ void AmbientOcclusionView::cull(osgUtil::CullVisitor& visitor, const AmbientOccl
     const double pitch = _stage->getPitch();
     const osg::Matrixd& modelView = *visitor.getModelViewMatrix();
     const double scale = osg::Matrixd::transform3x3(osg::Vec3d(1.0, 0.0, 0.0), modelView).length();
-    const double usual = pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * scale * sceneRadius;
+    const double usual =
+        pitch > 0.0 ? AmbientOcclusionSettings::RADIUS_IN_BRICKS * pitch : 0.1 * scale * bound.radius();
     _radius->set(effortOf(_format.quality).radius * static_cast<float>(settings.radius.value_or(usual)));
     _shown->set(static_cast<int>(settings.output));
     const osg::Viewport* viewport = visitor.getViewport();
-    const PassView view{visitor.getProjectionMatrix(), rotationOf(computeEyeToWorld(visitor)),
-                        glm::ivec2(viewport->x(), viewport->y()), _format.size, area};
+    const PassView view{visitor.getProjectionMatrix(),
+                        rotationOf(computeEyeToWorld(visitor)),
+                        glm::ivec2(viewport->x(), viewport->y()),
+                        _format.size,
+                        area,
+                        bound};
     for (const osg::ref_ptr<ScreenPass>& pass : _passes)
     {
         pass->setView(view);
-        pass->getNode().accept(visitor);
+        pass->cull(visitor);
     }
 }
 

@@ -60,10 +60,10 @@ public:
     const OcclusionFormat& getFormat() const { return _format; }
 
     /** Cull the children for the geometry buffer, then the passes and the composite.
-     * @param sceneRadius the radius of the children's bound, in world units.
+     * @param bound of the children, in model coordinates.
      * @param hasBounds whether the bounds of all children say where they are drawn.
      * @param cullChildren traverses the children with the visitor. */
-    void cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings, double sceneRadius,
+    void cull(osgUtil::CullVisitor& visitor, const AmbientOcclusionSettings& settings, const osg::BoundingSphere& bound,
               bool hasBounds, const std::function<void()>& cullChildren);
 
     /** Whether the GPU had too little memory for the buffers. */

@@ -75,6 +75,20 @@ void GeometryBufferStage::reset()
     _pitch = 0.0;
 }
 
+void GeometryBufferStage::cull(osgUtil::CullVisitor& visitor, const std::function<void()>& cullChildren)
+{
+    const osg::ref_ptr<osgUtil::RenderBin> outer = visitor.getCurrentRenderBin();
+    _root = visitor.getRenderStage();
+    setCamera(outer->getStage()->getCamera());
+    visitor.setRenderStage(this);
+    cullChildren();
+    visitor.setRenderStage(_root);
+    visitor.setCurrentRenderBin(outer);
+    _root = nullptr;
+    // The callbacks and attachments of the camera are for the outer stage.
+    setCamera(nullptr);
+}
+
 void GeometryBufferStage::handOnPostRenderStages(osgUtil::RenderStage& outer)
 {
     for (const auto& [order, stage] : _postRenderList)

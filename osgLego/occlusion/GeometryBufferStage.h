@@ -2,8 +2,11 @@
 
 #include <osgLego/polygonization/BrickStage.h>
 
+#include <functional>
+
 #include <osg/Matrixd>
 #include <osg/ref_ptr>
+#include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
@@ -23,6 +26,11 @@ public:
      */
     void resetFor(osgUtil::RenderStage& outer);
 
+    /** Let a visitor fill this stage, and then go on with its present one. Techniques of osgShadow look in the
+     * visitor's stage for receivers of shadows and for the camera.
+     * @param cullChildren traverses the children with the visitor. */
+    void cull(osgUtil::CullVisitor& visitor, const std::function<void()>& cullChildren);
+
     /** Move the POST_RENDER cameras among the children to the outer stage, so that they are drawn after it. */
     void handOnPostRenderStages(osgUtil::RenderStage& outer);
 
@@ -40,7 +48,8 @@ public:
     /** Whether the GPU had too little memory for the buffer, so that nothing was drawn. */
     bool hasFailed() const;
 
-    osg::Object* cloneType() const override { return new GeometryBufferStage; }
+    /** While it is filled, a stage like the visitor's before: CullVisitor creates the stages of cameras by copying. */
+    osg::Object* cloneType() const override { return _root ? _root->cloneType() : new GeometryBufferStage; }
     const char* libraryName() const override { return "osgLego"; }
     const char* className() const override { return "GeometryBufferStage"; }
 
@@ -51,6 +60,7 @@ private:
     class Draw;
 
     osg::ref_ptr<Draw> _draw;
+    osg::ref_ptr<osgUtil::RenderStage> _root; // that of the visitor that is filling this stage
     bool _hasDistantOcclusion = false;
     double _pitch = 0.0;
 };

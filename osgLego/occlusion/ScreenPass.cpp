@@ -6,6 +6,7 @@
 #include <osgLego/polygonization/PictureTiles.h>
 
 #include <glm/vec4.hpp>
+#include <osg/BoundingBox>
 #include <osg/CullFace>
 #include <osg/PolygonMode>
 #include <osg/RenderInfo>
@@ -83,6 +84,20 @@ void ScreenPass::setView(const PassView& view)
 {
     _view = view;
     if (_camera) setViewport(*_camera, view.area.dividedBy(_pixelsPerTexel));
+    if (_camera || (_bound.center() == view.bound.center() && _bound.radius() == view.bound.radius())) return;
+    _bound = view.bound;
+    osg::BoundingBox box;
+    box.expandBy(_bound);
+    setInitialBound(box);
+}
+
+void ScreenPass::cull(osgUtil::CullVisitor& visitor)
+{
+    // The children determine the near and far planes, and their bounds are smaller than that of the group.
+    const osg::CullSettings::ComputeNearFarMode mode = visitor.getComputeNearFarMode();
+    visitor.setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    getNode().accept(visitor);
+    visitor.setComputeNearFarMode(mode);
 }
 
 void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const

@@ -11,10 +11,12 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
+#include <osg/BoundingSphere>
 #include <osg/Drawable>
 #include <osg/Matrixd>
 #include <osg/Texture>
 #include <osg/ref_ptr>
+#include <osgUtil/CullVisitor>
 
 namespace osgLego
 {
@@ -27,6 +29,7 @@ struct PassView
     glm::ivec2 origin{0};                          //!< the lower left pixel of the picture in the frame
     glm::ivec2 size{1};                            //!< pixels
     PictureArea area;                              //!< the part of the picture that may show something
+    osg::BoundingSphere bound;                     //!< of the scene, in model coordinates
 };
 
 /** Runs a program for every pixel of a part of a picture.
@@ -54,14 +57,13 @@ public:
     void setTargets(const std::vector<osg::ref_ptr<osg::Texture2D>>& targets, const osg::Vec4& clearColor,
                     int pixelsPerTexel = 1);
 
-    /** The node for a cull visitor: the camera or, for a pass without targets, the drawable itself. */
-    osg::Node& getNode();
-
     /** Draw only the tiles for which a texture is above 0, instead of the whole area. Tiles are squares of
      * PictureTiles::SIDE pixels. The program must have the vertex shader screen_tiles.vert instead of screen.vert. */
     void setTiles(osg::Texture2D& tiles);
 
     void setView(const PassView& view);
+    /** Cull the camera or, for a pass without targets, the drawable itself. */
+    void cull(osgUtil::CullVisitor& visitor);
 
     /** Skip this pass if the given stage could not draw. */
     void setSource(const GeometryBufferStage& source) { _source = &source; }
@@ -84,6 +86,7 @@ public:
 private:
     ~ScreenPass() override = default;
 
+    osg::Node& getNode();
     void draw(const ProgramUniforms& uniforms) const;
 
     osg::ref_ptr<PassCamera> _camera;
@@ -91,6 +94,7 @@ private:
     int _pixelsPerTexel = 1;
     bool _drawsTiles = false;
     PassView _view;
+    osg::BoundingSphere _bound; // of the drawable
     bool _timing = false;
     mutable std::atomic<double> _time{0.0};
 };

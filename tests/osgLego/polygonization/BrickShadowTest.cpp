@@ -393,34 +393,17 @@ std::string getTestName(const testing::TestParamInfo<std::tuple<Technique, std::
 INSTANTIATE_TEST_SUITE_P(Techniques, BrickShadowTechniqueTest,
                          testing::Combine(TECHNIQUES, testing::Values("splats", "triangles")), getTestName);
 
-/** Techniques that work inside an AmbientOcclusionScene. */
-class OccludedBrickShadowTest : public BrickShadowTechniqueTest
-{
-};
-
-TEST_P(OccludedBrickShadowTest, ShadowsFallOnBricksOfAnOccludedSceneInAShadowedScene)
+TEST_P(BrickShadowTechniqueTest, ShadowsFallOnBricksOfAnOccludedSceneInAShadowedScene)
 {
     expectShadows("look=full," + getDrawing(), createOccluded,
                   [](osg::Node& scene) { return shade(*createOccluded(scene)); });
 }
 
-TEST_P(OccludedBrickShadowTest, ShadowsFallOnBricksOfAShadowedSceneInAnOccludedScene)
+TEST_P(BrickShadowTechniqueTest, ShadowsFallOnBricksOfAShadowedSceneInAnOccludedScene)
 {
     expectShadows("look=full," + getDrawing(), createOccluded,
                   [](osg::Node& scene) { return createOccluded(*shade(scene)); });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Techniques, OccludedBrickShadowTest,
-    testing::Combine(
-        testing::Values(technique<osgShadow::ShadowMap>("ShadowMap"),
-                        Technique{"SoftShadowMap", createSharpSoftShadowMap},
-                        technique<osgShadow::StandardShadowMap>("StandardShadowMap"),
-                        technique<osgShadow::LightSpacePerspectiveShadowMapVB>("LightSpacePerspectiveShadowMapVB"),
-                        technique<osgShadow::LightSpacePerspectiveShadowMapDB>("LightSpacePerspectiveShadowMapDB"),
-                        technique<osgShadow::ViewDependentShadowMap>("ViewDependentShadowMap")),
-        testing::Values("splats", "triangles")),
-    getTestName);
 
 } // namespace
 
