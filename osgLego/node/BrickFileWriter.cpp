@@ -68,7 +68,7 @@ constexpr std::array<std::string_view, 3> NO_COLORS{"3dc", "sta", "stl"};
 // Formats whose writers ignore osg::Geometry or, like Debian's for .dae, report success without writing any file.
 constexpr std::array<std::string_view, 3> NO_GEOMETRY{"dae", "iv", "wrl"};
 // Formats of this project's plugins, which write the parts of LegoNodes.
-constexpr std::array<std::string_view, 2> PARTS{"ldr", "mpd"};
+constexpr std::array<std::string_view, 3> PARTS{"glb", "ldr", "mpd"};
 
 /** Finds the reason why a LegoNode of a scene has triangles but no bricks. */
 class ObstacleVisitor : public osg::NodeVisitor

@@ -24,19 +24,43 @@ std::string findEncoding(std::string_view bytes, const std::string& named)
     return named;
 }
 
+/** Whether the chunks of a .png file lead to its end. OSG's reader takes seconds for a chunk that is too long. */
+bool isCompletePng(std::string_view bytes)
+{
+    constexpr std::size_t AROUND = 12; // length, type and check sum
+    std::size_t place = 8;             // after the signature
+    while (place + AROUND <= bytes.size())
+    {
+        std::size_t length = 0;
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            length = length << 8 | static_cast<unsigned char>(bytes[place + byte]);
+        if (length > bytes.size() - place - AROUND) return false;
+        if (bytes.substr(place + 4, 4) == "IEND") return true;
+        place += AROUND + length;
+    }
+    return false;
+}
+
 osg::ref_ptr<osg::Image> decode(std::string_view bytes, const std::string& named, std::string& error)
 {
     const std::string extension = findEncoding(bytes, named);
-    osgDB::ReaderWriter* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
-    if (!reader)
+    if (extension == "png" && !isCompletePng(bytes))
     {
-        error = "its format '" + extension + "' has no reader; expected png or jpg";
+        error = "it is damaged; expected a complete .png picture";
         return nullptr;
     }
-    std::istringstream stream{std::string(bytes)};
-    osgDB::ReaderWriter::ReadResult result = reader->readImage(stream);
-    if (!result.validImage()) error = "it is damaged; expected a picture in the format '" + extension + "'";
-    return result.getImage();
+    osgDB::Registry* registry = osgDB::Registry::instance();
+    registry->loadLibrary(registry->createLibraryNameForExtension(extension));
+    // Not every reader of a format reads streams.
+    for (const osg::ref_ptr<osgDB::ReaderWriter>& reader : registry->getReaderWriterList())
+    {
+        if (!reader->acceptsExtension(extension)) continue;
+        std::istringstream stream{std::string(bytes)};
+        osgDB::ReaderWriter::ReadResult result = reader->readImage(stream);
+        if (result.validImage()) return result.getImage();
+    }
+    error = "no reader accepts it; expected a complete picture, such as a .png or .jpg";
+    return nullptr;
 }
 
 /** Copy texels that the file holds without encoding; their first row is the upper one. */

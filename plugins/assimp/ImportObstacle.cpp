@@ -32,20 +32,38 @@ std::string readJson(std::istream& stream)
     return text;
 }
 
-std::string findGltfObstacle(std::istream& stream)
+std::string findRequiredExtension(const std::string& json)
+{
+    const std::size_t begin = json.find("\"extensionsRequired\"");
+    if (begin == std::string::npos) return {};
+    const std::string list = json.substr(begin, json.find(']', begin) - begin);
+    for (const char* extension : {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression"})
+        if (list.find(extension) != std::string::npos)
+            return std::string("it requires the extension ") + extension +
+                   ", which Assimp does not support; expected a file without it";
+    return {};
+}
+
+std::string findWrongMimeType(const std::string& json)
 {
     constexpr std::string_view KEY = "\"mimeType\"";
-    const std::string text = readJson(stream);
-    for (std::size_t key = text.find(KEY); key != std::string::npos; key = text.find(KEY, key + 1))
+    for (std::size_t key = json.find(KEY); key != std::string::npos; key = json.find(KEY, key + 1))
     {
-        const std::size_t begin = text.find('"', key + KEY.size());
-        const std::size_t end = begin == std::string::npos ? begin : text.find('"', begin + 1);
+        const std::size_t begin = json.find('"', key + KEY.size());
+        const std::size_t end = begin == std::string::npos ? begin : json.find('"', begin + 1);
         if (end == std::string::npos) continue; // no JSON, as Assimp notices
-        const std::string type = text.substr(begin + 1, end - begin - 1);
+        const std::string type = json.substr(begin + 1, end - begin - 1);
         if (type.find('/') == std::string::npos)
             return "'" + type + "' is not a MIME type; expected one such as image/png";
     }
     return {};
+}
+
+std::string findGltfObstacle(std::istream& stream)
+{
+    const std::string json = readJson(stream);
+    const std::string extension = findRequiredExtension(json);
+    return extension.empty() ? findWrongMimeType(json) : extension;
 }
 
 /** The next word of a text in which comments begin with #. */

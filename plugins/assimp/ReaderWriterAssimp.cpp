@@ -1,22 +1,29 @@
 #include "AssimpFormats.h"
 #include "AssimpReader.h"
 
+#include <common/CompleteFile.h>
 #include <common/ReadableFile.h>
+#include <gltf/GltfWriter.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <functional>
 #include <new>
 #include <sstream>
 
+#include <osg/Notify>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/ReaderWriter>
 #include <osgDB/Registry>
 
 /** Reads models through Assimp, in formats for which OpenSceneGraph 3.6 has no plugin: .glb, .gltf, .fbx, .off and
- * those of AssimpFormats.cpp.
+ * those of AssimpFormats.cpp; and writes bricks to .glb.
  *
  *     osgviewer duck.glb.64.legolize
  *     osgconv -O noRotation engine.gltf engine.obj
+ *     osgconv sample.64.legolize bricks.glb
  *
  * Models with Y upwards, as those of glTF, are turned upright, as OpenSceneGraph's reader of .obj files turns its
  * models, unless the option `noRotation` is given. */
@@ -30,7 +37,7 @@ public:
         supportsOption("noRotation", "Keep the Y axis of the model, instead of turning the model upright");
     }
 
-    const char* className() const override { return "Assimp reader"; }
+    const char* className() const override { return "Assimp reader and glTF writer"; }
 
     ReadResult readObject(const std::string& name, const Options* options) const override
     {
@@ -70,7 +77,38 @@ public:
                           });
     }
 
+    WriteResult writeObject(const osg::Object& object, const std::string& fileName,
+                            const Options* options) const override
+    {
+        const auto* node = dynamic_cast<const osg::Node*>(&object);
+        return node ? writeNode(*node, fileName, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
+    WriteResult writeNode(const osg::Node& node, const std::string& fileName, const Options*) const override
+    {
+        if (osgDB::getLowerCaseFileExtension(fileName) != "glb") return WriteResult::FILE_NOT_HANDLED;
+        return writeBricks(node, fileName,
+                           [&fileName](const osgLego::GltfWriter& writer)
+                           {
+                               return osgLego::writeCompleteFile(fileName, [&writer](const std::string& temporary)
+                                                                 { return writeFile(writer, temporary); });
+                           });
+    }
+
+    WriteResult writeObject(const osg::Object& object, std::ostream& stream, const Options* options) const override
+    {
+        const auto* node = dynamic_cast<const osg::Node*>(&object);
+        return node ? writeNode(*node, stream, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
+    WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options*) const override
+    {
+        return writeBricks(node, "a stream",
+                           [&stream](const osgLego::GltfWriter& writer) { return writer.write(stream); });
+    }
+
 private:
+    using Write = std::function<std::string(const osgLego::GltfWriter& writer)>;
     using Read = std::function<osg::ref_ptr<osg::Node>(AssimpReader& reader, std::string& error)>;
 
     static osg::ref_ptr<Options> copyOptions(const Options* options)
@@ -91,6 +129,38 @@ private:
             error = "there is not enough memory for it";
         }
         return ReadResult("osgLego: can't read '" + name + "': " + error);
+    }
+
+    static WriteResult writeBricks(const osg::Node& node, const std::string& name, const Write& write)
+    {
+        osgLego::GltfWriter writer;
+        std::string error;
+        try
+        {
+            if (writer.add(node, error)) error = write(writer);
+        }
+        catch (const std::bad_alloc&)
+        {
+            error = "there is not enough memory for it";
+        }
+        if (!error.empty()) return WriteResult("osgLego: can't write '" + name + "': " + error);
+        for (const std::string& warning : writer.getWarnings())
+            OSG_WARN << "osgLego: '" << name << "': " << warning << std::endl;
+        return WriteResult::FILE_SAVED;
+    }
+
+    /** @return the reason if a file can't be written, or nothing. A temporary file is removed only if this returns. */
+    static std::string writeFile(const osgLego::GltfWriter& writer, const std::string& name)
+    try
+    {
+        std::ofstream file(name, std::ios::binary);
+        const std::string error = file ? writer.write(file) : std::string();
+        file.close();
+        return error.empty() && !file ? std::strerror(errno) : error;
+    }
+    catch (const std::bad_alloc&)
+    {
+        return "there is not enough memory for it";
     }
 };
 

@@ -5,14 +5,13 @@
 #include <common/PartsList.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/LegoNode.h>
+#include <scene/VisibleLegoNodes.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <osg/NodeVisitor>
-#include <osg/Transform>
 #include <osgDB/FileNameUtils>
 
 namespace osgLego
@@ -20,35 +19,6 @@ namespace osgLego
 
 namespace
 {
-
-struct Found
-{
-    const LegoNode* node;
-    osg::Matrixd toWorld;
-};
-
-/** Finds the visible LegoNodes of a scene, once for each path to them. */
-class LegoNodes : public osg::NodeVisitor
-{
-public:
-    explicit LegoNodes(const osg::Node& scene) : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN)
-    {
-        const_cast<osg::Node&>(scene).accept(*this); // the visitor changes nothing
-    }
-
-    void apply(osg::Group& group) override
-    {
-        if (const auto* lego = dynamic_cast<const LegoNode*>(&group))
-            _found.push_back({lego, osg::computeLocalToWorld(getNodePath())});
-        else
-            traverse(group);
-    }
-
-    const std::vector<Found>& getFound() const { return _found; }
-
-private:
-    std::vector<Found> _found;
-};
 
 glm::dmat4 toGlm(const osg::Matrixd& matrix)
 {
@@ -190,10 +160,9 @@ void addWarnings(LDrawScene& scene)
 
 bool LDrawScene::create(const osg::Node& node, LDrawScene& scene, std::string& error)
 {
-    const LegoNodes nodes(node);
     std::vector<const LegoNode*> known;
     glm::dmat4 toFirst(1.0); // from world coordinates to those of the first model
-    for (const Found& found : nodes.getFound())
+    for (const PlacedLegoNode& found : findVisibleLegoNodes(node))
     {
         const auto place = std::find(known.begin(), known.end(), found.node);
         const auto index = static_cast<std::size_t>(place - known.begin());
