@@ -11,7 +11,8 @@ namespace osgLego
 {
 
 /** Makes osgDB write the bricks of LegoNodes as geometry to files whose format can't store the node, and instead of
- * the source to files whose format can, if the option "bake" is given. Writers of LDraw's files and of .glb get the nodes.
+ * the source to files whose format can, if the option "bake" is given. Writers of LDraw's files and of .glb get the
+ * nodes.
  *
  * It is a callback of osgDB's registry. The registry writes every file whose format OSG chooses by its name
  * (osgDB::writeNodeFile, osgconv), and only there is the format known before a writer traverses the scene. All calls
