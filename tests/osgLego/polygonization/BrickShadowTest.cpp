@@ -180,8 +180,7 @@ std::vector<Shown> BrickShadowTest::castRays(const BrickModel& model, const osg:
     const osg::Camera& camera = *_viewer.getCamera();
     const osg::Matrixd toWorld = osg::Matrixd::inverse(camera.getViewMatrix() * camera.getProjectionMatrix() *
                                                        camera.getViewport()->computeWindowMatrix());
-    osg::Vec3d toLight(light.getPosition().x(), light.getPosition().y(), light.getPosition().z());
-    toLight.normalize();
+    const osg::Vec4d lightPosition(light.getPosition());
     std::vector<Shown> shown;
     for (int row = 0; row < HEIGHT; ++row)
         for (int column = 0; column < WIDTH; ++column)
@@ -196,8 +195,12 @@ std::vector<Shown> BrickShadowTest::castRays(const BrickModel& model, const osg:
                 continue;
             }
             const osg::Vec3d place = SHADOW_VIEW.eye + direction * (distance - 1e-3);
-            const bool isHidden = caster.findNearest(caster.toCaster(place), toGlm(toLight), 100.0).has_value() ||
-                                  findBall(place, toLight) < 100.0;
+            osg::Vec3d toLight(lightPosition.x(), lightPosition.y(), lightPosition.z());
+            toLight -= place * lightPosition.w();
+            const double range = lightPosition.w() == 0.0 ? 100.0 : toLight.length() / caster.getPitch();
+            toLight.normalize();
+            const bool isHidden = caster.findNearest(caster.toCaster(place), toGlm(toLight), range).has_value() ||
+                                  findBall(place, toLight) < range * caster.getPitch();
             shown.push_back(isHidden ? Shown::SHADOWED : Shown::LIT);
         }
     return shown;
@@ -281,6 +284,13 @@ TEST_F(BrickShadowTest, ALightWithoutShadowMapReachesBricksInTheShadowOfAnother)
     _firstShadow = 1;
     _lights.insert(_lights.begin(), createLight(1, LAMP));
     _brightness = osg::Vec4(0.5f, 0.5f, 0.5f, 1.0f);
+    expectShadows("look=plain", createPlain,
+                  [](osg::Node& scene) { return createShadowed(scene, new osgShadow::ShadowMap); });
+}
+
+TEST_F(BrickShadowTest, ALightAtAPlaceCastsShadows)
+{
+    _lights.front()->getLight()->setPosition({-2.0f, -1.5f, 12.0f, 1.0f});
     expectShadows("look=plain", createPlain,
                   [](osg::Node& scene) { return createShadowed(scene, new osgShadow::ShadowMap); });
 }
