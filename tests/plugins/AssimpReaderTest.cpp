@@ -277,7 +277,8 @@ TEST_F(AssimpReader, WarnsOnceOfAMissingPicture)
 {
     GltfDocument document = createTexturedSquare();
     document.addPictureFile("missing.png");
-    document.addPrimitive(R"("POSITION":0,"TEXCOORD_0":1)", R"("indices":2)");
+    document.material += "," + document.material;
+    document.addPrimitive(R"("POSITION":0,"TEXCOORD_0":1)", R"("indices":2)", 1);
     const std::string notices = noticesOf([&] { EXPECT_EQ(contentOf(document).geometries.size(), 2u); });
     EXPECT_EQ(std::count(notices.begin(), notices.end(), '\n'), 1) << notices;
     EXPECT_NE(notices.find("model.glb': can't read its texture 'missing.png'"), std::string::npos) << notices;

@@ -56,10 +56,11 @@ void GltfDocument::addPictureFile(const std::string& uri)
     _image = R"({"uri":")" + uri + "\"}";
 }
 
-void GltfDocument::addPrimitive(const std::string& attributes, const std::string& rest)
+void GltfDocument::addPrimitive(const std::string& attributes, const std::string& rest, int materialNumber)
 {
     if (!_primitives.empty()) _primitives += ",";
-    _primitives += R"({"material":0,"attributes":{)" + attributes + "}" + (rest.empty() ? "" : "," + rest) + "}";
+    _primitives += R"({"material":)" + std::to_string(materialNumber) + R"(,"attributes":{)" + attributes + "}" +
+                   (rest.empty() ? "" : "," + rest) + "}";
 }
 
 std::string GltfDocument::toText(const std::string& buffer) const

@@ -24,9 +24,9 @@ public:
     /** Refer to a picture in a file of its own. */
     void addPictureFile(const std::string& uri);
     /** Add a primitive to the only mesh. @param attributes such as "POSITION":0 @param rest such as "indices":1 */
-    void addPrimitive(const std::string& attributes, const std::string& rest = {});
+    void addPrimitive(const std::string& attributes, const std::string& rest = {}, int materialNumber = 0);
 
-    std::string material = "{}";             //!< of all primitives, as a JSON object
+    std::string material = "{}";             //!< a JSON object, or several with commas between them
     std::string nodes = R"([{"mesh":0}])";   //!< the first is the root
     std::string texture = R"({"source":0})"; //!< the only texture, if there is a picture
     std::string samplers = R"([{"wrapS":33071}])";
