@@ -41,25 +41,75 @@ osg::Matrixd toOsg(const aiMatrix4x4& m)
     return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
 
-osg::ref_ptr<osg::MatrixTransform> createNode(const aiNode& source, const Geometries& geometries, std::string& error)
+/** Creates the nodes of a scene. */
+class NodeBuilder
 {
-    osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(source.mTransformation));
-    node->setName(source.mName.C_Str());
-    if (!node->getMatrix().valid() && error.empty())
-        error =
-            "the transform of the node '" + node->getName() + "' is infinite or not a number; expected finite values";
-    if (source.mNumMeshes > 0)
+public:
+    NodeBuilder(const Geometries& geometries, const GltfInstances& instances) :
+        _geometries(geometries), _instances(instances)
+    {
+    }
+
+    osg::ref_ptr<osg::MatrixTransform> build(const aiNode& root)
+    {
+        if (_instances.hasOneRoot()) return createNode(root);
+        osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform;
+        addChildren(root, *node);
+        return node;
+    }
+
+    const std::string& getError() const { return _error; }
+
+private:
+    osg::ref_ptr<osg::MatrixTransform> createNode(const aiNode& source)
+    {
+        osg::ref_ptr<osg::MatrixTransform> node = createTransform(toOsg(source.mTransformation), source);
+        const std::vector<osg::Matrixd>* instances = _instances.find(_numNodes++);
+        if (source.mNumMeshes > 0)
+        {
+            const osg::ref_ptr<osg::Geode> geode = createGeode(source);
+            if (!instances) node->addChild(geode);
+            for (std::size_t instance = 0; instances && instance < instances->size(); ++instance)
+            {
+                const osg::ref_ptr<osg::MatrixTransform> place = createTransform((*instances)[instance], source);
+                place->addChild(geode);
+                node->addChild(place);
+            }
+        }
+        addChildren(source, *node);
+        return node;
+    }
+
+    void addChildren(const aiNode& source, osg::Group& node)
+    {
+        for (unsigned int child = 0; child < source.mNumChildren; ++child)
+            node.addChild(createNode(*source.mChildren[child]));
+    }
+
+    osg::ref_ptr<osg::MatrixTransform> createTransform(const osg::Matrixd& matrix, const aiNode& source)
+    {
+        osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(matrix);
+        node->setName(source.mName.C_Str());
+        if (!matrix.valid() && _error.empty())
+            _error = "the transform of the node '" + node->getName() +
+                     "' is infinite or not a number; expected finite values";
+        return node;
+    }
+
+    osg::ref_ptr<osg::Geode> createGeode(const aiNode& source) const
     {
         osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-        geode->setName(node->getName());
+        geode->setName(source.mName.C_Str());
         for (unsigned int mesh = 0; mesh < source.mNumMeshes; ++mesh)
-            geode->addDrawable(geometries.at(source.mMeshes[mesh]));
-        node->addChild(geode);
+            geode->addDrawable(_geometries.at(source.mMeshes[mesh]));
+        return geode;
     }
-    for (unsigned int child = 0; child < source.mNumChildren; ++child)
-        node->addChild(createNode(*source.mChildren[child], geometries, error));
-    return node;
-}
+
+    const Geometries& _geometries;
+    const GltfInstances& _instances;
+    std::size_t _numNodes = 0;
+    std::string _error;
+};
 
 /** The extension of a file of glTF, which Assimp does not recognize by its first bytes; empty for other files. */
 std::string findGltf(const std::string& content)
@@ -84,9 +134,12 @@ AssimpReader::AssimpReader(std::string name, const osgDB::Options& options) : _n
 osg::ref_ptr<osg::Node> AssimpReader::readFile(const std::string& path, std::string& error)
 {
     std::ifstream file(path, std::ios::binary);
-    error = findImportObstacle(osgDB::getLowerCaseFileExtension(path), file);
+    const std::string format = osgDB::getLowerCaseFileExtension(path);
+    error = findImportObstacle(format, file);
     if (!error.empty()) return nullptr;
-    return createScene(_importer.ReadFile(path, STEPS), error);
+    const aiScene* scene = _importer.ReadFile(path, STEPS);
+    if (scene && format == "glb") error = readInstances(file);
+    return error.empty() ? createScene(scene, error) : nullptr;
 }
 
 osg::ref_ptr<osg::Node> AssimpReader::readContent(const std::string& content, const std::string& extension,
@@ -96,7 +149,16 @@ osg::ref_ptr<osg::Node> AssimpReader::readContent(const std::string& content, co
     std::istringstream stream(content);
     error = findImportObstacle(format, stream);
     if (!error.empty()) return nullptr;
-    return createScene(_importer.ReadFileFromMemory(content.data(), content.size(), STEPS, format.c_str()), error);
+    const aiScene* scene = _importer.ReadFileFromMemory(content.data(), content.size(), STEPS, format.c_str());
+    if (scene && format == "glb") error = readInstances(stream);
+    return error.empty() ? createScene(scene, error) : nullptr;
+}
+
+std::string AssimpReader::readInstances(std::istream& stream)
+{
+    stream.clear();
+    stream.seekg(0);
+    return _instances.read(stream);
 }
 
 osg::ref_ptr<osg::Node> AssimpReader::createScene(const aiScene* scene, std::string& error)
@@ -115,7 +177,9 @@ osg::ref_ptr<osg::Node> AssimpReader::createScene(const aiScene* scene, std::str
     const AssimpMaterials materials(*scene, textures, isImporterOf("gltf"));
     const Geometries geometries = createGeometries(*scene, materials, error);
     if (!error.empty()) return nullptr;
-    const osg::ref_ptr<osg::MatrixTransform> root = createNode(*scene->mRootNode, geometries, error);
+    NodeBuilder builder(geometries, _instances);
+    const osg::ref_ptr<osg::MatrixTransform> root = builder.build(*scene->mRootNode);
+    error = builder.getError();
     if (!error.empty()) return nullptr;
     if (isYUp(*scene) && !hasWord(_options->getOptionString(), "noRotation"))
         root->setMatrix(root->getMatrix() * osgLego::getUprightTurn());

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "AssimpFormats.h"
+#include "GltfInstances.h"
 
+#include <istream>
 #include <string>
 
 #include <assimp/Importer.hpp>
@@ -34,11 +36,13 @@ public:
     osg::ref_ptr<osg::Node> readContent(const std::string& content, const std::string& extension, std::string& error);
 
 private:
+    std::string readInstances(std::istream& stream);
     osg::ref_ptr<osg::Node> createScene(const aiScene* scene, std::string& error);
     bool isImporterOf(const std::string& extension) const;
     bool isYUp(const aiScene& scene) const;
 
     std::string _name;
     osg::ref_ptr<const osgDB::Options> _options;
+    GltfInstances _instances;
     Assimp::Importer _importer;
 };

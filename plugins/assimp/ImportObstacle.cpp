@@ -1,46 +1,24 @@
 #include "ImportObstacle.h"
 
+#include "GltfJson.h"
+
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
 #include <string_view>
 
 namespace
 {
 
-/** The JSON text of a file. */
-std::string readJson(std::istream& stream)
-{
-    std::array<char, 20> header{}; // of .glb: magic, version, length, length of the JSON text, type
-    stream.read(header.data(), header.size());
-    std::string text(header.data(), static_cast<std::size_t>(stream.gcount()));
-    if (!text.starts_with("glTF"))
-        return text.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-    std::uint32_t length = 0;
-    for (std::size_t byte = 4; byte-- > 0;)
-        length = length << 8 | static_cast<unsigned char>(header[12 + byte]);
-    text.clear();
-    std::array<char, 4096> block{};
-    while (length > 0 && stream)
-    {
-        stream.read(block.data(), std::min<std::streamsize>(length, block.size()));
-        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        length -= static_cast<std::uint32_t>(stream.gcount());
-    }
-    return text;
-}
-
-std::string findRequiredExtension(const std::string& json)
+std::string findRequiredExtension(const std::string& format, const std::string& json)
 {
     const std::size_t begin = json.find("\"extensionsRequired\"");
     if (begin == std::string::npos) return {};
     const std::string list = json.substr(begin, json.find(']', begin) - begin);
-    for (const char* extension : {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression"})
-        if (list.find(extension) != std::string::npos)
-            return std::string("it requires the extension ") + extension +
-                   ", which Assimp does not support; expected a file without it";
+    if (list.find("EXT_meshopt_compression") != std::string::npos)
+        return "it requires the extension EXT_meshopt_compression, which Assimp ignores; expected a file without it";
+    if (format != "glb" && list.find("EXT_mesh_gpu_instancing") != std::string::npos)
+        return "it requires the extension EXT_mesh_gpu_instancing; expected it in a .glb file only";
     return {};
 }
 
@@ -59,10 +37,10 @@ std::string findWrongMimeType(const std::string& json)
     return {};
 }
 
-std::string findGltfObstacle(std::istream& stream)
+std::string findGltfObstacle(const std::string& format, std::istream& stream)
 {
-    const std::string json = readJson(stream);
-    const std::string extension = findRequiredExtension(json);
+    const std::string json = readGltfJson(stream);
+    const std::string extension = findRequiredExtension(format, json);
     return extension.empty() ? findWrongMimeType(json) : extension;
 }
 
@@ -93,6 +71,6 @@ std::string findOffObstacle(std::istream& stream)
 
 std::string findImportObstacle(const std::string& format, std::istream& stream)
 {
-    if (format == "glb" || format == "gltf") return findGltfObstacle(stream);
+    if (format == "glb" || format == "gltf") return findGltfObstacle(format, stream);
     return format == "off" ? findOffObstacle(stream) : std::string();
 }

@@ -171,6 +171,25 @@ TEST_F(AssimpReader, TurnsTrianglesUprightBelowTheirTransforms)
     EXPECT_EQ(content.corners, (std::vector<osg::Vec3>{{10, -30, 20}, {12, -30, 20}, {10, -30, 23}}));
 }
 
+TEST_F(AssimpReader, PlacesInstances)
+{
+    GltfDocument document = createTriangle();
+    document.add(std::vector<osg::Vec3>{{10, 0, 0}, {0, 20, 0}});
+    document.add(std::vector<osg::Vec4>{{0, 0, 0, 1}, {0, 0, 1, 0}}); // the second by half a turn about z
+    document.add(std::vector<osg::Vec3>{{1, 1, 1}, {2, 3, 1}});
+    document.nodes = R"([{"children":[1,2]},{"translation":[0,0,5]},{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":
+        {"attributes":{"TRANSLATION":1,"ROTATION":2,"SCALE":3}}}}])";
+    EXPECT_EQ(contentOf(document, "noRotation").corners,
+              (std::vector<osg::Vec3>{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {0, 20, 0}, {-2, 20, 0}, {0, 17, 0}}));
+}
+
+TEST_F(AssimpReader, RejectsInstancesBeyondTheBuffer)
+{
+    GltfDocument document = createTriangle();
+    document.nodes = R"([{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"ROTATION":0}}}}])";
+    EXPECT_NE(errorOf(document).find("its instances of EXT_mesh_gpu_instancing can't be read"), std::string::npos);
+}
+
 TEST_F(AssimpReader, KeepsTheAxesWithNoRotation)
 {
     EXPECT_EQ(contentOf(createTriangle(), "noRotation").corners,
@@ -381,7 +400,8 @@ TEST_F(AssimpReader, RejectsFilesThatRequireWhatAssimpIgnores)
     text.insert(1, R"("extensionsRequired":["KHR_texture_transform","EXT_mesh_gpu_instancing"],)");
     write("triangle.bin", createTriangle().getBuffer());
     write("triangle.gltf", text);
-    EXPECT_NE(errorOf("triangle.gltf").find("it requires the extension EXT_mesh_gpu_instancing"), std::string::npos);
+    EXPECT_NE(errorOf("triangle.gltf").find("it requires the extension EXT_mesh_gpu_instancing; expected it in a .glb"),
+              std::string::npos);
 }
 
 TEST_F(AssimpReader, RejectsEveryTruncatedFile)

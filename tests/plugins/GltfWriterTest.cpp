@@ -14,6 +14,8 @@
 #include <sstream>
 #include <tuple>
 
+#include <osg/Geode>
+#include <osg/Geometry>
 #include <osg/MatrixTransform>
 #include <osg/Switch>
 #include <osgDB/ReadFile>
@@ -88,6 +90,29 @@ osg::ref_ptr<const BrickModel> createColoredParts(const glm::ivec3& dimensions, 
     return createParts(createPartGrid(dimensions, 1.2, up), filling);
 }
 
+/** Collects the boxes of the geodes of a scene, with their colours. */
+class GeodeBoxes : public osg::NodeVisitor
+{
+public:
+    GeodeBoxes() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+
+    using osg::NodeVisitor::apply;
+    void apply(osg::Geode& geode) override
+    {
+        const osg::Matrixd toWorld = osg::computeLocalToWorld(getNodePath());
+        osg::BoundingBoxd bounds;
+        for (unsigned int corner = 0; corner < 8; ++corner)
+            bounds.expandBy(osg::Vec3d(geode.getBoundingBox().corner(corner)) * toWorld);
+        const osg::Geometry& geometry = *geode.getDrawable(0)->asGeometry();
+        const osg::Vec4 color = dynamic_cast<const osg::Vec4Array&>(*geometry.getColorArray())[0] * 255.0f;
+        boxes.push_back(
+            toKey(bounds, {static_cast<int>(std::lround(color.r())), static_cast<int>(std::lround(color.g())),
+                           static_cast<int>(std::lround(color.b()))}));
+    }
+
+    std::vector<BoxKey> boxes;
+};
+
 class GltfWriter : public TemporaryFolderTest
 {
 protected:
@@ -143,6 +168,21 @@ TEST_F(GltfWriter, PlacesPartsBelowTransforms)
     EXPECT_EQ(sortedBoxes(file), expected);
     // The triangles and places of the node are in the file once.
     EXPECT_EQ(file.getAll("accessors").size(), write(*lego).getAll("accessors").size());
+}
+
+TEST_F(GltfWriter, WritesFilesThatTheReaderTurnsIntoTheSameParts)
+{
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+    {
+        const osg::ref_ptr<const BrickModel> model = createColoredParts({9, 7, 4}, up);
+        write(*createStoredNode(*model, "parts=bricks"));
+        const osg::ref_ptr<osg::Node> back = osgDB::readRefNodeFile(pathOf("bricks.glb"));
+        ASSERT_TRUE(back);
+        GeodeBoxes visitor;
+        back->accept(visitor);
+        std::sort(visitor.boxes.begin(), visitor.boxes.end());
+        EXPECT_EQ(visitor.boxes, expectedBoxes(*model));
+    }
 }
 
 TEST_F(GltfWriter, StoresTheTrianglesOfEachShapeOnce)
