@@ -32,8 +32,10 @@ bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
 class BundleVoxelizer
 {
 public:
-    BundleVoxelizer(const GridTriangles& triangles, const TriangleBins& bins, CellColor color) :
-        _triangles(triangles), _bins(bins), _color(color), _sums(triangles.getGrid().dimensions.x)
+    BundleVoxelizer(const GridTriangles& triangles, const TriangleBins& bins, CellColor color,
+                    const PreviousCells* previous) :
+        _triangles(triangles),
+        _bins(bins), _color(color), _previous(previous), _sums(triangles.getGrid().dimensions.x)
     {
     }
 
@@ -55,7 +57,7 @@ public:
                 batchBegin += batch++->getNumTriangles();
             add(*batch, &batch->vertices[3 * (triangle - batchBegin)]);
         }
-        return _sums.take(first);
+        return _sums.take(first, _previous);
     }
 
 private:
@@ -105,6 +107,7 @@ private:
     const GridTriangles& _triangles;
     const TriangleBins& _bins;
     CellColor _color;
+    const PreviousCells* _previous;
     RowBundleSums _sums;
     // The cells of the bundle, and of the parts, are those of the positions.
     glm::ivec3 _minimum{0};
@@ -115,12 +118,13 @@ private:
     std::vector<glm::vec3> _colors; // of the parts
 };
 
-osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles, CellColor color)
+osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles, CellColor color,
+                                               const PreviousCells* previous)
 {
     const TriangleBins bins(triangles);
     std::vector<RowBundle> bundles(bins.getNumBundles());
     oneapi::tbb::enumerable_thread_specific<BundleVoxelizer> voxelizers(
-        [&] { return BundleVoxelizer(triangles, bins, color); });
+        [&] { return BundleVoxelizer(triangles, bins, color, previous); });
     oneapi::tbb::parallel_for(std::size_t(0), bundles.size(),
                               [&](std::size_t bundle)
                               {
@@ -133,10 +137,11 @@ osg::ref_ptr<const BrickModel> voxelizeInTasks(const GridTriangles& triangles, C
 
 } // namespace
 
-osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles, CellColor color)
+osg::ref_ptr<const BrickModel> voxelizeOnCpu(const GridTriangles& triangles, CellColor color,
+                                             const PreviousCells* previous)
 {
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles, color); });
+    return oneapi::tbb::this_task_arena::isolate([&] { return voxelizeInTasks(triangles, color, previous); });
 }
 
 } // namespace osgLego

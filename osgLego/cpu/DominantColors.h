@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,10 @@ inline float dominanceScore(const glm::vec3& color, const glm::vec3& mean)
     return glm::distance(color, mean) + glm::dot(color, bias);
 }
 
+/** The share of the distance from a cell's colour before that is added to a score: where two colours meet, the cell
+ * changes to the other one when this covers 0.6 of the area, and back at 0.4, so that it does not flicker. */
+constexpr float STICKINESS = 0.2f;
+
 /** Chooses one colour for each cell out of those that triangles contribute to it: the colour nearest to their mean,
  * which is the one whose squared difference from the surface of the cell is least.
  *
@@ -44,9 +50,14 @@ public:
     /** Add a colour, 0 to 1 per channel, that a triangle contributes to a cell. @param cell the number of its sum. */
     void add(std::size_t cell, const glm::vec3& color) { _pieces.push_back({color, static_cast<std::uint32_t>(cell)}); }
 
+    /** The colour, 0 to 1 per channel, that a cell had before; none for a new cell. @param cell the number of its sum.
+     */
+    using FindPrevious = std::function<std::optional<glm::vec3>(std::size_t cell)>;
+
     /** Replace the sums of weighted colours, and of weights, by the chosen colours with a weight of 1, and start again
-     * without colours. Sums to which no colour was added stay the same. */
-    void choose(std::span<glm::vec4> sums);
+     * without colours. Sums to which no colour was added stay the same.
+     * @param findPrevious called for cells with several colours; may be empty. */
+    void choose(std::span<glm::vec4> sums, const FindPrevious& findPrevious = {});
 
 private:
     struct Piece
@@ -55,8 +66,11 @@ private:
         std::uint32_t cell;
     };
 
+    void findPreviousColors(const FindPrevious& findPrevious);
+
     std::vector<Piece> _pieces;
-    std::vector<glm::vec4> _chosen; // the best colours so far, and their scores
+    std::vector<glm::vec4> _chosen;   // the best colours so far, and their scores
+    std::vector<glm::vec4> _previous; // the colours before, and 1, or 0 without
 };
 
 } // namespace osgLego

@@ -81,9 +81,17 @@ RowBundleSums::RowBundleSums(int width) :
 {
 }
 
-RowBundle RowBundleSums::take(const glm::ivec2& firstRow)
+RowBundle RowBundleSums::take(const glm::ivec2& firstRow, const PreviousCells* previous)
 {
-    _dominantColors.choose(_sums);
+    DominantColors::FindPrevious findPrevious;
+    if (previous)
+        findPrevious = [&](std::size_t cell)
+        {
+            const int row = static_cast<int>(cell / _width);
+            return previous->findColor(
+                {cell % _width, firstRow.x + row % RowBundle::SIDE, firstRow.y + row / RowBundle::SIDE});
+        };
+    _dominantColors.choose(_sums, findPrevious);
     RowBundle bundle;
     std::size_t count = 0;
     for (const std::uint64_t word : _occupancy)

@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/cpu/DominantColors.h>
+#include <osgLego/cpu/PreviousCells.h>
 
 #include <array>
 #include <cstddef>
@@ -65,8 +66,10 @@ public:
         _dominantColors.add(RowBundle::rowOf(cell.y, cell.z) * _width + static_cast<std::size_t>(cell.x), color);
     }
 
-    /** Return the bricks, and start again without any. @param firstRow y and z of the bundle's first row. */
-    RowBundle take(const glm::ivec2& firstRow);
+    /** Return the bricks, and start again without any.
+     * @param firstRow y and z of the bundle's first row.
+     * @param previous the bricks before, whose colours are preferred; null if there are none. */
+    RowBundle take(const glm::ivec2& firstRow, const PreviousCells* previous);
 
 private:
     void takeRow(std::size_t row, const glm::ivec2& place, RowBundle& bundle);

@@ -2,16 +2,37 @@
 
 #include <osgLego/cpu/CpuVoxelizer.h>
 
+#include <optional>
+
+#include <glm/common.hpp>
 #include <osg/Timer>
 
 namespace osgLego
 {
 
+namespace
+{
+
+/** The cells of an earlier layout, if the settings are the same and the grid is one of a lattice, which may begin
+ * elsewhere. A grid that is fitted to the source has other cells whenever its extent changes. */
+std::optional<PreviousCells> findPreviousCells(const PreviousLayout* previous, const LegoSource& source)
+{
+    if (!previous || !previous->cells || !source.settings.grid.cellPitch) return std::nullopt;
+    if (!previous->settings.givesSameBricks(source.settings)) return std::nullopt;
+    const BrickGrid& grid = source.triangles->getGrid();
+    return PreviousCells(*previous->cells,
+                         glm::ivec3(glm::round((grid.origin - previous->grid.origin) / grid.cellSize)));
+}
+
+} // namespace
+
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
+    const std::optional<PreviousCells> previous = findPreviousCells(work.previous, source);
     const osg::ref_ptr<const BrickModel> cells =
-        voxelizeOnCpu(*source.triangles, source.lookup.hasPalette() ? CellColor::DOMINANT : CellColor::MEAN);
+        voxelizeOnCpu(*source.triangles, source.lookup.hasPalette() ? CellColor::DOMINANT : CellColor::MEAN,
+                      previous ? &*previous : nullptr);
     if (work.isCancelled && work.isCancelled()) return nullptr;
     work.statistics = {};
     work.statistics.isFromCpu = true;
@@ -27,6 +48,12 @@ osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBric
     work.error = builder.getError();
     work.warning = builder.getWarning();
     work.measureLayout = builder.getMeasurement();
+    if (bricks && work.previous)
+    {
+        work.previous->settings = source.settings;
+        work.previous->grid = source.triangles->getGrid();
+        work.previous->cells = cells;
+    }
     return bricks;
 }
 

@@ -180,7 +180,13 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     statistics.numInterior = cells.numInterior;
     osg::ref_ptr<const BrickModel> model = createModel(layout->parts, grid, colors, selectCovered(cells));
     _measureLayout = [layout, statistics] { return measure(*layout, statistics); };
-    if (_previous) *_previous = {_settings, layout->parts, std::move(colors), grid};
+    if (_previous)
+    {
+        _previous->settings = _settings;
+        _previous->grid = grid;
+        _previous->parts = layout->parts;
+        _previous->colors = std::move(colors);
+    }
     return model;
 }
 

@@ -17,13 +17,15 @@
 namespace osgLego
 {
 
-/** A layout that the next one of the same source may resemble, if the settings are the same. */
+/** A layout that the next one of the same source may resemble, if the settings are the same. Without parts, only the
+ * settings, the grid and the cells are set. */
 struct PreviousLayout
 {
     LegoSettings settings;
     LaidParts parts;
     std::vector<PaletteColor> colors; //!< those of the parts
     BrickGrid grid;
+    osg::ref_ptr<const BrickModel> cells; //!< in the colours of the surface
 };
 
 /** Turns the covered cells of a mesh into bricks by the settings: looks up their colours in a palette,
@@ -47,7 +49,8 @@ public:
     void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
     /** Let a function be called with the fraction of the layout that is done, 0 to 1, in the thread of build(). */
     void setProgress(std::function<void(double)> progress) { _progress = std::move(progress); }
-    /** Keep parts of an earlier layout where the cells have not changed; the result is left here for the next one. */
+    /** Keep parts of an earlier layout where the cells have not changed; the result, apart from the cells, is left here
+     * for the next one. */
     void setPrevious(PreviousLayout& previous) { _previous = &previous; }
 
     /** Build the bricks of covered cells.

@@ -34,15 +34,21 @@ public:
     /** The colours of its cells, from left to right. */
     std::vector<Color> voxelize(CellColor rule, unsigned int numCells = 1) const
     {
-        LegoSettings settings;
-        settings.grid.resolution = numCells;
-        const osg::ref_ptr<const GridTriangles> triangles =
-            GridTriangles::create(*SceneTriangles::create(*_geode), settings);
-        const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*triangles, rule);
+        const osg::ref_ptr<const BrickModel> model = createModel(rule, numCells);
         std::vector<Color> colors;
         for (const Brick& brick : model->getBricks())
             colors.push_back(brick.color);
         return colors;
+    }
+
+    osg::ref_ptr<const BrickModel> createModel(CellColor rule, unsigned int numCells = 1,
+                                               const PreviousCells* previous = nullptr) const
+    {
+        LegoSettings settings;
+        settings.grid.resolution = numCells;
+        const osg::ref_ptr<const GridTriangles> triangles =
+            GridTriangles::create(*SceneTriangles::create(*_geode), settings);
+        return voxelizeOnCpu(*triangles, rule, previous);
     }
 
 private:
@@ -71,6 +77,55 @@ TEST(DominantColors, TheColourOfTheLargerAreaWins)
         wall.add(0.0, border, RED);
         wall.add(border, 1.0, WHITE);
         EXPECT_EQ(wall.voxelize(CellColor::DOMINANT), std::vector{border > 0.5 ? RED : WHITE}) << border;
+    }
+}
+
+TEST(DominantColors, ACellKeepsItsColourUntilAnotherOneHasSixTenthsOfTheArea)
+{
+    const auto createWall = [](double share)
+    {
+        Wall wall;
+        wall.add(0.0, share, RED, 3);
+        wall.add(share, 1.0, WHITE);
+        return wall;
+    };
+    osg::ref_ptr<const BrickModel> model = createWall(0.3).createModel(CellColor::DOMINANT);
+    const auto moveTo = [&](double share)
+    {
+        const PreviousCells previous(*model);
+        model = createWall(share).createModel(CellColor::DOMINANT, 1, &previous);
+        return model->getBricks().front().color;
+    };
+    for (const double share : {0.45, 0.55, 0.45, 0.58})
+        EXPECT_EQ(moveTo(share), WHITE) << share;
+    for (const double share : {0.62, 0.55, 0.45, 0.55, 0.42})
+        EXPECT_EQ(moveTo(share), RED) << share;
+    EXPECT_EQ(moveTo(0.38), WHITE);
+}
+
+TEST(DominantColors, ACellPrefersTheColourThatItHadInTheLattice)
+{
+    // Cells of two colours in nearly equal areas. Those of the earlier wall begin three cells further left.
+    constexpr int NUM_CELLS = 12;
+    constexpr int STEP = 3;
+    Wall before;
+    Wall after;
+    for (int cell = 0; cell < NUM_CELLS; ++cell)
+    {
+        const bool wasRed = cell % 2 == 0;
+        before.add(cell, cell + 0.7, wasRed ? RED : WHITE);
+        before.add(cell + 0.7, cell + 1.0, wasRed ? WHITE : RED);
+        after.add(cell, cell + 0.5, RED);
+        after.add(cell + 0.5, cell + 1.0, WHITE);
+    }
+    const PreviousCells previous(*before.createModel(CellColor::DOMINANT, NUM_CELLS), {STEP, 0, 0});
+    const osg::ref_ptr<const BrickModel> model = after.createModel(CellColor::DOMINANT, NUM_CELLS, &previous);
+    ASSERT_EQ(model->getBricks().size(), std::size_t(NUM_CELLS));
+    for (const Brick& brick : model->getBricks())
+    {
+        const int place = brick.cell[0] + STEP;                  // in the earlier wall
+        const bool isRed = place >= NUM_CELLS || place % 2 == 0; // a new cell has the colour of equal areas
+        EXPECT_EQ(brick.color, isRed ? RED : WHITE) << brick.cell[0];
     }
 }
 

@@ -16,9 +16,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
+#include <osg/Geometry>
 #include <osg/MatrixTransform>
 
 namespace osgLego::test
@@ -238,7 +241,8 @@ TEST(ModelBuilder, PartsAreKeptOnlyIfThePaletteAndTheSettingsAreTheSame)
     const osg::ref_ptr<const Palette> palette = createRed(PaletteColor::ALL_SIZES);
     const auto numPartsAfter = [&](const LegoSettings& before, const osg::ref_ptr<const Palette>& paletteBefore)
     {
-        PreviousLayout previous{before, {}, {paletteBefore->getColors().begin(), paletteBefore->getColors().end()}, {}};
+        PreviousLayout previous{
+            before, {}, {paletteBefore->getColors().begin(), paletteBefore->getColors().end()}, {}, {}};
         for (const Brick& cell : cells->getBricks())
             previous.parts.push_back({{cell.cell[0], cell.cell[1], cell.cell[2]}});
         ModelBuilder builder(settings, PaletteLookup(palette));
@@ -312,6 +316,66 @@ TEST(ModelBuilder, DistantPartsStayWhenTheExtentOfTheSourceChanges)
                 EXPECT_EQ(near, before) << text << " at " << distance;
             }
         }
+}
+
+void addRectangle(osg::Group& group, double left, double right, const osg::Vec4& color)
+{
+    const osg::ref_ptr<osg::Geometry> rectangle = osg::createTexturedQuadGeometry(
+        osg::Vec3(static_cast<float>(left), 0.0f, 0.5f), {static_cast<float>(right - left), 0, 0}, {0, 8, 0});
+    const osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(1);
+    (*colors)[0] = color;
+    rectangle->setColorArray(colors, osg::Array::BIND_OVERALL);
+    group.addChild(rectangle);
+}
+
+/** The colours of the cells of a lattice of unit cells, by their places along x and y. */
+std::map<std::pair<long, long>, std::array<std::uint8_t, 3>> findLatticeColors(const BrickModel& model)
+{
+    const BrickGrid& grid = model.getGrid();
+    std::map<std::pair<long, long>, std::array<std::uint8_t, 3>> colors;
+    for (const Brick& brick : model.getBricks())
+        colors[{std::lround(grid.origin.x) + brick.cell[0], std::lround(grid.origin.y) + brick.cell[1]}] = brick.color;
+    return colors;
+}
+
+TEST(ModelBuilder, CellsThatTwoSurfacesShareDoNotFlicker)
+{
+    constexpr int NUM_CELLS = 16;
+    for (const char* text : {"cell=1,palette=ldraw", "cell=1,parts=bricks,effort=instant"})
+    {
+        const LegoSettings settings = parseSettings(text);
+        PreviousLayout previous;
+        std::map<std::pair<long, long>, std::array<std::uint8_t, 3>> before;
+        // The border between red and white moves within each cell, and the grid begins elsewhere.
+        for (const double red : {0.42, 0.56, 0.44, 0.58})
+        {
+            const osg::ref_ptr<osg::Group> group = new osg::Group;
+            for (int cell = 0; cell < NUM_CELLS; ++cell)
+            {
+                addRectangle(*group, cell, cell + red, {0.7f, 0.0f, 0.0f, 1.0f});
+                addRectangle(*group, cell + red, cell + 1.0, {1.0f, 1.0f, 1.0f, 1.0f});
+            }
+            addRectangle(*group, red < 0.5 ? -2.5 : -4.5, -0.1, {0.0f, 0.0f, 0.7f, 1.0f});
+            std::string error;
+            const osg::ref_ptr<const LegoSource> source =
+                LegoSource::create(*SceneTriangles::create(*group), settings, error);
+            ASSERT_TRUE(source) << error;
+            CpuBricksWork work;
+            work.previous = &previous;
+            const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
+            ASSERT_TRUE(model) << work.error;
+            const auto colors = findLatticeColors(*model);
+            std::size_t numCompared = 0;
+            for (const auto& [place, color] : before)
+            {
+                if (place.first < 0) continue;
+                ++numCompared;
+                EXPECT_EQ(colors.at(place), color) << text << " with " << red << " in " << place.first;
+            }
+            EXPECT_GE(numCompared, before.empty() ? 0u : std::size_t(NUM_CELLS * 8));
+            before = colors;
+        }
+    }
 }
 
 TEST(ModelBuilder, ErrorsOfColorsAreThoseOfVisibleCells)
