@@ -38,7 +38,8 @@ class LegoPipeline;
  * feature.
  *
  * Preconditions:
- * 1. Contexts provide OpenGL 4.0 or later, compatibility profile.
+ * 1. Contexts provide OpenGL 4.0 or later. In the core profile, their osg::State uses uniforms for matrices and aliases
+ *    vertex attributes; see docs/embedding.md.
  * 2. The source changes only where OSG allows a scene to change: in the update traversal or between frames. A change of
  *    an array is announced by `array->dirty()`, or the array belongs to a geometry whose data variance is DYNAMIC;
  *    transforms, switches, materials and textures need no announcement. Call dirty() after a change that is not

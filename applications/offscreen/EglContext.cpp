@@ -1,10 +1,12 @@
 #include <offscreen/EglContext.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <vector>
 
 #include <EGL/eglext.h>
+#include <osg/GLDefines>
 
 namespace osgLego
 {
@@ -60,6 +62,21 @@ constexpr std::array COMPATIBLE{EGL_CONTEXT_MAJOR_VERSION,       4,
 constexpr std::array ANY{EGL_NONE};
 // clang-format on
 
+/** The attributes of a context of the core profile, of the version in `traits`. */
+std::array<EGLint, 7> getCoreAttributes(const osg::GraphicsContext::Traits& traits)
+{
+    unsigned int major = 0;
+    unsigned int minor = 0;
+    traits.getContextVersion(major, minor);
+    return {EGL_CONTEXT_MAJOR_VERSION,
+            static_cast<EGLint>(major),
+            EGL_CONTEXT_MINOR_VERSION,
+            static_cast<EGLint>(minor),
+            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+            EGL_NONE};
+}
+
 } // namespace
 
 EglContext::EglContext(Traits* traits)
@@ -89,6 +106,12 @@ bool EglContext::realizeImplementation()
     if (isRealizedImplementation()) return true;
     _error = "there is no EGL display that gives an OpenGL context";
     const std::vector<EGLDisplay> displays = findDisplays(_traits->displayNum != 0);
+    if (_traits->glContextProfileMask & GL_CONTEXT_CORE_PROFILE_BIT)
+    {
+        const std::array<EGLint, 7> core = getCoreAttributes(*_traits);
+        return std::ranges::any_of(displays, [&](EGLDisplay display)
+                                   { return display != EGL_NO_DISPLAY && realizeOn(display, core.data()); });
+    }
     // Accept an older version only after every display has been tried: the library's message about the version of such
     // a context is clearer than EGL's.
     for (const EGLint* attributes : {COMPATIBLE.data(), ANY.data()})

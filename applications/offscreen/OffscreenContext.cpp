@@ -34,7 +34,8 @@ void forgetDeadFunctions(osg::GraphicsContext& context)
 
 } // namespace
 
-osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error, int display)
+osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height, std::string& error, int display,
+                                                          const std::string& coreVersion)
 {
     osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
     traits->displayNum = display;
@@ -45,6 +46,12 @@ osg::ref_ptr<osg::GraphicsContext> createOffscreenContext(int width, int height,
     traits->stencil = 8;
     traits->pbuffer = true;
     traits->doubleBuffer = false;
+
+    if (!coreVersion.empty())
+    {
+        traits->glContextProfileMask = GL_CONTEXT_CORE_PROFILE_BIT;
+        traits->glContextVersion = coreVersion;
+    }
 
     osg::ref_ptr<OffscreenContext> context = new OffscreenContext(traits);
     if (!context->realize())

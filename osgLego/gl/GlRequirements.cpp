@@ -71,17 +71,26 @@ Renderers& getRenderers()
     return renderers;
 }
 
-std::string findMissing(const osg::GLExtensions& extensions)
+bool isProfileCore()
 {
+    GLint profile = 0;
+    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    return (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+}
+
+std::string findMissing(const osg::State& state)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     if (std::string version = GlRequirements::getMissingVersion(extensions); !version.empty()) return version;
 
     std::vector<std::string> missing;
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     const std::string here = std::string(" (found: ") + (version ? version : "none") + ")";
-    GLint profile = 0;
-    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
-    if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
-        return "a context of the compatibility profile is needed, not the core profile" + here;
+    const bool usesUniforms = state.getUseModelViewAndProjectionUniforms() && state.getUseVertexAttributeAliasing();
+    if (isProfileCore() && !usesUniforms)
+        return "in a context of the core profile, osg::State::setUseModelViewAndProjectionUniforms(true) and "
+               "setUseVertexAttributeAliasing(true) are needed" +
+               here;
 
     for (const Limit& limit :
          {Limit{GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", GlRequirements::TEXTURE_SIZE},
@@ -109,10 +118,23 @@ const std::string& GlRequirements::getMissing(const osg::State& state)
     if (!requirements->_checked)
     {
         requirements->_checked = true;
-        requirements->_missing = findMissing(*state.get<osg::GLExtensions>());
+        requirements->_missing = findMissing(state);
         getRenderers().set(state.getContextID(), findRenderer());
     }
     return requirements->_missing;
+}
+
+bool GlRequirements::isCore(const osg::State& state)
+{
+    // The flag first: the look-up of the profile takes a lock.
+    return state.getUseModelViewAndProjectionUniforms() && hasCoreProfile(state);
+}
+
+bool GlRequirements::hasCoreProfile(const osg::State& state)
+{
+    auto* requirements = osg::get<GlRequirements>(state.getContextID());
+    if (!requirements->_hasCoreProfile) requirements->_hasCoreProfile = isProfileCore();
+    return *requirements->_hasCoreProfile;
 }
 
 Renderer GlRequirements::getRenderer(unsigned int contextID)

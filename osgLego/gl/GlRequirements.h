@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <osg/GLExtensions>
@@ -19,10 +20,9 @@ enum class Renderer
 
 /** The requirements of the passes on a GL context, checked once for each context ID.
  *
- * They are OpenGL 4.0 in the compatibility profile (the passes combine OSG's fixed-function state with geometry
- * shaders), GLSL 4.00, two geometry shader invocations, 1024 output components of a geometry shader, and textures and
- * buffer textures as large as the passes create. Image stores in fragment shaders (OpenGL 4.2) are used where
- * available, but not required.
+ * They are OpenGL 4.0, GLSL 4.00, in the core profile an osg::State that uses uniforms for matrices, two geometry
+ * shader invocations, 1024 output components of a geometry shader, and textures and buffer textures as large as the
+ * passes create. Image stores in fragment shaders (OpenGL 4.2) are used where available, but not required.
  */
 class GlRequirements : public osg::Referenced
 {
@@ -39,6 +39,12 @@ public:
     /** The same, but checks only the version, so that the context need not be current. */
     static std::string getMissingVersion(const osg::GLExtensions& extensions);
 
+    /** Whether the context of `state` has the core profile, and the state uses uniforms for matrices, without which a
+     * core context does not meet the requirements. The context must be current. */
+    static bool isCore(const osg::State& state);
+    /** Whether the context of `state` has the core profile. The context must be current. */
+    static bool hasCoreProfile(const osg::State& state);
+
     /** The renderer of a context, as found by getMissing(). May be called from any thread. */
     static Renderer getRenderer(unsigned int contextID);
 
@@ -46,6 +52,7 @@ private:
     ~GlRequirements() override = default;
 
     bool _checked = false;
+    std::optional<bool> _hasCoreProfile;
     std::string _missing;
 };
 

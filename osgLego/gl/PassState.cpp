@@ -1,5 +1,6 @@
 #include <osgLego/gl/PassState.h>
 
+#include <osgLego/gl/GlRequirements.h>
 #include <osgLego/gl/StateOverride.h>
 
 #include <osg/BlendEquation>
@@ -10,6 +11,29 @@
 
 namespace osgLego
 {
+
+namespace
+{
+
+/** Points of the size 1. Contexts of the core profile have none of the other parameters of osg::Point. */
+class SmallPoint : public osg::Point
+{
+public:
+    SmallPoint() : osg::Point(1.0f) {}
+
+    void apply(osg::State& state) const override
+    {
+        if (GlRequirements::isCore(state))
+            glPointSize(getSize());
+        else
+            osg::Point::apply(state);
+    }
+
+private:
+    ~SmallPoint() override = default;
+};
+
+} // namespace
 
 bool isTargetThere(const osg::State& state)
 {
@@ -29,7 +53,7 @@ osg::ref_ptr<osg::StateSet> createPassState(osg::Program& program)
 
 void applyInitialState(osg::StateSet& stateSet)
 {
-    stateSet.setAttribute(new osg::Point(1.0f), OVERRIDE_PROTECTED);
+    stateSet.setAttribute(new SmallPoint, OVERRIDE_PROTECTED);
     stateSet.setAttribute(new osg::ColorMask, OVERRIDE_PROTECTED);
     stateSet.setAttribute(new osg::BlendEquation(osg::BlendEquation::FUNC_ADD), OVERRIDE_PROTECTED);
     for (const auto mode :

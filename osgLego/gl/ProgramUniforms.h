@@ -8,7 +8,6 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <osg/Fog>
 #include <osg/GLExtensions>
 #include <osg/Matrixd>
 #include <osg/Program>
@@ -113,16 +112,6 @@ inline osg::Matrix3 toUniform(const osg::Matrixd& matrix)
     osg::Matrix3 result;
     std::copy_n(&rotation[0].x, 9, result.ptr());
     return result;
-}
-
-/** Set the mode of the applied fog for shaders/light/fog.glsl; GL provides its colour and other parameters. */
-inline void setFog(const ProgramUniforms& uniforms, const osg::State& state)
-{
-    const auto* fog = dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG));
-    const bool isOn = fog && state.getLastAppliedMode(GL_FOG);
-    const bool isLinear = isOn && fog->getMode() == osg::Fog::LINEAR;
-    static const UniformName FOG_MODE("fogMode");
-    uniforms.set(FOG_MODE, !isOn ? 0 : isLinear ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3);
 }
 
 } // namespace osgLego

@@ -1,7 +1,7 @@
 #include <osgLego/gl/ShaderLibrary.h>
 
 #include <osgLego/data/SharedObjects.h>
-#include <osgLego/gl/SharedBetweenViewers.h>
+#include <osgLego/gl/ContextProgram.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -26,6 +26,7 @@ namespace
 
 constexpr const char* FOLDER_VARIABLE = "OSGLEGO_SHADER_PATH";
 constexpr const char* VERSION_LINE = "#version 400 compatibility\n";
+constexpr const char* CORE_VERSION_LINE = "#version 400 core\n";
 
 bool readFile(const std::string& path, std::string& text)
 {
@@ -95,22 +96,34 @@ struct ProgramKey
     bool operator==(const ProgramKey&) const = default;
 };
 
-osg::ref_ptr<osg::Program> createProgram(const ProgramKey& key)
+void setUp(ContextProgram& program, const ProgramKey& key, const char* versionLine)
 {
-    osg::ref_ptr<SharedBetweenViewers<osg::Program>> program = new SharedBetweenViewers<osg::Program>;
-    program->setName("osgLego::" + key.pass + " " + key.definitions);
+    program.setName("osgLego::" + key.pass + " " + key.definitions);
     for (const std::string& fileName : key.fileNames)
     {
         osg::ref_ptr<osg::Shader> shader =
-            new osg::Shader(stageOf(fileName), VERSION_LINE + key.definitions + ShaderLibrary::getSource(fileName));
+            new osg::Shader(stageOf(fileName), versionLine + key.definitions + ShaderLibrary::getSource(fileName));
         shader->setName("osgLego/" + fileName);
-        program->addShader(shader);
+        program.addShader(shader);
     }
     for (const std::string& varying : key.captured)
-        program->addTransformFeedBackVarying(varying);
-    if (!key.captured.empty()) program->setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
-    program->reserveContexts();
-    if (const ShaderLibrary::ProgramCallback callback = programCallback) callback(*program);
+        program.addTransformFeedBackVarying(varying);
+    if (!key.captured.empty()) program.setTransformFeedBackMode(GL_INTERLEAVED_ATTRIBS);
+    program.reserveContexts();
+    if (const ShaderLibrary::ProgramCallback callback = programCallback) callback(program);
+}
+
+osg::ref_ptr<ContextProgram> createForCore(const ProgramKey& key)
+{
+    osg::ref_ptr<ContextProgram> program = new ContextProgram(nullptr);
+    setUp(*program, key, CORE_VERSION_LINE);
+    return program;
+}
+
+osg::ref_ptr<osg::Program> createProgram(const ProgramKey& key)
+{
+    osg::ref_ptr<ContextProgram> program = new ContextProgram([key] { return createForCore(key); });
+    setUp(*program, key, VERSION_LINE);
     return program;
 }
 

@@ -62,6 +62,9 @@ osg::ref_ptr<osg::Texture2D> createOcclusionNoise()
     image->setInternalTextureFormat(GL_RG16F);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    // OSG's default does not exist in the core profile.
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     return texture;
 }
 

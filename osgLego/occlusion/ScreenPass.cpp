@@ -1,5 +1,7 @@
 #include <osgLego/occlusion/ScreenPass.h>
 
+#include <osgLego/gl/CoreVertexArray.h>
+#include <osgLego/gl/FixedState.h>
 #include <osgLego/gl/PassState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/gl/StateOverride.h>
@@ -116,6 +118,7 @@ void ScreenPass::drawImplementation(osg::RenderInfo& renderInfo) const
     setFog(uniforms, state);
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
+    const CoreVertexArray vertexArray(state);
     draw(uniforms);
     if (!_timing) return;
     glFinish();

@@ -1,5 +1,6 @@
 #include <osgLego/passes/LegolizationPass.h>
 
+#include <osgLego/gl/CoreVertexArray.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/passes/SurfaceBinding.h>
 
@@ -60,6 +61,7 @@ std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& wo
         return std::string("the shaders of ") + className() + " failed to compile";
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
+    const CoreVertexArray vertexArray(state);
     try
     {
         return run(state, work);

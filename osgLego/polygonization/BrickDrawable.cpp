@@ -129,24 +129,24 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     workspace.cellsToEye->set(getCellsToEye(*bricks, *modelView));
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    const HiddenLight hidden = findHiddenLight(renderInfo, *bricks, *workspace.cellsToEye);
+    const BrickLight light = findLight(renderInfo, *bricks, *workspace.cellsToEye);
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *workspace.cellsToEye);
-    if (!job || !drawSplats(state, destination, drawn, *job, hidden)) drawTriangles(state, drawn, workspace, hidden);
+    if (!job || !drawSplats(state, destination, drawn, *job, light)) drawTriangles(state, drawn, workspace, light);
     state.applyModelViewMatrix(modelView.get());
 }
 
 /** The caller holds the mutex of `bricks`. */
-HiddenLight BrickDrawable::findHiddenLight(osg::RenderInfo& renderInfo, ContextBricks& bricks,
-                                           const osg::Matrixd& cellsToEye) const
+BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks,
+                                    const osg::Matrixd& cellsToEye) const
 {
     const osg::State& state = *renderInfo.getState();
-    HiddenLight hidden{ShadowMaps(renderInfo, cellsToEye.getTrans()), {}};
-    if (!_noOcclusion) return hidden;
+    BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, cellsToEye.getTrans()), {}};
+    if (!_noOcclusion) return light;
     // The distant occlusion is that of all bricks.
     DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks.findDistantOcclusion(state);
-    hidden.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
-                           getPictureWidth(state));
-    return hidden;
+    light.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
+                          getPictureWidth(state));
+    return light;
 }
 
 BrickDrawable::Shown BrickDrawable::getShown() const
@@ -296,10 +296,10 @@ bool BrickDrawable::drawPoints(osg::State& state, const SplatDestination& destin
 /** Shade splats whose points have been drawn.
  * @return false, with nothing drawn, if that is impossible. */
 bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                               const SplatJob& job, const HiddenLight& hidden) const
+                               const SplatJob& job, const BrickLight& light) const
 {
     if (!isOf(job, bricks)) return false;
-    const bool isDrawn = _splats.shade(state, destination, bricks, job, hidden);
+    const bool isDrawn = _splats.shade(state, destination, bricks, job, light);
     state.apply(&_states->getTriangles());
     if (state.getLastAppliedProgramObject() && state.getUseModelViewAndProjectionUniforms())
         state.applyModelViewAndProjectionUniformsIfRequired();
@@ -307,17 +307,17 @@ bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destin
 }
 
 void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                                  const HiddenLight& hidden) const
+                                  const BrickLight& light) const
 {
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
     const bool isOpen = showsInsides(state, view);
     workspace.ranges.find(bricks.blocks, bricks.grid, view, isOpen, bricks.numPlaced);
     // Front to back, so that fewer hidden pixels are shaded.
     if (!isOpen) workspace.ranges.sortFrontToBack();
-    const bool hasShadows = !hidden.shadows.isEmpty();
+    const bool hasShadows = !light.shadows.isEmpty();
     if (hasShadows && !applyBrickState(state, *_states->getShading(true).triangles)) return;
     setBrickUniforms(state, bricks, view, isOpen);
-    hidden.apply(state);
+    light.apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
     if (hasShadows) state.apply(&_states->getTriangles());
 }

@@ -2,12 +2,12 @@
 
 #include <osgLego/LegoSettings.h>
 #include <osgLego/gl/SharedGlObjects.h>
+#include <osgLego/polygonization/BrickLight.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickSplats.h>
 #include <osgLego/polygonization/BrickStates.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/DrawnBricks.h>
-#include <osgLego/polygonization/HiddenLight.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <cstddef>
@@ -93,16 +93,15 @@ private:
     osg::Matrixd getCellsToEye(const ContextBricks& bricks, const osg::Matrixd& modelView) const;
     DrawnBricks getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
                          const osg::Matrixd& cellsToEye) const;
-    HiddenLight findHiddenLight(osg::RenderInfo& renderInfo, ContextBricks& bricks,
-                                const osg::Matrixd& cellsToEye) const;
+    BrickLight findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const osg::Matrixd& cellsToEye) const;
     SplatJob* findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
     void addSplats(const osg::State& state, const SplatDestination& destination, const osg::Matrixd& modelView) const;
     void addFollowing(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
     bool drawPoints(osg::State& state, const SplatDestination& destination, std::size_t first) const;
     bool drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                    const SplatJob& job, const HiddenLight& hidden) const;
+                    const SplatJob& job, const BrickLight& light) const;
     void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                       const HiddenLight& hidden) const;
+                       const BrickLight& light) const;
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;

@@ -1,5 +1,6 @@
 #include <osgLego/polygonization/BrickSplats.h>
 
+#include <osgLego/gl/CoreVertexArray.h>
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/BrickUniforms.h>
@@ -105,14 +106,14 @@ void BrickSplats::drawPoints(osg::State& state, const DrawnBricks& bricks, const
 }
 
 bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                        const SplatJob& job, const HiddenLight& hidden) const
+                        const SplatJob& job, const BrickLight& light) const
 {
     static const UniformName ORIGIN("origin");
     static const UniformName FIRST("firstSplat");
     static const UniformName COUNT("numSplats");
     if (job.ranges.getAll().firsts.empty() && !bricks.blocks.empty()) return true;
     SplatTarget& target = getTarget(state);
-    const BrickStates::Shading shading = _states->getShading(!hidden.shadows.isEmpty());
+    const BrickStates::Shading shading = _states->getShading(!light.shadows.isEmpty());
     if (!applyBrickState(state, hasOneLight(state) ? *shading.splatsByOneLight : *shading.splats))
     {
         target.fail();
@@ -122,7 +123,7 @@ bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, 
     state.applyTextureAttribute(BrickStates::DEPTHS_UNIT, &target.getDepths());
     const BrickTexture texture(state, target.getBricks(), bricks);
     setBrickUniforms(state, bricks, *job.view, false);
-    hidden.apply(state);
+    light.apply(state);
     setRays(state, job.rays, destination.getSize());
     const ProgramUniforms uniforms(state);
     uniforms.set(ORIGIN, destination.getOrigin());
@@ -147,6 +148,7 @@ void BrickSplats::drawTiles(const osg::State& state, const DrawnBricks& bricks, 
     const ProgramUniforms uniforms(state);
     uniforms.set(NUM_ACROSS, tiles.getNumAcross());
     uniforms.set(SIDE, static_cast<float>(PictureTiles::SIDE));
+    const CoreVertexArray vertexArray(state);
     state.get<osg::GLExtensions>()->glMultiDrawArrays(GL_POINTS, tiles.getFirsts().data(), tiles.getCounts().data(),
                                                       static_cast<GLsizei>(tiles.getFirsts().size()));
 }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <osgLego/polygonization/BrickLight.h>
 #include <osgLego/polygonization/BrickRanges.h>
 #include <osgLego/polygonization/BrickStates.h>
 #include <osgLego/polygonization/CellView.h>
 #include <osgLego/polygonization/DrawnBricks.h>
-#include <osgLego/polygonization/HiddenLight.h>
 #include <osgLego/polygonization/PictureTiles.h>
 #include <osgLego/polygonization/SplatTarget.h>
 
@@ -50,7 +50,7 @@ public:
     /** Shade the pixels of a job whose points have been drawn. Leaves the state for shading applied.
      * @return false, with nothing drawn, if its program can't be applied. */
     bool shade(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks, const SplatJob& job,
-               const HiddenLight& hidden) const;
+               const BrickLight& light) const;
 
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state) const;

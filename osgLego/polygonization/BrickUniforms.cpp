@@ -1,5 +1,7 @@
 #include <osgLego/polygonization/BrickUniforms.h>
 
+#include <osgLego/gl/CoreVertexArray.h>
+#include <osgLego/gl/FixedState.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/LightNumbers.h>
 
@@ -83,6 +85,7 @@ void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const 
     if (bricks.ranks != 0) setParts(uniforms, bricks);
     setLines(uniforms, bricks.lines);
     setFog(uniforms, state);
+    setMatrices(uniforms, state);
     setLights(uniforms, state);
 }
 
@@ -109,6 +112,7 @@ void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRa
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
+    const CoreVertexArray vertexArray(state);
     const GLuint numAttributes = setAttributes(extensions, bricks);
     if (bricks.blocks.empty())
         glDrawArrays(GL_POINTS, 0, bricks.count);

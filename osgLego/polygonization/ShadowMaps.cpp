@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/LightNumbers.h>
+#include <osgLego/polygonization/PositionedState.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,7 +13,6 @@
 #include <osg/TexGen>
 #include <osg/Uniform>
 #include <osg/Vec4d>
-#include <osgUtil/PositionalStateContainer>
 
 namespace osgLego
 {
@@ -24,21 +24,6 @@ namespace
 constexpr unsigned int FIRST_UNIT = 8;
 // The least radius in which the edges of shadows are blurred, in texels: sharper ones show the texels.
 constexpr float LEAST_BLUR = 0.75f;
-
-/** The attributes that a stage positions in eye coordinates: its own, and those of the camera that contains it. */
-struct PositionedState
-{
-    osgUtil::PositionalStateContainer* container;
-    osg::Matrixd toEye; // after the matrix of an attribute
-
-    osg::Matrixd getMatrix(const osg::RefMatrix* matrix) const { return matrix ? *matrix * toEye : toEye; }
-};
-
-std::array<PositionedState, 2> findPositionedStates(osgUtil::RenderStage& stage)
-{
-    return {{{stage.getInheritedPositionalStateContainer(), stage.getInheritedPositionalStateContainerMatrix()},
-             {stage.getPositionalStateContainer(), osg::Matrixd()}}};
-}
 
 /** The depth texture with comparison that state sets bind to a unit; null if there is none. The last applied one may be
  * that of another drawable. */

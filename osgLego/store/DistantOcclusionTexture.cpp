@@ -1,6 +1,11 @@
 #include <osgLego/store/DistantOcclusionTexture.h>
 
+#include <osgLego/gl/GlRequirements.h>
+
 #include <algorithm>
+
+#include <osg/GLExtensions>
+#include <osg/State>
 
 namespace osgLego
 {
@@ -8,10 +13,27 @@ namespace osgLego
 namespace
 {
 
+/** A texture with mipmaps also in the core profile: there, OSG 3.6.5 creates none, since it sets GL_GENERATE_MIPMAP. */
+class MipmappedTexture : public osg::Texture3D
+{
+public:
+    using osg::Texture3D::Texture3D;
+
+    void apply(osg::State& state) const override
+    {
+        const bool isNew = !getTextureObject(state.getContextID());
+        osg::Texture3D::apply(state);
+        if (isNew && GlRequirements::isCore(state)) state.get<osg::GLExtensions>()->glGenerateMipmap(GL_TEXTURE_3D);
+    }
+
+private:
+    ~MipmappedTexture() override = default;
+};
+
 osg::ref_ptr<osg::Texture3D> createTexture(const osg::Image& image)
 {
     // The texture takes no const image; it only reads it.
-    osg::ref_ptr<osg::Texture3D> texture = new osg::Texture3D(const_cast<osg::Image*>(&image));
+    osg::ref_ptr<osg::Texture3D> texture = new MipmappedTexture(const_cast<osg::Image*>(&image));
     texture->setInternalFormat(GL_RGBA8);
     texture->setResizeNonPowerOfTwoHint(false);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);

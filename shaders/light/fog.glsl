@@ -1,5 +1,7 @@
 // The scene's fog, as osg::Fog describes it.
 
+#include "gl/fixed_state.glsl"
+
 // fogMode: 0: none, 1: linear, 2: exponential, 3: exponential of the square.
 #if defined(SPLATS)
 #define fogMode sceneNumbers.w
@@ -9,10 +11,10 @@
 #define fogScale sceneFog[1].y
 #else
 uniform int fogMode;
-#define fogColor gl_Fog.color.rgb
-#define fogDensity gl_Fog.density
-#define fogEnd gl_Fog.end
-#define fogScale gl_Fog.scale
+#define fogColor fogParameters.color.rgb
+#define fogDensity fogParameters.density
+#define fogEnd fogParameters.end
+#define fogScale fogParameters.scale
 #endif
 
 // The fraction of a surface's light that passes through the fog, given the surface's depth in eye coordinates.

@@ -1,5 +1,7 @@
 // The scene's lights, as osg::Light describes them.
 
+#include "gl/fixed_state.glsl"
+
 struct Light
 {
     vec4 position;
@@ -17,8 +19,8 @@ struct Light
 #define ambientOfAll sceneAmbient.rgb
 #define eyeIsPlace (sceneNormals[2].w == 0.0)
 #else
-#define ambientOfAll gl_LightModel.ambient.rgb
-#define eyeIsPlace (gl_ProjectionMatrix[3][3] == 0.0)
+#define ambientOfAll lightModel.ambient.rgb
+#define eyeIsPlace (projectionMatrix[3][3] == 0.0)
 #endif
 
 #if defined(ONE_LIGHT)
@@ -39,12 +41,12 @@ uniform int lightNumbers[8]; // the numbers of the enabled lights
 Light lightAt(int place)
 {
     int number = lightNumbers[place];
-    return Light(gl_LightSource[number].position, gl_LightSource[number].ambient.rgb, gl_LightSource[number].diffuse.rgb,
-                 gl_LightSource[number].specular.rgb,
-                 vec3(gl_LightSource[number].constantAttenuation, gl_LightSource[number].linearAttenuation,
-                      gl_LightSource[number].quadraticAttenuation),
-                 gl_LightSource[number].spotDirection, gl_LightSource[number].spotCutoff,
-                 gl_LightSource[number].spotCosCutoff, gl_LightSource[number].spotExponent);
+    return Light(lightSources[number].position, lightSources[number].ambient.rgb, lightSources[number].diffuse.rgb,
+                 lightSources[number].specular.rgb,
+                 vec3(lightSources[number].constantAttenuation, lightSources[number].linearAttenuation,
+                      lightSources[number].quadraticAttenuation),
+                 lightSources[number].spotDirection, lightSources[number].spotCutoff,
+                 lightSources[number].spotCosCutoff, lightSources[number].spotExponent);
 }
 
 #endif

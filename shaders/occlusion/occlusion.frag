@@ -2,6 +2,7 @@
 // It finds horizons in slices through the view direction (Jimenez et al. 2016, "Practical Realtime Strategies for
 // Accurate Indirect Occlusion"), and the light between them is integrated in closed form.
 
+#include "gl/fragment_outputs.glsl"
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 
@@ -170,5 +171,5 @@ void main()
         bent += light.y * tangent + light.z * toEye;
     }
     // With few slices both values are inexact (visibility can exceed 1); only the mean over neighbours is right.
-    gl_FragColor = vec4(bent, visibility) / float(SLICES);
+    fragmentColor = vec4(bent, visibility) / float(SLICES);
 }

@@ -2,6 +2,7 @@
 // (the paper, section III-D), plus the light from the scene's lights and reflections. It writes depth, so that nodes
 // drawn outside the group intersect the bricks.
 
+#include "gl/fragment_outputs.glsl"
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 #include "light/color_space.glsl"
@@ -51,7 +52,7 @@ vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float v
     vec3 diffuse = irradianceAt(normalize(bent + bend)) * visibility * toLight(albedo.rgb);
     vec3 mirrored = reflectionAt(shading, toEye, light.a) *
                     reflectionVisibility(max(dot(shading, toEye), 0.0), visibility, light.a);
-    return mix(gl_Fog.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
+    return mix(fogParameters.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
 }
 
 void main()
@@ -90,7 +91,7 @@ void main()
     if (shown == 3) color = irradianceAt(bent);
     if (shown == 4) color = 0.5 + 0.5 * surface;
     // The pixel may be partly covered.
-    gl_FragColor = vec4(color, 1.0) * depth.g;
+    fragmentColor = vec4(color, 1.0) * depth.g;
     // Even the farthest surface must be nearer than the cleared depth.
     gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
 }

@@ -1,5 +1,6 @@
 // Ambient occlusion, the last pass before the composite: averages neighbours that are on the same surface.
 
+#include "gl/fragment_outputs.glsl"
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 
@@ -57,5 +58,5 @@ void main()
             weights += weight;
         }
     float visibility = pow(clamp(sum.w / weights, 0.0, 1.0), power);
-    gl_FragColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : vec3(0.0, 0.0, 1.0), visibility);
+    fragmentColor = vec4(dot(sum.xyz, sum.xyz) > 1e-8 ? normalize(sum.xyz) : vec3(0.0, 0.0, 1.0), visibility);
 }

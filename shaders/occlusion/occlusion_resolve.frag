@@ -3,6 +3,8 @@
 // sample, which is at nearly the same position in each pixel, so that neighbours are consistent; light is averaged over
 // all covered samples.
 
+#define NUM_OUTPUTS 5
+#include "gl/fragment_outputs.glsl"
 #include "occlusion/view_position.glsl"
 
 #if SAMPLES > 1
@@ -56,12 +58,12 @@ void main()
         // Only bricks write an albedo; other children write their colour instead.
         albedo += isLight ? texelFetch(albedoBuffer, pixel, index) : vec4(0.0, 0.0, 0.0, 1.0);
     }
-    gl_FragData[0] = vec4(eyeDepthOf(depth), float(count) / float(SAMPLES), 0.0, 0.0);
-    gl_FragData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, chosen).a);
-    gl_FragData[2] = albedo / float(count);
-    gl_FragData[3] = normals;
+    fragmentData[0] = vec4(eyeDepthOf(depth), float(count) / float(SAMPLES), 0.0, 0.0);
+    fragmentData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, chosen).a);
+    fragmentData[2] = albedo / float(count);
+    fragmentData[3] = normals;
 #if defined(DISTANT_OCCLUSION)
-    gl_FragData[4] = texelFetch(distantBuffer, pixel, chosen);
+    fragmentData[4] = texelFetch(distantBuffer, pixel, chosen);
 #endif
 }
 
@@ -76,7 +78,7 @@ void main()
     float depth = texelFetch(depthBuffer, pixel, 0).r;
     // Children that write no depth, such as skies, are recognized by their colour.
     if (depth >= 1.0 && texelFetch(lightBuffer, pixel, 0).a == 0.0) discard;
-    gl_FragData[0] = vec4(eyeDepthOf(depth));
+    fragmentData[0] = vec4(eyeDepthOf(depth));
 }
 
 #endif

@@ -1,5 +1,6 @@
 // Ambient occlusion, after resolving: finds the tiles of the picture that show something.
 
+#include "gl/fragment_outputs.glsl"
 #include "occlusion/view_position.glsl"
 
 uniform sampler2D depthImage; // z in eye coordinates
@@ -13,5 +14,5 @@ void main()
     for (int y = begin.y; y < end.y && nearest < NOTHING; ++y)
         for (int x = begin.x; x < end.x; ++x)
             nearest = max(nearest, texelFetch(depthImage, ivec2(x, y), 0).r);
-    gl_FragColor = vec4(nearest < NOTHING ? 0.0 : 1.0);
+    fragmentColor = vec4(nearest < NOTHING ? 0.0 : 1.0);
 }

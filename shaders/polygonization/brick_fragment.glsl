@@ -160,7 +160,9 @@ flat in uint novelty;
 const bool isNew = true;
 #endif
 
-#define normalMatrix gl_NormalMatrix
+#include "gl/fixed_state.glsl"
+
+#define normalMatrix eyeNormalMatrix
 // gl_FrontFacing can't be used: in wireframe mode, llvmpipe draws lines all over the window if a fragment shader that
 // follows a geometry shader reads it.
 #define isOutside ((detail & INSIDE) == 0u)

@@ -1,5 +1,6 @@
 // Polygonization, the plain look: Phong's lighting model per pixel, with the scene's lights.
 
+#include "gl/fragment_outputs.glsl"
 #include "polygonization/brick_fragment.glsl"
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
@@ -41,5 +42,5 @@ void main()
     albedo = drawnColor(albedo, lineHere(towardsEye(eyePosition)));
 #endif
     vec3 shaded = shade(albedo);
-    gl_FragColor = vec4(mix(fogColor, shaded, transmittanceAt(eyePosition.z)), 1.0);
+    fragmentColor = vec4(mix(fogColor, shaded, transmittanceAt(eyePosition.z)), 1.0);
 }

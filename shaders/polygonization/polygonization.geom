@@ -2,6 +2,7 @@
 // brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
 // counter-clockwise as seen from outside.
 
+#include "gl/fixed_state.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
 #include "polygonization/brick_detail.glsl"
 
@@ -41,8 +42,8 @@ struct Place
 
 Place placeOf(vec4 position)
 {
-    vec4 eye = gl_ModelViewMatrix * position;
-    return Place(eye.xyz, gl_ProjectionMatrix * eye);
+    vec4 eye = modelViewMatrix * position;
+    return Place(eye.xyz, projectionMatrix * eye);
 }
 
 Place moved(Place place, float distance, Place step)
@@ -61,7 +62,9 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
     novelty = vertexNovelty[0];
 #endif
     gl_Position = place.clip;
+#if defined(GL_compatibility_profile)
     gl_ClipVertex = vec4(place.eye, 1.0);
+#endif
     EmitVertex();
 }
 
@@ -91,7 +94,7 @@ void emitSide(vec3 cell, int axis, bool upper)
     Place first = placeOf(vec4(corner, 1.0));
     Place alongU = placeOf(u);
     Place second = moved(first, 1.0, placeOf(v));
-    vec3 eyeNormal = gl_NormalMatrix * normal;
+    vec3 eyeNormal = eyeNormalMatrix * normal;
     uint colors = colorOf(brick[0], axis, upper, upAxis);
     emitVertex(first, eyeNormal, vec2(0.0, 0.0), details, colors);
     emitVertex(moved(first, 1.0, alongU), eyeNormal, vec2(1.0, 0.0), details, colors);
@@ -129,9 +132,9 @@ void emitStud(vec3 center, vec3 up)
     Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
     Place stepU = placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0));
     Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
-    vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
-    vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
-    vec3 normalUp = gl_NormalMatrix * up;
+    vec3 normalU = eyeNormalMatrix * across(1.0, 0.0);
+    vec3 normalV = eyeNormalMatrix * across(0.0, 1.0);
+    vec3 normalUp = eyeNormalMatrix * up;
     uint wall = detailOf(brick[0], STUD_WALL, upAxis, true);
     uint disk = detailOf(brick[0], STUD_DISK, upAxis, true);
 

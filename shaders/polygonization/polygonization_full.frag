@@ -1,6 +1,10 @@
 // Polygonization, the full look: plastic bricks in the light of the scene and of a light probe. If ambient occlusion
 // follows (#define GEOMETRY_BUFFER), it adds the light of the probe.
 
+#if defined(GEOMETRY_BUFFER)
+#define NUM_OUTPUTS 4
+#endif
+#include "gl/fragment_outputs.glsl"
 #include "polygonization/brick_surface.glsl"
 #include "light/lighting.glsl"
 #include "light/fog.glsl"
@@ -39,7 +43,7 @@ vec3 directLight(Surface surface, vec3 albedo, out float environment)
     vec3 diffuse = vec3(0.0);
     vec3 specular = vec3(0.0);
     float slope = surface.roughness * surface.roughness;
-    float shininess = usesMaterial ? gl_FrontMaterial.shininess : 0.5 / (slope * slope + LIGHT_SIZE * LIGHT_SIZE);
+    float shininess = usesMaterial ? frontMaterial.shininess : 0.5 / (slope * slope + LIGHT_SIZE * LIGHT_SIZE);
     for (int place = 0; place < numLights; ++place)
     {
         Light light = lightAt(place);
@@ -57,7 +61,7 @@ vec3 directLight(Surface surface, vec3 albedo, out float environment)
     }
     environment = 1.0 - SHADOW_DARKNESS * hidden / all;
     vec3 reflectance = vec3(HIGHLIGHT * PLASTIC_REFLECTANCE * 0.5 * (shininess + 1.0));
-    if (usesMaterial) reflectance = gl_FrontMaterial.specular.rgb;
+    if (usesMaterial) reflectance = frontMaterial.specular.rgb;
     return albedo * diffuse + reflectance * specular;
 }
 
@@ -82,21 +86,21 @@ void main()
     if (numLights < 0)
     {
         vec3 shown = mix(fogColor, unlitColor(), transmittance);
-        gl_FragData[0] = vec4(shown, 1.0);
-        gl_FragData[1] = vec4(0.0);
-        gl_FragData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
+        fragmentData[0] = vec4(shown, 1.0);
+        fragmentData[1] = vec4(0.0);
+        fragmentData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
 #if defined(DISTANT_OCCLUSION)
-        gl_FragData[3] = vec4(128.0 / 255.0);
+        fragmentData[3] = vec4(128.0 / 255.0);
 #endif
         return;
     }
     float environment;
     vec3 light = directLight(surface, albedo, environment) * surface.openness;
-    gl_FragData[0] = vec4(light, surface.roughness);
-    gl_FragData[1] = vec4(surface.color * pow(environment * surface.openness, 1.0 / GAMMA), transmittance);
-    gl_FragData[2] = packNormals(surface.normal, surface.shading);
+    fragmentData[0] = vec4(light, surface.roughness);
+    fragmentData[1] = vec4(surface.color * pow(environment * surface.openness, 1.0 / GAMMA), transmittance);
+    fragmentData[2] = packNormals(surface.normal, surface.shading);
 #if defined(DISTANT_OCCLUSION)
-    gl_FragData[3] = distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition));
+    fragmentData[3] = distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition));
 #endif
 }
 
@@ -117,7 +121,7 @@ void main()
                        reflectionAt(surface.shading, towardsEye(eyePosition), surface.roughness);
         shown = toColor((direct + ambient) * surface.openness);
     }
-    gl_FragColor = vec4(mix(fogColor, shown, transmittance), 1.0);
+    fragmentColor = vec4(mix(fogColor, shown, transmittance), 1.0);
 }
 
 #endif

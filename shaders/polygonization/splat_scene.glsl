@@ -11,7 +11,7 @@ PASSED ivec2 sceneSplats;  // the number of the first brick's splat, and the num
 PASSED vec4 sceneRows[3];  // the matrix from cells to eye coordinates
 PASSED vec4 sceneNormals[3]; // xyz: the columns of the normal matrix; w: the picture's width and height, and 0 in perspective
 PASSED vec4 sceneFog[2];     // colour and density; end and scale
-PASSED vec4 sceneAmbient;    // gl_LightModel.ambient
+PASSED vec4 sceneAmbient;    // lightModel.ambient
 #if defined(LINES)
 PASSED vec4 sceneLines; // see part_lines.glsl: the widths of lines and of those on faded parts, and that of a pixel
 #endif

@@ -1,5 +1,6 @@
 // Shading of splats: draws a point over each tile of the picture that may contain bricks.
 
+#include "gl/fixed_state.glsl"
 #define PASSED flat out
 #include "polygonization/splat_scene.glsl"
 
@@ -36,26 +37,26 @@ void passRays()
 
 void passMatrices()
 {
-    mat4 rows = transpose(gl_ModelViewMatrix);
+    mat4 rows = transpose(modelViewMatrix);
     for (int row = 0; row < 3; ++row)
         sceneRows[row] = rows[row];
-    sceneNormals[0] = vec4(gl_NormalMatrix[0], pictureSize.x);
-    sceneNormals[1] = vec4(gl_NormalMatrix[1], pictureSize.y);
-    sceneNormals[2] = vec4(gl_NormalMatrix[2], gl_ProjectionMatrix[3][3]);
+    sceneNormals[0] = vec4(eyeNormalMatrix[0], pictureSize.x);
+    sceneNormals[1] = vec4(eyeNormalMatrix[1], pictureSize.y);
+    sceneNormals[2] = vec4(eyeNormalMatrix[2], projectionMatrix[3][3]);
 }
 
 void passLight()
 {
-    sceneAmbient = gl_LightModel.ambient;
+    sceneAmbient = lightModel.ambient;
 #if defined(ONE_LIGHT)
     int number = lightNumbers[0];
-    sceneLight[0] = gl_LightSource[number].position;
-    sceneLight[1] = vec4(gl_LightSource[number].ambient.rgb, gl_LightSource[number].spotCutoff);
-    sceneLight[2] = vec4(gl_LightSource[number].diffuse.rgb, gl_LightSource[number].spotCosCutoff);
-    sceneLight[3] = vec4(gl_LightSource[number].specular.rgb, gl_LightSource[number].spotExponent);
-    sceneLight[4] = vec4(gl_LightSource[number].constantAttenuation, gl_LightSource[number].linearAttenuation,
-                         gl_LightSource[number].quadraticAttenuation, 0.0);
-    sceneLight[5] = vec4(gl_LightSource[number].spotDirection, 0.0);
+    sceneLight[0] = lightSources[number].position;
+    sceneLight[1] = vec4(lightSources[number].ambient.rgb, lightSources[number].spotCutoff);
+    sceneLight[2] = vec4(lightSources[number].diffuse.rgb, lightSources[number].spotCosCutoff);
+    sceneLight[3] = vec4(lightSources[number].specular.rgb, lightSources[number].spotExponent);
+    sceneLight[4] = vec4(lightSources[number].constantAttenuation, lightSources[number].linearAttenuation,
+                         lightSources[number].quadraticAttenuation, 0.0);
+    sceneLight[5] = vec4(lightSources[number].spotDirection, 0.0);
 #endif
 }
 
@@ -66,11 +67,11 @@ void main()
     passLight();
     sceneNumbers = ivec4(upAxis, origin, fogMode);
     sceneSplats = ivec2(firstSplat, numSplats);
-    sceneFog[0] = vec4(gl_Fog.color.rgb, gl_Fog.density);
+    sceneFog[0] = vec4(fogParameters.color.rgb, fogParameters.density);
 #if defined(LINES)
     sceneLines = vec4(lineWidth, oldLineWidth, linePixelWidth);
 #endif
-    sceneFog[1] = vec4(gl_Fog.end, gl_Fog.scale, 0.0, 0.0);
+    sceneFog[1] = vec4(fogParameters.end, fogParameters.scale, 0.0, 0.0);
 
     vec2 tile = vec2(gl_VertexID % tilesAcross, gl_VertexID / tilesAcross);
     // The last tile of a row or column is moved inwards, so that its centre is inside the picture.

@@ -1,5 +1,6 @@
 // Splats: each brick becomes a point just large enough to cover the parts of it that may be visible.
 
+#include "gl/fixed_state.glsl"
 #include "polygonization/splat_rays.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
 #if defined(PARTIAL)
@@ -52,13 +53,13 @@ Box boxAround(bvec3 seen, vec3 toEye)
 vec4 pictureOf(Box box)
 {
     vec3 reach = 0.5 * (box.upper - box.lower);
-    vec4 middle = gl_ModelViewProjectionMatrix * vec4(box.lower + reach, 1.0);
+    vec4 middle = modelViewProjectionMatrix * vec4(box.lower + reach, 1.0);
     vec2 place = middle.xy / middle.w;
     vec2 most = vec2(0.0);
     float nearest = middle.w;
     for (int axis = 0; axis < 3; ++axis)
     {
-        vec4 step = gl_ModelViewProjectionMatrix[axis];
+        vec4 step = modelViewProjectionMatrix[axis];
         most += abs(step.xy - place * step.w) * reach[axis];
         nearest -= abs(step.w) * reach[axis];
     }

@@ -10,6 +10,7 @@ uniform sampler2D sums; // of exact voxelization
 #include "passes/addressing.glsl"
 #include "passes/voxel_color.glsl"
 #include "voxelization/color_in_cell.glsl"
+#include "gl/fragment_outputs.glsl"
 
 // Nearer colours are hardly better: they differ by less than the preference for dark colours.
 const float CLOSE = RED_BIAS + GREEN_BIAS + BLUE_BIAS;
@@ -54,5 +55,5 @@ void main()
     vec3 color = plainColor(pointInCell(vec3(cell + firstCell) + 0.5));
     vec3 mean = colorOfVoxel(texelFetch(sums, ivec2(gl_FragCoord.xy), 0));
     gl_FragDepth = 0.5 * dominanceScore(color, mean); // a score is below 2
-    gl_FragColor = vec4(color, 1.0);
+    fragmentColor = vec4(color, 1.0);
 }

@@ -1,6 +1,8 @@
 // Voxelization by points, projected (the paper, Algorithm 4): the alpha of a pixel is the number of its cell, divided
 // by numberScale.
 
+#include "gl/fragment_outputs.glsl"
+
 uniform float numberScale; // a power of two no smaller than the number of cells, so that dividing by it is exact
 
 flat in vec3 color;
@@ -8,5 +10,5 @@ flat in int cellNumber;
 
 void main()
 {
-    gl_FragColor = vec4(color, float(cellNumber) / numberScale);
+    fragmentColor = vec4(color, float(cellNumber) / numberScale);
 }

@@ -8,11 +8,12 @@ flat in uvec2 packedCell;
 
 #include "passes/voxel_color.glsl"
 #include "voxelization/color_in_cell.glsl"
+#include "gl/fragment_outputs.glsl"
 
 void main()
 {
     ivec3 cell = ivec3(packedCell.x & 0xffffu, packedCell.x >> 16, packedCell.y);
     markCovered(cell);
     vec3 center = vec3(cell + firstCell) + 0.5;
-    gl_FragColor = weightedColor(filteredColor(pointInCell(center)), weight);
+    fragmentColor = weightedColor(filteredColor(pointInCell(center)), weight);
 }

@@ -73,6 +73,17 @@ osg::ref_ptr<osg::GraphicsContext> GlTest::createContext(int display)
     return context;
 }
 
+osg::ref_ptr<osg::GraphicsContext> GlTest::createCoreContext(const std::string& version)
+{
+    std::string error;
+    osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(WIDTH, HEIGHT, error, 0, version);
+    if (!context) throw std::runtime_error(error);
+    context->getState()->setUseModelViewAndProjectionUniforms(true);
+    context->getState()->setUseVertexAttributeAliasing(true);
+    watchGl(*context);
+    return context;
+}
+
 void GlTest::setUpViewer(osgViewer::Viewer& viewer, osg::GraphicsContext& context, osg::Node& scene)
 {
     osg::Camera* camera = viewer.getCamera();

@@ -30,6 +30,8 @@ protected:
 
     /** A context that is watched for errors, realized, and not current. @param display see createOffscreenContext(). */
     static osg::ref_ptr<osg::GraphicsContext> createContext(int display = 0);
+    /** Likewise of the core profile, with a state that uses uniforms for matrices. @param version such as "4.1". */
+    static osg::ref_ptr<osg::GraphicsContext> createCoreContext(const std::string& version);
 
     /** Let a viewer draw a scene into a context, from a distance at which all of it is visible. */
     static void setUpViewer(osgViewer::Viewer& viewer, osg::GraphicsContext& context, osg::Node& scene);

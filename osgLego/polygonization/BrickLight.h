@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/polygonization/CoreLights.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/ShadowMaps.h>
 
@@ -10,15 +11,17 @@
 namespace osgLego
 {
 
-/** The light that other bricks and other nodes hide from the bricks that are drawn. */
-struct HiddenLight
+/** The light of the scene where bricks are drawn, and how much of it other bricks and other nodes hide. */
+struct BrickLight
 {
+    CoreLights lights;
     ShadowMaps shadows;
     std::optional<DistantOcclusionView> distant; //!< nothing if the programs use no distant occlusion
 
     /** Set textures and uniforms of the program that a state has applied. Needs its context current. */
     void apply(osg::State& state) const
     {
+        lights.apply(state);
         if (!shadows.isEmpty()) shadows.apply(state);
         if (distant) distant->apply(state);
     }

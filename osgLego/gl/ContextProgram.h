@@ -1,0 +1,42 @@
+#pragma once
+
+#include <osgLego/gl/SharedBetweenViewers.h>
+
+#include <functional>
+#include <mutex>
+#include <utility>
+
+#include <osg/Program>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** A program for contexts of the compatibility profile that another one replaces in contexts of the core profile.
+ *
+ * State sets contain this program, since the profile of a context is unknown before drawing. The other one is created
+ * in the first core context.
+ */
+class ContextProgram : public SharedBetweenViewers<osg::Program>
+{
+public:
+    using Create = std::function<osg::ref_ptr<ContextProgram>()>;
+
+    /** @param createForCore null for a program that is used in every context. */
+    explicit ContextProgram(Create createForCore) : _createForCore(std::move(createForCore)) {}
+
+    void apply(osg::State& state) const override;
+    void compileGLObjects(osg::State& state) const override;
+
+private:
+    ~ContextProgram() override = default;
+
+    /** Share the GL program of the program for core contexts, and return that program; null in other contexts. */
+    const ContextProgram* useForCore(osg::State& state) const;
+
+    Create _createForCore;
+    mutable std::mutex _mutex;
+    mutable osg::ref_ptr<ContextProgram> _forCore;
+};
+
+} // namespace osgLego
