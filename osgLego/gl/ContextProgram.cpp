@@ -2,24 +2,8 @@
 
 #include <osgLego/gl/GlRequirements.h>
 
-#include <osg/GLExtensions>
-
 namespace osgLego
 {
-
-namespace
-{
-
-/** Correct assumptions of OSG 3.6.5, built for fixed functions, that do not hold in the core profile. */
-void correctCoreState(osg::State& state)
-{
-    // Points are sprites without this mode, which GL rejects.
-    state.setModeValidity(GL_POINT_SPRITE_ARB, false);
-    // OSG prefers GL_GENERATE_MIPMAP to glGenerateMipmap for some textures.
-    state.get<osg::GLExtensions>()->preferGenerateMipmapSGISForPowerOfTwo = false;
-}
-
-} // namespace
 
 void ContextProgram::apply(osg::State& state) const
 {
@@ -40,7 +24,8 @@ const ContextProgram* ContextProgram::useForCore(osg::State& state) const
     if (!_createForCore || !GlRequirements::hasCoreProfile(state)) return nullptr;
     const std::lock_guard lock(_mutex);
     if (!_forCore) _forCore = _createForCore();
-    correctCoreState(state);
+    // Points are sprites without this mode, which GL rejects.
+    state.setModeValidity(GL_POINT_SPRITE_ARB, false);
     // OSG reads this array directly when it compiles a state set.
     const unsigned int contextID = state.getContextID();
     _forCore->getPCP(state);

@@ -121,8 +121,8 @@ osg::ref_ptr<osg::Group> createLitScene(LegoNode& lego)
     const osg::ref_ptr<osg::Fog> fog = new osg::Fog;
     fog->setMode(osg::Fog::LINEAR);
     fog->setColor(osg::Vec4(0.8f, 0.3f, 0.6f, 1.0f));
-    fog->setStart(2.0f);
-    fog->setEnd(8.0f);
+    fog->setStart(5.0f);
+    fog->setEnd(40.0f);
     const osg::ref_ptr<osg::Material> material = new osg::Material;
     material->setSpecular(osg::Material::FRONT_AND_BACK, osg::Vec4(0.2f, 0.9f, 0.4f, 1.0f));
     material->setShininess(osg::Material::FRONT_AND_BACK, 20.0f);
