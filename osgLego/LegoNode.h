@@ -120,10 +120,11 @@ public:
     bool getTiming() const;
 
     /** Wait, in the cull traversal, for bricks made on the CPU, so that each frame shows the current source.
-     * Off by default: the node keeps showing the previous bricks until the new ones are ready. Changed settings cancel
-     * work in progress. A change of the source alone does so, too, though never twice in a row, so that bricks of a
-     * continually changing source are updated at intervals, as fast as they can be made. Frames always wait for the
-     * first bricks, unless LegoSettings::View::meanwhile says otherwise. */
+     * Off by default: the node keeps showing the previous bricks until the new ones are ready. Parts that take longer
+     * than Effort::INSTANT are preceded by a draft, laid with that effort. Changed settings cancel work in progress. A
+     * change of the source alone cancels work behind a draft and, though never twice in a row, other work, so that
+     * bricks of a continually changing source are updated as fast as they or their drafts can be made. Frames always
+     * wait for the first bricks, unless LegoSettings::View::meanwhile says otherwise. */
     void setWaiting(bool waiting);
     bool getWaiting() const;
 
@@ -147,7 +148,7 @@ public:
     void setUpdateMode(UpdateMode mode);
     UpdateMode getUpdateMode() const { return _updateMode; }
 
-    /** Called when bricks made on the CPU are ready to be shown from the next frame on.
+    /** Called when bricks made on the CPU, or a draft of them, are ready to be shown from the next frame on.
      *
      * A worker thread calls ready(), or a thread that waits for the bricks, such as the one in osgViewer's frame().
      * ready() may only do what any thread may do, such as osgViewer::ViewerBase::requestRedraw(); it must not call the
@@ -242,7 +243,8 @@ public:
      * whose bricks have the coordinates of the world. */
     osg::Matrixd getBricksToNode() const;
 
-    /** The bricks that frames show at present: those stored, or the last ones made on the CPU. Returns at once; null if
+    /** The bricks that frames show at present: those stored, or the last ones made on the CPU, which may be a draft
+     * (see setWaiting()). Returns at once; null if
      * there are none, and for bricks made on the GPU, which getBricks(contextID) reads back. May be called from any
      * thread. */
     osg::ref_ptr<const BrickModel> getShownBricks() const;
@@ -263,8 +265,8 @@ public:
     LegoStatistics getStatistics(unsigned int contextID) const;
 
     /** Whether a context has the bricks of the current source and settings: false from setSettings() or dirty() on,
-     * until a frame shows the new bricks. A change that the node has to detect counts from the next update on. Remains
-     * false if the bricks can't be made; see getFailure(). */
+     * until a frame shows the new bricks, and for a draft of them. A change that the node has to detect counts from the
+     * next update on. Remains false if the bricks can't be made; see getFailure(). */
     bool isLegolized(unsigned int contextID) const;
 
     /** Whether the current context, that of `state`, can make and draw bricks; see precondition 1. */

@@ -173,8 +173,11 @@ void addView(Table& table)
              "parts in their colours, or in colours for the load on their joints");
     view.add(
         "meanwhile", &View::meanwhile,
-        Choice<Meanwhile>{{"wait", Meanwhile::WAIT}, {"source", Meanwhile::SOURCE}, {"nothing", Meanwhile::NOTHING}},
-        "until the first bricks are ready, the frame waits, or shows the source or nothing");
+        Choice<Meanwhile>{{"wait", Meanwhile::WAIT},
+                          {"draft", Meanwhile::DRAFT},
+                          {"source", Meanwhile::SOURCE},
+                          {"nothing", Meanwhile::NOTHING}},
+        "until the first bricks are ready, the frame waits, or shows a draft of their parts, the source or nothing");
 }
 
 /** All keys. A setting is added here, and as a member in the header. */

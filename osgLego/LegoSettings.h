@@ -77,6 +77,7 @@ enum class Drawing
 enum class Meanwhile
 {
     WAIT,   //!< nothing else: the first frame waits for them
+    DRAFT,  //!< a draft of their parts (Effort::INSTANT), for which the first frame waits; other bricks have no draft
     SOURCE, //!< the source
     NOTHING //!< nothing; the frame does not wait
 };

@@ -18,13 +18,16 @@ namespace osgLego
 /** A source to be legolized, with its settings; immutable, so that threads may share it. */
 struct LegoSource : public osg::Referenced
 {
-    std::uint64_t revision = 0; //!< above 0; higher for each new source of a node
+    std::uint64_t revision = 0; //!< above 1; higher by 2 or more for each new source of a node
     LegoSettings settings;
     osg::ref_ptr<const GridTriangles> triangles;
     PaletteLookup lookup;    //!< the colours that bricks may have
     double flattening = 0.0; //!< the time taken to make `triangles`, in milliseconds
     bool timing = false;     //!< wait for each stage to finish, to time it
     bool readBack = false;   //!< read the covered cells back to the CPU
+
+    /** The revision of a draft of the bricks, which are shown until those of the source are ready. */
+    std::uint64_t getDraftRevision() const { return revision - 1; }
 
     /** Create a source of triangles, without a revision.
      * @return null, with one sentence in `error`, if the palette of the settings can't be read. */

@@ -3,6 +3,7 @@
 #include <osgLego/cpu/CpuVoxelizer.h>
 
 #include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <osg/Timer>
@@ -24,12 +25,33 @@ std::optional<PreviousCells> findPreviousCells(const PreviousLayout* previous, c
                          glm::ivec3(glm::round((grid.origin - previous->grid.origin) / grid.cellSize)));
 }
 
+/** Lay parts with little effort, and show them. */
+void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork& work)
+{
+    LegoSettings settings = source.settings;
+    settings.parts.effort = Effort::INSTANT;
+    settings.parts.support = false;
+    PreviousLayout layout;
+    // Its parts may have been laid with more effort.
+    if (work.shown && work.shown->settings.givesSameBricks(source.settings)) layout = *work.shown;
+    layout.settings = settings;
+    ModelBuilder builder(settings, source.lookup);
+    builder.setCancellation(work.isCancelled);
+    builder.setPrevious(layout);
+    const osg::ref_ptr<const BrickModel> draft = builder.build(cells);
+    if (!draft) return;
+    work.measureLayout = builder.getMeasurement();
+    layout.settings = source.settings;
+    layout.cells = &cells;
+    work.showDraft(*draft, std::move(layout));
+}
+
 } // namespace
 
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const std::optional<PreviousCells> previous = findPreviousCells(work.previous, source);
+    const std::optional<PreviousCells> previous = findPreviousCells(work.shown, source);
     const osg::ref_ptr<const BrickModel> cells =
         voxelizeOnCpu(*source.triangles, source.lookup.hasPalette() ? CellColor::DOMINANT : CellColor::MEAN,
                       previous ? &*previous : nullptr);
@@ -40,6 +62,7 @@ osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBric
     work.statistics.flattening = source.flattening;
     work.statistics.voxelization = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
 
+    if (work.showDraft) showDraft(source, *cells, work);
     ModelBuilder builder(source.settings, source.lookup);
     builder.setCancellation(work.isCancelled);
     builder.setProgress(work.progress);

@@ -19,8 +19,13 @@ struct CpuBricksWork
     std::function<bool()> isCancelled;    //!< called from any thread; may be empty
     std::function<void(double)> progress; //!< called with the fraction of the layout that is done; may be empty
     PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
-    LegoStatistics statistics;            //!< of the bricks, without those of parts
-    std::function<LayoutStatistics()> measureLayout; //!< computes the figures of parts; empty without parts
+    /** The layout that is shown, whose parts a draft keeps, and whose colours cells keep; may be null. */
+    const PreviousLayout* shown = nullptr;
+    /** Called with parts laid with Effort::INSTANT and without columns, and their layout, before those of the settings
+     * are laid; empty: no such draft is made. */
+    std::function<void(const BrickModel& draft, PreviousLayout&& layout)> showDraft;
+    LegoStatistics statistics;                       //!< of the bricks, without those of parts
+    std::function<LayoutStatistics()> measureLayout; //!< computes the figures of the last parts; empty without parts
     std::string error;   //!< why there are no bricks, in one sentence; empty if it was cancelled
     std::string warning; //!< a setting without effect, to be printed once for a source; may be empty
 };

@@ -44,12 +44,19 @@ osg::ref_ptr<const BuildingSet> createSet(const BrickSet& bricks, const Building
     return new BuildingSet(bricks.getRevision(), *model, plan);
 }
 
+void warn(const std::string& failure)
+{
+    OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << failure << std::endl;
+}
+
 } // namespace
 
 BuildingProducer::BuildingProducer(BrickStore& store, std::function<void()> announce) :
-    _store(&store), _job({.outOfMemory = OUT_OF_MEMORY,
-                          .deliver = [this](const Job::Run& run) { deliver(run); },
-                          .announce = std::move(announce)})
+    _store(&store),
+    _job({.outOfMemory = OUT_OF_MEMORY,
+          .deliver = [this](const osg::ref_ptr<const BuildingSet>& building) { _store->deliver(*building); },
+          .fail = warn,
+          .announce = std::move(announce)})
 {
 }
 
@@ -73,10 +80,11 @@ void BuildingProducer::produce(const BrickSet& bricks, double seconds)
 {
     const auto createWork = [&]
     {
-        return [bricks = osg::ref_ptr<const BrickSet>(&bricks), plan = getPlan()](
-                   const Job::IsCancelled& isCancelled, std::string&) -> std::optional<osg::ref_ptr<const BuildingSet>>
+        return [bricks = osg::ref_ptr<const BrickSet>(&bricks),
+                plan = getPlan()](const Job::Run& run, std::string&) -> std::optional<osg::ref_ptr<const BuildingSet>>
         {
-            const osg::ref_ptr<const BuildingSet> building = createSet(*bricks, plan, isCancelled);
+            const osg::ref_ptr<const BuildingSet> building =
+                createSet(*bricks, plan, [&run] { return run.isCancelled(); });
             return building ? std::optional(building) : std::nullopt;
         };
     };
@@ -84,15 +92,6 @@ void BuildingProducer::produce(const BrickSet& bricks, double seconds)
         _job.request(bricks.getRevision(), seconds == BackgroundTask::FOREVER, createWork).run;
     if (run && seconds > 0.0) run->wait(seconds);
     _job.deliver();
-}
-
-void BuildingProducer::deliver(const Job::Run& run)
-{
-    if (run.getResult())
-        _store->deliver(**run.getResult());
-    else
-        OSG_WARN << "osgLego: all parts are shown, because the order of building can't be made: " << run.getFailure()
-                 << std::endl;
 }
 
 } // namespace osgLego

@@ -41,8 +41,6 @@ public:
 private:
     using Job = BackgroundJob<osg::ref_ptr<const BuildingSet>>;
 
-    void deliver(const Job::Run& run);
-
     osg::ref_ptr<BrickStore> _store;
     mutable std::mutex _mutex; // guards the plan
     osg::ref_ptr<const BuildingPlan> _plan;

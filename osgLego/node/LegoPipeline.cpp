@@ -190,13 +190,19 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
  * @return whether the CPU has not finished them in time for this frame. */
 bool LegoPipeline::produce(const LegoSource& source, const ContextBricks& bricks, osgUtil::CullVisitor& visitor)
 {
-    const bool mustWait = _waiting || (source.settings.view.meanwhile == Meanwhile::WAIT && !hasBricks(bricks));
     BrickProducer& producer = chooseProducer(source.settings, visitor.getState()->getContextID());
-    producer.produce(source, visitor, mustWait ? _waitingLimit.load() : 0.0);
+    producer.produce(source, visitor, chooseWait(source.settings.view.meanwhile, bricks));
     if (&producer != _cpuProducer.get()) return false;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     // Picking may have made a set without points.
     return !newest || !newest->hasPoints() || newest->getRevision() != source.revision;
+}
+
+FrameWait LegoPipeline::chooseWait(Meanwhile meanwhile, const ContextBricks& bricks) const
+{
+    const bool isDraftEnough = !_waiting && meanwhile == Meanwhile::DRAFT;
+    const bool mustWait = _waiting || ((isDraftEnough || meanwhile == Meanwhile::WAIT) && !hasBricks(bricks));
+    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough};
 }
 
 /** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is
@@ -280,8 +286,10 @@ osg::BoundingBoxd LegoPipeline::getBounds() const
 std::optional<Meanwhile> LegoPipeline::getMeanwhile() const
 {
     const osg::ref_ptr<const LegoSource> source = getSource();
-    if (!source || source->settings.view.meanwhile == Meanwhile::WAIT || _store->getBricks()) return std::nullopt;
-    return source->settings.view.meanwhile;
+    if (!source || _store->getBricks()) return std::nullopt;
+    const Meanwhile meanwhile = source->settings.view.meanwhile;
+    const bool isWaited = meanwhile == Meanwhile::WAIT || meanwhile == Meanwhile::DRAFT;
+    return isWaited ? std::nullopt : std::optional(meanwhile);
 }
 
 void LegoPipeline::prepareForPicking()

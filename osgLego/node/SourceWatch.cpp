@@ -15,10 +15,11 @@ namespace osgLego
 namespace
 {
 
+/** Number a source, and leave a number for the draft of its bricks (LegoSource::getDraftRevision()). */
 std::uint64_t makeRevision()
 {
     static std::atomic<std::uint64_t> last{0};
-    return ++last;
+    return last += 2;
 }
 
 /** The values that determine the triangles of a source. */

@@ -17,15 +17,16 @@
 namespace osgLego
 {
 
-/** Makes results on separate threads, each for one revision of its input, of which only the newest is wanted.
+/** Makes results on separate threads, each for one revision of its input, of which only the newest is wanted. A run may
+ * offer a draft before its result.
  *
- * A request for another revision cancels the run in progress, though never twice in a row unless it demands so: input
- * that changes faster than its results are made would otherwise never have one.
+ * A request for another revision cancels the run in progress, though never twice in a row unless it demands so or the
+ * run has offered a draft: input that changes faster than its results are made would otherwise never have one.
  *
  * Usage:
  *
- *     BackgroundJob<int> job({.deliver = [](const auto& run) { if (run.getResult()) use(*run.getResult()); }});
- *     job.request(1, false, [] { return [](const auto&, std::string&) { return 42; }; });
+ *     BackgroundJob<int> job({.deliver = [](int result) { use(result); }});
+ *     job.request(1, false, [] { return [](auto& run, std::string&) { run.offer(41); return 42; }; });
  *     ... // in each frame:
  *     job.deliver();
  *
@@ -35,11 +36,6 @@ template <typename Result>
 class BackgroundJob
 {
 public:
-    using IsCancelled = std::function<bool()>;
-    /** Makes a result, and returns early once cancelled; may throw. @return nothing, with a sentence in `error`, if it
-     * can't be made. */
-    using Work = std::function<std::optional<Result>(const IsCancelled& isCancelled, std::string& error)>;
-
     /** How a run has ended. */
     enum class Outcome
     {
@@ -51,13 +47,19 @@ public:
 
     class Run;
 
+    /** Makes a result, and returns early once the run is cancelled; may throw. @return nothing, with a sentence in
+     * `error`, if it can't be made. */
+    using Work = std::function<std::optional<Result>(Run& run, std::string& error)>;
+
     struct Options
     {
         std::string outOfMemory{}; //!< the reason if there is not enough memory
         std::string prefix{};      //!< comes before the reasons of other exceptions
-        /** Called at most once for a run that was made or has failed. Must not call the job. */
-        std::function<void(const Run&)> deliver{};
-        /** Called when a result has been made, in the thread that made it. */
+        /** Called with a draft, and with a result that was made. Must not call the job. */
+        std::function<void(const Result&)> deliver{};
+        /** Called with the reason why a run has failed. Must not call the job. */
+        std::function<void(const std::string&)> fail{};
+        /** Called when a draft or a result has been made, in the thread that made it. */
         std::function<void()> announce{};
     };
 
@@ -80,7 +82,7 @@ public:
     ~BackgroundJob() = default;
 
     /** The run for a revision: the last one if it is for this revision, or a new one in its place.
-     * @param isUrgent cancel a run in progress even if the one before it was cancelled.
+     * @param isUrgent cancel a run in progress even if the one before it was cancelled, too.
      * @param createWork creates the work of a new run, after the last run has been delivered.
      * @return null if the run in progress is to end first. */
     Request request(std::uint64_t revision, bool isUrgent, const std::function<Work()>& createWork);
@@ -88,7 +90,7 @@ public:
     std::shared_ptr<Run> getRun() const;
     /** Whether a run is in progress or has not been delivered. */
     bool isBusy() const;
-    /** Deliver the last run if it has ended, unless it has been delivered. */
+    /** Deliver the last run if it has ended, unless it has been delivered, or else its draft. */
     void deliver();
     /** Cancel the run in progress, without waiting for it to end. */
     void cancel();
@@ -102,7 +104,7 @@ private:
     Options _options;
     std::array<std::atomic<std::size_t>, 4> _numEnded{}; // for each outcome
     mutable std::mutex _mutex;
-    bool _hasGivenUp = false; // whether the run before the last one was cancelled by a request
+    bool _hasGivenUp = false; // whether a request has cancelled the run before the last one, which had no draft
     bool _isDelivered = false;
     std::shared_ptr<Run> _last;
     std::vector<std::shared_ptr<Run>> _retired; // cancelled, but possibly not ended
@@ -113,9 +115,10 @@ template <typename Result>
 class BackgroundJob<Result>::Run
 {
 public:
-    Run(BackgroundJob& job, std::uint64_t revision, Work work) :
-        _job(job), _revision(revision), _work(std::move(work)),
-        _task({.work = [this] { _result = _work([this] { return _task.isCancelled(); }, _failure); },
+    /** @param replacesRun whether it replaces a run in progress. */
+    Run(BackgroundJob& job, std::uint64_t revision, Work work, bool replacesRun) :
+        _job(job), _revision(revision), _work(std::move(work)), _replacesRun(replacesRun),
+        _task({.work = [this] { _result = _work(*this, _failure); },
                .outOfMemory = job._options.outOfMemory,
                .prefix = job._options.prefix,
                .settle = [this](const std::string& failure) { settle(failure); },
@@ -124,7 +127,15 @@ public:
     }
 
     std::uint64_t getRevision() const { return _revision; }
+    /** Wait until the run has ended, or for a number of seconds. */
     void wait(double seconds = BackgroundTask::FOREVER) const { _task.wait(seconds); }
+    /** The same, but also end the wait when there is a draft. */
+    void waitForDraft(double seconds) const
+    {
+        _task.wait(seconds, [this] { return hasDraft(); });
+    }
+    /** Whether a draft has been offered. */
+    bool hasDraft() const { return _hasDraft; }
     bool isCancelled() const { return _task.isCancelled(); }
     Outcome getOutcome() const { return _task.hasEnded() ? _outcome : Outcome::NONE; }
     /** Null unless the outcome is MADE. */
@@ -132,8 +143,32 @@ public:
     /** The reason if the outcome is FAILED; otherwise empty. */
     std::string getFailure() const { return getOutcome() == Outcome::FAILED ? _failure : std::string(); }
 
+    // These functions are for the work.
+    /** Whether the run has replaced one in progress, as happens while the input changes continually. */
+    bool replacesRun() const { return _replacesRun; }
+    /** Have the job deliver a draft. Called at most once. */
+    void offer(Result draft)
+    {
+        {
+            const std::lock_guard lock(_draftMutex);
+            _draft = std::move(draft);
+        }
+        _hasDraft = true;
+        _task.wake();
+        if (_job._options.announce && !isCancelled()) _job._options.announce();
+    }
+    /** Sleep for a number of seconds: less if the run is cancelled, or if another thread waits for it. */
+    void rest(double seconds) const { _task.rest(seconds); }
+
 private:
     friend class BackgroundJob;
+
+    /** The draft, unless it has been taken. */
+    std::optional<Result> takeDraft()
+    {
+        const std::lock_guard lock(_draftMutex);
+        return std::exchange(_draft, std::nullopt);
+    }
 
     void settle(const std::string& failure)
     {
@@ -156,6 +191,10 @@ private:
     BackgroundJob& _job;
     std::uint64_t _revision;
     Work _work;
+    bool _replacesRun;
+    std::mutex _draftMutex;
+    std::optional<Result> _draft; // not yet taken
+    std::atomic<bool> _hasDraft{false};
     std::optional<Result> _result;
     std::string _failure;
     Outcome _outcome = Outcome::NONE;
@@ -171,11 +210,12 @@ typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint
         const std::lock_guard lock(_mutex);
         if (_last && _last->getRevision() == revision) return {_last, false};
         const bool isRunning = _last && _last->getOutcome() == Outcome::NONE;
-        if (isRunning && _hasGivenUp && !isUrgent) return {};
-        _hasGivenUp = isRunning;
+        const bool hasNothing = isRunning && !_last->hasDraft();
+        if (hasNothing && _hasGivenUp && !isUrgent) return {};
+        _hasGivenUp = hasNothing;
         deliverLast();
         retire();
-        run = _last = std::make_shared<Run>(*this, revision, createWork());
+        run = _last = std::make_shared<Run>(*this, revision, createWork(), isRunning);
         _isDelivered = false;
     }
     run->_task.start(); // without the lock, since this thread may do the work
@@ -221,10 +261,13 @@ typename BackgroundJob<Result>::Counts BackgroundJob<Result>::getCounts() const
 template <typename Result>
 void BackgroundJob<Result>::deliverLast()
 {
-    const Outcome outcome = _last ? _last->getOutcome() : Outcome::NONE;
-    if (_isDelivered || (outcome != Outcome::MADE && outcome != Outcome::FAILED)) return;
-    _isDelivered = true;
-    if (_options.deliver) _options.deliver(*_last);
+    if (!_last || _isDelivered) return;
+    const Outcome outcome = _last->getOutcome();
+    const std::optional<Result> draft = _last->takeDraft();
+    _isDelivered = outcome == Outcome::MADE || outcome == Outcome::FAILED;
+    if (const Result* result = outcome == Outcome::MADE ? _last->getResult() : draft ? &*draft : nullptr)
+        if (_options.deliver) _options.deliver(*result);
+    if (outcome == Outcome::FAILED && _options.fail) _options.fail(_last->getFailure());
 }
 
 /** Cancel the last run, without waiting for it to end. */

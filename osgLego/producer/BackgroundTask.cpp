@@ -57,17 +57,37 @@ void BackgroundTask::cancel()
 {
     _isCancelled = true;
     _group.cancel();
+    wake();
 }
 
-void BackgroundTask::wait(double seconds) const
+void BackgroundTask::wait(double seconds, const std::function<bool()>& isEnough) const
 {
     constexpr double LONGEST = 1e6; // which clocks can count
-    const auto hasEnded = [this] { return _hasEnded.load(); };
-    std::unique_lock lock(_endMutex);
+    const auto isOver = [&] { return _hasEnded || (isEnough && isEnough()); };
+    std::unique_lock lock(_waitMutex);
+    if (isOver()) return;
+    ++_numWaiting;
+    _change.notify_all();
     if (seconds < LONGEST)
-        _end.wait_for(lock, std::chrono::duration<double>(seconds), hasEnded);
+        _change.wait_for(lock, std::chrono::duration<double>(seconds), isOver);
     else
-        _end.wait(lock, hasEnded);
+        _change.wait(lock, isOver);
+    --_numWaiting;
+}
+
+void BackgroundTask::wake() const
+{
+    {
+        // A thread that has just checked its condition is then waiting already.
+        const std::lock_guard lock(_waitMutex);
+    }
+    _change.notify_all();
+}
+
+void BackgroundTask::rest(double seconds) const
+{
+    std::unique_lock lock(_waitMutex);
+    _change.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return _isCancelled || _numWaiting > 0; });
 }
 
 void BackgroundTask::run()
@@ -78,11 +98,8 @@ void BackgroundTask::run()
         catchFailure([this] { _group.run_and_wait([this] { _steps.work(); }); }, _steps.outOfMemory, _steps.prefix);
     _steps.work = nullptr; // and all that it holds
     _steps.settle(failure);
-    {
-        const std::lock_guard lock(_endMutex);
-        _hasEnded = true;
-    }
-    _end.notify_all();
+    _hasEnded = true;
+    wake();
     _steps.announce();
     _hasReturned = true;
 }

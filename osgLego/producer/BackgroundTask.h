@@ -52,15 +52,21 @@ public:
     bool hasReturned() const { return _hasReturned; }
     void cancel();
     bool isCancelled() const { return _isCancelled; }
-    /** Wait until the task has ended, or for a number of seconds. Another thread may start it meanwhile. */
-    void wait(double seconds = FOREVER) const;
+    /** Wait until the task has ended, or for a number of seconds. Another thread may start it meanwhile.
+     * @param isEnough also ends the wait by returning true, and is called after each wake(); may be empty. */
+    void wait(double seconds = FOREVER, const std::function<bool()>& isEnough = {}) const;
+    /** Have the threads that wait check whether they have waited enough. */
+    void wake() const;
+    /** Sleep for a number of seconds in the task itself: less if it is cancelled, or if another thread waits for it. */
+    void rest(double seconds) const;
 
 private:
     void run();
 
     Steps _steps;
-    mutable std::mutex _endMutex;
-    mutable std::condition_variable _end; // notified when it has ended
+    mutable std::mutex _waitMutex;
+    mutable std::condition_variable _change; // notified after changes that end a wait or a rest
+    mutable int _numWaiting = 0;             // threads; guarded by the mutex
     std::atomic<bool> _hasEnded{false};
     std::atomic<bool> _hasReturned{false};
     std::atomic<bool> _isCancelled{false};

@@ -9,6 +9,13 @@
 namespace osgLego
 {
 
+/** How long a frame waits for its bricks. */
+struct FrameWait
+{
+    double seconds = 0.0;  //!< at most; 0: not at all
+    bool forDraft = false; //!< whether a draft ends the wait
+};
+
 /** Makes an immutable brick set (BrickSet) from a source, and delivers it to the BrickStore given to its constructor.
  *
  * Every function may be called from any thread.
@@ -18,9 +25,8 @@ class BrickProducer : public osg::Referenced
 public:
     /** Make the bricks of a source for the context of a visitor, unless they exist or are being made. Cancels work on
      * an older source.
-     * @param seconds to wait for bricks that are available to the frame being culled; otherwise, they follow in a later
-     * frame. */
-    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) = 0;
+     * @param wait for bricks that are available to the frame being culled; after it, they follow in a later frame. */
+    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait) = 0;
 
     /** Deliver the sets finished since the last call, and release resources that have been idle for a while. Called in
      * the update traversal of each frame while isBusy(), and possibly in others, with the number of the frame. */

@@ -1,6 +1,5 @@
 #include <osgLego/producer/CpuProducer.h>
 
-#include <osgLego/model/CpuBricks.h>
 #include <osgLego/stability/LoadColors.h>
 
 #include <optional>
@@ -14,6 +13,7 @@ namespace osgLego
 namespace
 {
 
+constexpr double REST = 0.2; // seconds for which a source that moves stays the same before more than a draft is made
 constexpr const char* OUT_OF_MEMORY = "there is not enough memory for all bricks; expected a lower resolution";
 constexpr const char* NO_MEMORY_FOR_LOADS = "there is not enough memory for it; expected fewer parts";
 
@@ -27,6 +27,12 @@ osg::ref_ptr<const BrickModel> tryToColorByLoad(const BrickModel& model, const s
     OSG_WARN << "osgLego: parts keep their colours, because the load on their joints can't be computed: " << failure
              << std::endl;
     return &model;
+}
+
+/** Whether settings ask for parts that take longer to lay than a draft. */
+bool isLaidLong(const LegoSettings& settings)
+{
+    return settings.parts.set != PartSet::NONE && settings.parts.effort != Effort::INSTANT;
 }
 
 /** The set of a model in the colours to show; null if it was cancelled. */
@@ -44,47 +50,63 @@ osg::ref_ptr<const BrickSet> createSet(std::uint64_t revision, const BrickModel&
 CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
     _store(&store), _job({.outOfMemory = OUT_OF_MEMORY,
                           .prefix = "the bricks can't be made: ",
-                          .deliver = [this](const Job::Run& run) { deliver(run); },
+                          .deliver = [this](const Made& made) { deliver(made); },
                           .announce = std::move(announce)})
 {
 }
 
-void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds)
+void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait)
 {
-    const bool waits = seconds > 0.0;
     // Within a limit, bricks of a source that changes in every frame might never be made.
-    const auto [run, isNew] = request(source, seconds == BackgroundTask::FOREVER);
+    const bool isUrgent = wait.seconds == BackgroundTask::FOREVER;
+    const auto [run, isNew] = request(source, isUrgent, wait.forDraft || !isUrgent);
     // A set that was begun in this frame belongs to a later one, however fast it was made.
-    if (!run || (isNew && !waits)) return;
-    if (waits) run->wait(seconds);
+    if (!run || (isNew && wait.seconds <= 0.0)) return;
+    if (wait.seconds > 0.0) wait.forDraft ? run->waitForDraft(wait.seconds) : run->wait(wait.seconds);
     _job.deliver();
     if (run->getOutcome() == Job::Outcome::FAILED)
         _store->getContext(visitor.getState()->getContextID())->fail(source.revision, run->getFailure());
 }
 
-CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool isUrgent)
+/** @param hasDraft whether parts that take long to make follow a draft. */
+CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool isUrgent, bool hasDraft)
 {
     const auto createWork = [&]
     {
-        return [this, source = osg::ref_ptr<const LegoSource>(&source), layout = _layout,
-                progress = begin(source.settings)](const Job::IsCancelled& isCancelled,
-                                                   std::string& error) mutable -> std::optional<Made>
+        return [this, source = osg::ref_ptr<const LegoSource>(&source), previous = _layout, shown = _shownLayout,
+                progress = begin(source.settings), hasDraft](Job::Run& run, std::string& error)
         {
+            PreviousLayout layout = *previous;
             CpuBricksWork work;
-            work.isCancelled = isCancelled;
+            work.isCancelled = [&run] { return run.isCancelled(); };
             work.progress = [&progress](double fraction) { *progress = static_cast<float>(fraction); };
             work.previous = &layout;
-            const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);
-            error = work.error;
-            if (!model) return std::nullopt;
-            warn(work.warning);
-            const osg::ref_ptr<const BrickSet> bricks = createSet(source->revision, *model, source->settings.view.show,
-                                                                  work.statistics, work.measureLayout, isCancelled);
-            if (!bricks) return std::nullopt;
-            return Made{bricks, std::move(layout)};
+            work.shown = shown.get();
+            if (hasDraft && isLaidLong(source->settings))
+                work.showDraft = [&](const BrickModel& draft, PreviousLayout&& draftLayout)
+                {
+                    *progress = 0.0f;
+                    run.offer({new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout),
+                               std::make_shared<PreviousLayout>(std::move(draftLayout)), true});
+                    if (run.replacesRun()) run.rest(REST);
+                };
+            return make(*source, work, error);
         };
     };
     return _job.request(source.revision, isUrgent || hasOtherSettings(source), createWork);
+}
+
+/** Make the bricks of a source. @return nothing if that was cancelled, or with a sentence in `error`. */
+std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, CpuBricksWork& work, std::string& error)
+{
+    const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(source, work);
+    error = work.error;
+    if (!model) return std::nullopt;
+    warn(work.warning);
+    const osg::ref_ptr<const BrickSet> bricks = createSet(source.revision, *model, source.settings.view.show,
+                                                          work.statistics, work.measureLayout, work.isCancelled);
+    if (!bricks) return std::nullopt;
+    return Made{bricks, std::make_shared<PreviousLayout>(std::move(*work.previous))};
 }
 
 /** Whether a source needs other bricks than the last one even if its triangles are the same. */
@@ -129,27 +151,26 @@ void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision
 {
     const auto createWork = [&]
     {
-        return [model = osg::ref_ptr<const BrickModel>(&bricks), revision](const Job::IsCancelled& isCancelled,
+        return [model = osg::ref_ptr<const BrickModel>(&bricks), revision](const Job::Run& run,
                                                                            std::string&) -> std::optional<Made>
         {
             LegoStatistics statistics;
             statistics.isStored = true;
             const osg::ref_ptr<const BrickSet> set =
-                createSet(revision, *model, Show::LOAD, statistics, {}, isCancelled);
+                createSet(revision, *model, Show::LOAD, statistics, {}, [&run] { return run.isCancelled(); });
             if (!set) return std::nullopt;
-            return Made{set, {}};
+            return Made{set, std::make_shared<PreviousLayout>()};
         };
     };
     _job.cancel();
     _job.request(revision, false, createWork);
 }
 
-void CpuProducer::deliver(const Job::Run& run)
+void CpuProducer::deliver(const Made& made)
 {
-    const Made* const made = run.getResult();
-    if (!made) return;
-    _store->deliver(*made->bricks);
-    _layout = made->layout;
+    _store->deliver(*made.bricks);
+    _shownLayout = made.layout;
+    if (!made.isDraft) _layout = made.layout;
 }
 
 void CpuProducer::update(unsigned int)
@@ -170,7 +191,7 @@ void CpuProducer::cancel()
 
 osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
-    const std::shared_ptr<Job::Run> run = request(source, true).run;
+    const std::shared_ptr<Job::Run> run = request(source, true, false).run;
     run->wait();
     error = run->getFailure();
     const Made* const made = run->getResult();

@@ -3,6 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoProgress.h>
 #include <osgLego/data/BrickSet.h>
+#include <osgLego/model/CpuBricks.h>
 #include <osgLego/model/ModelBuilder.h>
 #include <osgLego/producer/BackgroundJob.h>
 #include <osgLego/producer/BrickProducer.h>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <osg/ref_ptr>
@@ -26,6 +28,10 @@ namespace osgLego
  * A source with other settings always cancels work in progress, so that settings take effect at once. A source that has
  * only changed does so unless the work before was cancelled, so that continual changes are shown at intervals.
  *
+ * If no frame waits for them, parts that take longer than Effort::INSTANT follow a draft laid with that effort
+ * (LegoSource::getDraftRevision()). While a source changes continually, each change cancels the work behind the draft
+ * before it, which therefore begins only when the source has rested for a moment.
+ *
  * With Show::LOAD, the parts of a set have colours for the load on their joints (colorByLoad). If the loads can't be
  * computed, the parts keep their colours, and a warning says why.
  */
@@ -35,7 +41,7 @@ public:
     /** @param announce called when a set is finished, in the thread that made it. */
     CpuProducer(BrickStore& store, std::function<void()> announce);
 
-    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double seconds) override;
+    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait) override;
     void update(unsigned int frame) override;
     bool isBusy() const override { return _job.isBusy(); }
     void cancel() override;
@@ -58,10 +64,12 @@ public:
     auto getCounts() const { return _job.getCounts(); }
 
 private:
+    using SharedLayout = std::shared_ptr<const PreviousLayout>;
     struct Made
     {
         osg::ref_ptr<const BrickSet> bricks;
-        PreviousLayout layout;
+        SharedLayout layout;
+        bool isDraft = false;
     };
     using Job = BackgroundJob<Made>;
     /** The fraction of the parts that are laid, or FINDS_CELLS before that. */
@@ -72,16 +80,19 @@ private:
 
     std::shared_ptr<Progress> begin(const LegoSettings& settings);
     bool hasOtherSettings(const LegoSource& source) const;
-    Job::Request request(const LegoSource& source, bool isUrgent);
+    Job::Request request(const LegoSource& source, bool isUrgent, bool hasDraft);
+    std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, std::string& error);
     void warn(const std::string& warning);
-    void deliver(const Job::Run& run);
+    void deliver(const Made& made);
 
     osg::ref_ptr<BrickStore> _store;
     mutable std::mutex _mutex;           // guards the next three
     std::shared_ptr<Progress> _progress; // of the last set; the work has it, too, and may outlast its request
     LegoSettings _settings;              // of the last set
     std::string _warning;                // the last one that was printed
-    PreviousLayout _layout;              // of the last set that was made; guarded by the job, whose calls alone use it
+    // The layouts of the last set but drafts, and of the last set; guarded by the job, whose calls alone use them.
+    SharedLayout _layout = std::make_shared<PreviousLayout>();
+    SharedLayout _shownLayout = _layout;
     Job _job;
 };
 

@@ -33,7 +33,7 @@ GpuProducer::~GpuProducer()
     SharedGlObjects::get().removeUser(this);
 }
 
-void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, double)
+void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait&)
 {
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;

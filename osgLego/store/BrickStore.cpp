@@ -14,7 +14,9 @@ void BrickStore::deliver(const BrickSet& bricks)
 {
     const std::lock_guard lock(_mutex);
     if (bricks.getRevision() < _leastRevision) return;
-    if (_bricks && _bricks->getRevision() > bricks.getRevision()) return;
+    // The draft of a source replaces the set for picking, which has no points.
+    const bool isDraft = _bricks && !_bricks->hasPoints() && _bricks->getRevision() == bricks.getRevision() + 1;
+    if (_bricks && _bricks->getRevision() > bricks.getRevision() && !isDraft) return;
     // A source may have two sets: one that every context can upload, and one whose points are on a GPU.
     if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
     _bricks = &bricks;

@@ -32,7 +32,7 @@ public:
     /** @param result of the work. */
     Job::Work create(int result)
     {
-        return [this, result](const Job::IsCancelled&, std::string&)
+        return [this, result](const Job::Run&, std::string&)
         {
             _hasBegun.set_value();
             _mayGoOn.get_future().wait();
@@ -66,7 +66,7 @@ protected:
     /** Request a run whose work returns its own revision. */
     Job::Request requestQuick(std::uint64_t revision)
     {
-        const auto work = [revision](const Job::IsCancelled&, std::string&) { return static_cast<int>(revision); };
+        const auto work = [revision](const Job::Run&, std::string&) { return static_cast<int>(revision); };
         return _job.request(revision, false, [&] { return work; });
     }
 
@@ -79,10 +79,9 @@ protected:
     /** The reason why work fails. */
     std::string findFailure(std::uint64_t revision, const std::function<std::optional<int>(std::string& error)>& work)
     {
-        const auto run =
-            _job.request(revision, true,
-                         [&] { return [&](const Job::IsCancelled&, std::string& error) { return work(error); }; })
-                .run;
+        const auto run = _job.request(revision, true,
+                                      [&] { return [&](const Job::Run&, std::string& error) { return work(error); }; })
+                             .run;
         run->wait();
         _job.deliver();
         EXPECT_EQ(run->getOutcome(), Job::Outcome::FAILED);
@@ -106,14 +105,8 @@ protected:
     HeldWork _third;
     Job _job{{.outOfMemory = "no memory",
               .prefix = "because: ",
-              .deliver =
-                  [this](const Job::Run& run)
-              {
-                  if (run.getResult())
-                      _results.push_back(*run.getResult());
-                  else
-                      _failures.push_back(run.getFailure());
-              },
+              .deliver = [this](int result) { _results.push_back(result); },
+              .fail = [this](const std::string& failure) { _failures.push_back(failure); },
               .announce = [this] { ++_numAnnounced; }}};
 };
 
@@ -205,7 +198,7 @@ TEST_F(BackgroundJobTest, ACancelledRunHasNeitherAResultNorAFailure)
 
 TEST_F(BackgroundJobTest, ACancelledRunThatThrowsHasNotFailed)
 {
-    const auto work = [&](const Job::IsCancelled&, std::string&) -> std::optional<int>
+    const auto work = [&](const Job::Run&, std::string&) -> std::optional<int>
     {
         _job.cancel();
         throw std::runtime_error("cancelled");
@@ -279,12 +272,12 @@ TEST_F(BackgroundJobTest, RequestsThatWaitCancelAnyNumberOfRuns)
 TEST_F(BackgroundJobTest, CancellingEndsLoopsOfOneTbb)
 {
     bool isEnding = false;
-    const auto work = [&](const Job::IsCancelled& isCancelled, std::string&)
+    const auto work = [&](const Job::Run& run, std::string&)
     {
         EXPECT_FALSE(oneapi::tbb::is_current_task_group_canceling());
-        EXPECT_FALSE(isCancelled());
+        EXPECT_FALSE(run.isCancelled());
         _job.cancel();
-        EXPECT_TRUE(isCancelled());
+        EXPECT_TRUE(run.isCancelled());
         isEnding = oneapi::tbb::is_current_task_group_canceling();
         return 1;
     };
@@ -303,7 +296,7 @@ TEST_F(BackgroundJobTest, NoCallWaitsForAnAnnouncement)
              }});
     const auto request = [&](std::uint64_t revision)
     {
-        const auto work = [](const Job::IsCancelled&, std::string&) { return 1; };
+        const auto work = [](const Job::Run&, std::string&) { return 1; };
         job.request(revision, true, [&] { return work; }).run->wait();
     };
     auto calls = std::async(std::launch::async,
@@ -326,10 +319,10 @@ TEST_F(BackgroundJobTest, TheDestructorCancelsAndWaits)
     {
         Job job({});
         std::promise<void> hasBegun;
-        const auto work = [&](const Job::IsCancelled& isCancelled, std::string&)
+        const auto work = [&](const Job::Run& run, std::string&)
         {
             hasBegun.set_value();
-            while (!isCancelled())
+            while (!run.isCancelled())
                 std::this_thread::yield();
             hasEnded = true;
             return 1;
@@ -370,7 +363,7 @@ TEST_F(BackgroundJobTest, IfNoThreadCanBeStartedTheCallerDoesTheWork)
     const NoThreads noThreads;
     ASSERT_THROW(std::thread([] {}).join(), std::system_error);
     std::thread::id worker;
-    const auto work = [&](const Job::IsCancelled&, std::string&)
+    const auto work = [&](const Job::Run&, std::string&)
     {
         worker = std::this_thread::get_id();
         _job.cancel(); // needs the lock

@@ -78,7 +78,7 @@ protected:
 
 TEST_F(CpuProducerTest, DeliversTheBricksOfASource)
 {
-    _producer->produce(*createSource("16", 5), *_visitor, BackgroundTask::FOREVER);
+    _producer->produce(*createSource("16", 5), *_visitor, {BackgroundTask::FOREVER});
     ASSERT_TRUE(_store->getBricks());
     EXPECT_EQ(_store->getBricks()->getRevision(), 5u);
     expectCounts(1, 0, 0);
@@ -88,7 +88,7 @@ TEST_F(CpuProducerTest, DeliversTheBricksOfASource)
 
 TEST_F(CpuProducerTest, ASourceThatCannotBeFilledFails)
 {
-    _producer->produce(*createSource("600,fill=solid", 5), *_visitor, BackgroundTask::FOREVER);
+    _producer->produce(*createSource("600,fill=solid", 5), *_visitor, {BackgroundTask::FOREVER});
     EXPECT_FALSE(_store->getBricks());
     EXPECT_EQ(_store->getContext(0)->getFailedRevision(), 5u);
     EXPECT_NE(_store->getContext(0)->getFailure(), "");
@@ -98,7 +98,7 @@ TEST_F(CpuProducerTest, ASourceThatCannotBeFilledFails)
 TEST_F(CpuProducerTest, ACancelledSourceHasNotFailed)
 {
     const osg::ref_ptr<const LegoSource> source = createSource("1024,proportions=plate,parts=bricks", 5);
-    std::thread frame([&] { _producer->produce(*source, *_visitor, BackgroundTask::FOREVER); });
+    std::thread frame([&] { _producer->produce(*source, *_visitor, {BackgroundTask::FOREVER}); });
     // Again and again, because the frame may not have begun.
     while (_producer->getCounts().cancelled == 0 && _producer->getCounts().made == 0)
         _producer->cancel();
@@ -115,7 +115,7 @@ TEST_F(CpuProducerTest, OtherSettingsAlwaysCancel)
     std::uint64_t revision = 0;
     for (const char* settings : {"1024,proportions=plate,parts=bricks", "1000,proportions=plate,parts=bricks",
                                  "1000,proportions=plate,parts=bricks,show=load", "12"})
-        _producer->produce(*createSource(settings, ++revision), *_visitor, 0.0);
+        _producer->produce(*createSource(settings, ++revision), *_visitor, {});
     _producer->finish();
     ASSERT_TRUE(_store->getBricks());
     EXPECT_EQ(_store->getBricks()->getRevision(), revision);
@@ -131,7 +131,7 @@ TEST_F(CpuProducerTest, AChangedSourceDoesNotCancelTwiceInARow)
     for (const std::uint64_t revision : {1, 2, 3, 4})
         sources.push_back(createSource("128,parts=bricks", revision));
     for (const osg::ref_ptr<const LegoSource>& source : sources)
-        _producer->produce(*source, *_visitor, 0.0);
+        _producer->produce(*source, *_visitor, {});
     _producer->finish();
     ASSERT_TRUE(_store->getBricks());
     EXPECT_EQ(_store->getBricks()->getRevision(), 2u);

@@ -86,6 +86,19 @@ TEST(BrickStore, PrefersTheSetThatEveryContextCanUpload)
     EXPECT_EQ(second->getBricks(), fromCpu);
 }
 
+TEST(BrickStore, ADraftReplacesTheSetForPickingOfItsSourceAlone)
+{
+    const osg::ref_ptr<const BrickSet> draft = createSet(3, createGrid(0.0));
+    const osg::ref_ptr<BrickStore> store = new BrickStore;
+    store->deliver(*createGpuSet(4, createGrid(0.0)));
+    store->deliver(*draft);
+    EXPECT_EQ(store->getBricks(), draft);
+    const osg::ref_ptr<const BrickSet> ofOtherSource = createGpuSet(6, createGrid(0.0));
+    store->deliver(*ofOtherSource);
+    store->deliver(*draft);
+    EXPECT_EQ(store->getBricks(), ofOtherSource);
+}
+
 TEST(BrickStore, BoundsContainTheExpectedBricksUntilTheyAreDelivered)
 {
     const osg::ref_ptr<BrickStore> store = new BrickStore;
