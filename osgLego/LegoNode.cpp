@@ -331,8 +331,13 @@ void LegoNode::traverse(osg::NodeVisitor& visitor)
 /** Check the source for changes unless it is frozen, and record its bound. */
 void LegoNode::refresh() const
 {
-    if (_updateMode != UpdateMode::FROZEN || _pipeline->isDirty()) _pipeline->refresh(*this);
+    if (mustRefresh()) _pipeline->refresh(*this);
     _sourceBound = osg::Group::computeBound();
+}
+
+bool LegoNode::mustRefresh() const
+{
+    return _updateMode != UpdateMode::FROZEN || _pipeline->isDirty();
 }
 
 /** The same between frames: the next update computes the bound of changed bricks. */
@@ -356,7 +361,8 @@ void LegoNode::setRequiresUpdate(bool requiresUpdate)
 void LegoNode::update(osg::NodeVisitor& visitor)
 {
     if (_updateMode == UpdateMode::EVERY_FRAME) _pipeline->dirty();
-    refresh();
+    if (mustRefresh()) _pipeline->refreshInTime(*this);
+    _sourceBound = osg::Group::computeBound();
     if (_pipeline->update(visitor)) dirtyBound();
     setRequiresUpdate(_updateMode == UpdateMode::EVERY_FRAME || _pipeline->isBusy());
 }

@@ -299,6 +299,7 @@ private:
 
     void requireUpdate();
     void setRequiresUpdate(bool requiresUpdate);
+    bool mustRefresh() const;
     void refresh() const;
     void refreshBetweenFrames() const;
     void update(osg::NodeVisitor& visitor);

@@ -72,7 +72,7 @@ public:
         if (!fillCells(*cells.model, settings.parts.fill, settings.parts.shell, filled, error))
             throw std::runtime_error(error);
         problem = createProblem(filled, cells.model->getGrid(), cells.colors);
-        parts = layOut(problem, {settings.parts.effort, settings.parts.seed, 1, {}, {}});
+        parts = layOut(problem, {.effort = settings.parts.effort, .seed = settings.parts.seed});
         model = createModel(parts, cells.model->getGrid(), cells.colors);
         milliseconds = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     }
@@ -121,7 +121,7 @@ std::size_t countPlates(LayoutProblem problem, Effort effort)
     problem.isOfPlates = false;
     for (LayoutColor& color : problem.colors)
         color.bricks = color.plates;
-    return layOut(problem, {effort, 0, 1, {}, {}}).size();
+    return layOut(problem, {.effort = effort}).size();
 }
 
 JsonValue createRow(const LayoutCase& layoutCase, const LayoutRun& run)

@@ -38,6 +38,7 @@ void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork&
     ModelBuilder builder(settings, source.lookup);
     builder.setCancellation(work.isCancelled);
     builder.setPrevious(layout);
+    builder.setGreedy(work.isDraftGreedy);
     const osg::ref_ptr<const BrickModel> draft = builder.build(cells);
     if (!draft) return;
     work.measureLayout = builder.getMeasurement();

@@ -24,7 +24,8 @@ struct CpuBricksWork
     /** Called with parts laid with Effort::INSTANT and without columns, and their layout, before those of the settings
      * are laid; empty: no such draft is made. */
     std::function<void(const BrickModel& draft, PreviousLayout&& layout)> showDraft;
-    LegoStatistics statistics;                       //!< of the bricks, without those of parts
+    bool isDraftGreedy = false; //!< whether the layout of the draft is not searched, which takes half as long
+    LegoStatistics statistics;  //!< of the bricks, without those of parts
     std::function<LayoutStatistics()> measureLayout; //!< computes the figures of the last parts; empty without parts
     std::string error;   //!< why there are no bricks, in one sentence; empty if it was cancelled
     std::string warning; //!< a setting without effect, to be printed once for a source; may be empty

@@ -166,6 +166,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
         previous = selectPrevious(*_previous, grid);
     if (isCancelled()) return nullptr;
     const LayoutOptions options{.effort = _settings.parts.effort,
+                                .isGreedy = _isGreedy,
                                 .seed = _settings.parts.seed,
                                 .isCancelled = _isCancelled,
                                 .progress = _progress};

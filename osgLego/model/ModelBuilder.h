@@ -53,6 +53,9 @@ public:
      * for the next one. */
     void setPrevious(PreviousLayout& previous) { _previous = &previous; }
 
+    /** Lay parts greedily, without a search for better ones. */
+    void setGreedy(bool isGreedy) { _isGreedy = isGreedy; }
+
     /** Build the bricks of covered cells.
      * @return `cells` if there is nothing to do; null if it was cancelled, or with a sentence in getError() if there
      * would be too many cells. @throws std::bad_alloc if there is not enough memory. */
@@ -74,6 +77,7 @@ private:
     std::function<bool()> _isCancelled;
     std::function<void(double)> _progress;
     PreviousLayout* _previous = nullptr;
+    bool _isGreedy = false;
     std::string _error;
     std::string _warning;
     std::function<LayoutStatistics()> _measureLayout;

@@ -115,12 +115,24 @@ void LegoPipeline::refresh(const osg::Node& source)
     look(source);
 }
 
+void LegoPipeline::refreshInTime(const osg::Node& source)
+{
+    const std::lock_guard lock(_mutex);
+    lookInTime(source);
+}
+
 void LegoPipeline::refreshInFrame(const osg::Node& source, const osg::NodeVisitor& visitor)
 {
     const std::lock_guard lock(_mutex);
     const Frame frame(visitor);
     const bool wasChecked = std::exchange(_lastFrame, frame) == frame;
-    if (!wasChecked || _source.isDirty()) look(source);
+    if (!wasChecked || _source.isDirty()) lookInTime(source);
+}
+
+/** The same as look(), but sources are not flattened in vain that will have changed before their turn comes. */
+void LegoPipeline::lookInTime(const osg::Node& source)
+{
+    if (_waiting || _source.isDirty() || !_cpuProducer->isRefusing()) look(source);
 }
 
 /** Check the source; called with the lock. */

@@ -87,6 +87,8 @@ public:
     {
         if (isDirty()) refresh(source);
     }
+    /** The same, but later if the bricks of the last check have to be made first. */
+    void refreshInTime(const osg::Node& source);
     /** The same, but only if it has not been checked in the frame of a visitor. */
     void refreshInFrame(const osg::Node& source, const osg::NodeVisitor& visitor);
     /** Show the bricks that the producers have finished. Called in updates, after refresh().
@@ -156,6 +158,7 @@ private:
     };
 
     void look(const osg::Node& source);
+    void lookInTime(const osg::Node& source);
 
     BrickSource _source;
     std::atomic<bool> _waiting{false};

@@ -21,7 +21,8 @@ namespace osgLego
  * offer a draft before its result.
  *
  * A request for another revision cancels the run in progress, though never twice in a row unless it demands so or the
- * run has offered a draft: input that changes faster than its results are made would otherwise never have one.
+ * run has offered a draft: input that changes faster than its results are made would otherwise never have one. If a
+ * request had to wait for a run, the next run is not cancelled before its draft, either.
  *
  * Usage:
  *
@@ -86,6 +87,8 @@ public:
      * @param createWork creates the work of a new run, after the last run has been delivered.
      * @return null if the run in progress is to end first. */
     Request request(std::uint64_t revision, bool isUrgent, const std::function<Work()>& createWork);
+    /** Whether a request would have to wait for the run in progress unless it is urgent. Counts as such a request. */
+    bool isRefusing();
     /** The last run that was requested; null if there is none, or if it was cancelled. */
     std::shared_ptr<Run> getRun() const;
     /** Whether a run is in progress or has not been delivered. */
@@ -97,6 +100,8 @@ public:
     Counts getCounts() const;
 
 private:
+    bool lacksDraft() const;
+    bool refuse();
     void deliverLast();
     void retire();
     void forgetEnded();
@@ -104,7 +109,8 @@ private:
     Options _options;
     std::array<std::atomic<std::size_t>, 4> _numEnded{}; // for each outcome
     mutable std::mutex _mutex;
-    bool _hasGivenUp = false; // whether a request has cancelled the run before the last one, which had no draft
+    bool _mustKeepLast = false; // whether the last run may only be cancelled by urgent requests, until it has a draft
+    bool _hasRefused = false;   // whether a request has been refused because of the last run
     bool _isDelivered = false;
     std::shared_ptr<Run> _last;
     std::vector<std::shared_ptr<Run>> _retired; // cancelled, but possibly not ended
@@ -115,9 +121,8 @@ template <typename Result>
 class BackgroundJob<Result>::Run
 {
 public:
-    /** @param replacesRun whether it replaces a run in progress. */
-    Run(BackgroundJob& job, std::uint64_t revision, Work work, bool replacesRun) :
-        _job(job), _revision(revision), _work(std::move(work)), _replacesRun(replacesRun),
+    Run(BackgroundJob& job, std::uint64_t revision, Work work) :
+        _job(job), _revision(revision), _work(std::move(work)),
         _task({.work = [this] { _result = _work(*this, _failure); },
                .outOfMemory = job._options.outOfMemory,
                .prefix = job._options.prefix,
@@ -144,8 +149,6 @@ public:
     std::string getFailure() const { return getOutcome() == Outcome::FAILED ? _failure : std::string(); }
 
     // These functions are for the work.
-    /** Whether the run has replaced one in progress, as happens while the input changes continually. */
-    bool replacesRun() const { return _replacesRun; }
     /** Have the job deliver a draft. Called at most once. */
     void offer(Result draft)
     {
@@ -191,7 +194,6 @@ private:
     BackgroundJob& _job;
     std::uint64_t _revision;
     Work _work;
-    bool _replacesRun;
     std::mutex _draftMutex;
     std::optional<Result> _draft; // not yet taken
     std::atomic<bool> _hasDraft{false};
@@ -209,17 +211,38 @@ typename BackgroundJob<Result>::Request BackgroundJob<Result>::request(std::uint
     {
         const std::lock_guard lock(_mutex);
         if (_last && _last->getRevision() == revision) return {_last, false};
-        const bool isRunning = _last && _last->getOutcome() == Outcome::NONE;
-        const bool hasNothing = isRunning && !_last->hasDraft();
-        if (hasNothing && _hasGivenUp && !isUrgent) return {};
-        _hasGivenUp = hasNothing;
+        if (!isUrgent && refuse()) return {};
+        _mustKeepLast = std::exchange(_hasRefused, false) || lacksDraft();
         deliverLast();
         retire();
-        run = _last = std::make_shared<Run>(*this, revision, createWork(), isRunning);
+        run = _last = std::make_shared<Run>(*this, revision, createWork());
         _isDelivered = false;
     }
     run->_task.start(); // without the lock, since this thread may do the work
     return {run, true};
+}
+
+template <typename Result>
+bool BackgroundJob<Result>::isRefusing()
+{
+    const std::lock_guard lock(_mutex);
+    return refuse();
+}
+
+/** Whether a run is in progress without even a draft. */
+template <typename Result>
+bool BackgroundJob<Result>::lacksDraft() const
+{
+    return _last && _last->getOutcome() == Outcome::NONE && !_last->hasDraft();
+}
+
+/** @return whether a request has to wait. */
+template <typename Result>
+bool BackgroundJob<Result>::refuse()
+{
+    const bool refuses = _mustKeepLast && lacksDraft();
+    if (refuses) _hasRefused = true;
+    return refuses;
 }
 
 template <typename Result>

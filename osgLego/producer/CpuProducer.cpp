@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <osg/Notify>
+#include <osg/Timer>
 
 namespace osgLego
 {
@@ -13,7 +14,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double REST = 0.2; // seconds for which a source that moves stays the same before more than a draft is made
 constexpr const char* OUT_OF_MEMORY = "there is not enough memory for all bricks; expected a lower resolution";
 constexpr const char* NO_MEMORY_FOR_LOADS = "there is not enough memory for it; expected fewer parts";
 
@@ -29,10 +29,15 @@ osg::ref_ptr<const BrickModel> tryToColorByLoad(const BrickModel& model, const s
     return &model;
 }
 
-/** Whether settings ask for parts that take longer to lay than a draft. */
-bool isLaidLong(const LegoSettings& settings)
+/** Whether the parts of a source are worth a draft that is shown before them. */
+bool deservesDraft(const LegoSettings& settings, bool isMoving)
 {
-    return settings.parts.set != PartSet::NONE && settings.parts.effort != Effort::INSTANT;
+    return settings.parts.set != PartSet::NONE && (isMoving || settings.parts.effort != Effort::INSTANT);
+}
+
+double getNow()
+{
+    return osg::Timer::instance()->time_s();
 }
 
 /** The set of a model in the colours to show; null if it was cancelled. */
@@ -59,7 +64,7 @@ void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
 {
     // Within a limit, bricks of a source that changes in every frame might never be made.
     const bool isUrgent = wait.seconds == BackgroundTask::FOREVER;
-    const auto [run, isNew] = request(source, isUrgent, wait.forDraft || !isUrgent);
+    const auto [run, isNew] = request(source, isUrgent, isUrgent && !wait.forDraft);
     // A set that was begun in this frame belongs to a later one, however fast it was made.
     if (!run || (isNew && wait.seconds <= 0.0)) return;
     if (wait.seconds > 0.0) wait.forDraft ? run->waitForDraft(wait.seconds) : run->wait(wait.seconds);
@@ -68,29 +73,38 @@ void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
         _store->getContext(visitor.getState()->getContextID())->fail(source.revision, run->getFailure());
 }
 
-/** @param hasDraft whether parts that take long to make follow a draft. */
-CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool isUrgent, bool hasDraft)
+/** @param isAwaited whether the caller waits for the bricks, so that a draft is of no use. */
+CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool isUrgent, bool isAwaited)
 {
     const auto createWork = [&]
     {
+        const bool isMoving = _pace.request(getNow()) && !isAwaited;
         return [this, source = osg::ref_ptr<const LegoSource>(&source), previous = _layout, shown = _shownLayout,
-                progress = begin(source.settings), hasDraft](Job::Run& run, std::string& error)
+                progress = begin(source.settings), isAwaited, isMoving](Job::Run& run, std::string& error)
         {
+            if (isMoving) run.rest(_pace.getRest(getNow()));
+            const double start = getNow();
             PreviousLayout layout = *previous;
             CpuBricksWork work;
             work.isCancelled = [&run] { return run.isCancelled(); };
             work.progress = [&progress](double fraction) { *progress = static_cast<float>(fraction); };
             work.previous = &layout;
             work.shown = shown.get();
-            if (hasDraft && isLaidLong(source->settings))
+            work.isDraftGreedy = isMoving;
+            bool hasDraft = false;
+            if (!isAwaited && deservesDraft(source->settings, isMoving))
                 work.showDraft = [&](const BrickModel& draft, PreviousLayout&& draftLayout)
                 {
+                    hasDraft = true;
                     *progress = 0.0f;
+                    _pace.end(getNow() - start, getNow());
                     run.offer({new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout),
                                std::make_shared<PreviousLayout>(std::move(draftLayout)), true});
-                    if (run.replacesRun()) run.rest(REST);
+                    if (isMoving) run.rest(MotionPace::PAUSE);
                 };
-            return make(*source, work, error);
+            std::optional<Made> made = make(*source, work, error);
+            if (!hasDraft) _pace.end(getNow() - start, getNow());
+            return made;
         };
     };
     return _job.request(source.revision, isUrgent || hasOtherSettings(source), createWork);

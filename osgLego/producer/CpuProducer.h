@@ -7,6 +7,7 @@
 #include <osgLego/model/ModelBuilder.h>
 #include <osgLego/producer/BackgroundJob.h>
 #include <osgLego/producer/BrickProducer.h>
+#include <osgLego/producer/MotionPace.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <atomic>
@@ -29,8 +30,9 @@ namespace osgLego
  * only changed does so unless the work before was cancelled, so that continual changes are shown at intervals.
  *
  * If no frame waits for them, parts that take longer than Effort::INSTANT follow a draft laid with that effort
- * (LegoSource::getDraftRevision()). While a source changes continually, each change cancels the work behind the draft
- * before it, which therefore begins only when the source has rested for a moment.
+ * (LegoSource::getDraftRevision()). While a source moves, drafts are laid greedily, whatever the effort: each change
+ * cancels the work behind the draft before it, which therefore begins only when the source has rested for a moment.
+ * Sets then rest between each other, so that time is left for drawing them (MotionPace).
  *
  * With Show::LOAD, the parts of a set have colours for the load on their joints (colorByLoad). If the loads can't be
  * computed, the parts keep their colours, and a warning says why.
@@ -47,6 +49,10 @@ public:
     void cancel() override;
     void resizeGLObjectBuffers(unsigned int) override {}
     void releaseGLObjects(osg::State*) override {}
+
+    /** Whether a source that has only changed would have to wait, since the last one has no bricks yet. Counts as such
+     * a change. */
+    bool isRefusing() { return _job.isRefusing(); }
 
     /** Wait for the bricks of a source, and return them. Cancels work on another source.
      * @return null, with one sentence in `error`, if they can't be made. */
@@ -80,7 +86,7 @@ private:
 
     std::shared_ptr<Progress> begin(const LegoSettings& settings);
     bool hasOtherSettings(const LegoSource& source) const;
-    Job::Request request(const LegoSource& source, bool isUrgent, bool hasDraft);
+    Job::Request request(const LegoSource& source, bool isUrgent, bool isAwaited);
     std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, std::string& error);
     void warn(const std::string& warning);
     void deliver(const Made& made);
@@ -93,6 +99,7 @@ private:
     // The layouts of the last set but drafts, and of the last set; guarded by the job, whose calls alone use them.
     SharedLayout _layout = std::make_shared<PreviousLayout>();
     SharedLayout _shownLayout = _layout;
+    MotionPace _pace;
     Job _job;
 };
 

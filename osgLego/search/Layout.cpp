@@ -45,6 +45,7 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     ComponentJoiner joiner(map, sizes);
     const auto join = [&] { return joiner.joinAll(work.joins, isActive, random, options.isCancelled); };
     if (!join()) return false;
+    if (options.isGreedy) return true;
     WindowSearch search(map, sizes, options, isActive);
     const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
     const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);

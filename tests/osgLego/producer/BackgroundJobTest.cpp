@@ -239,18 +239,54 @@ TEST_F(BackgroundJobTest, RequestsNeverCancelTwoRunsInARow)
     _second.letGoOn();
     first->wait();
     second->wait();
-    // The run that ended has cleared the way for cancelling one again.
+    _job.deliver();
+    EXPECT_EQ(_results, std::vector<int>{2});
+    expectCounts(1, 0, 1);
+}
+
+TEST_F(BackgroundJobTest, ARunThatNoRequestWaitedForClearsTheWayForCancelling)
+{
+    requestHeld(1, _first);
+    _first.waitForBeginning();
+    requestQuick(2).run->wait();
     const std::shared_ptr<Job::Run> third = requestHeld(4, _third).run;
     EXPECT_EQ(_results, std::vector<int>{2}) << "delivered before it was replaced";
     _third.waitForBeginning();
+    EXPECT_FALSE(_job.isRefusing());
     ASSERT_NE(requestQuick(5).run, nullptr);
     EXPECT_TRUE(third->isCancelled());
+    _first.letGoOn();
     _third.letGoOn();
     third->wait();
     _job.getRun()->wait();
     _job.deliver();
     EXPECT_EQ(_results, (std::vector<int>{2, 5}));
-    expectCounts(2, 0, 2);
+}
+
+TEST_F(BackgroundJobTest, ARequestThatHadToWaitIsNotCancelledInItsTurn)
+{
+    for (const bool isAsked : {false, true})
+    {
+        HeldWork first;
+        HeldWork second;
+        HeldWork third;
+        Job job({});
+        const auto request = [&](std::uint64_t revision, HeldWork& work)
+        { return job.request(revision, false, [&] { return work.create(1); }).run; };
+        request(1, first);
+        const std::shared_ptr<Job::Run> kept = request(2, second);
+        EXPECT_TRUE(isAsked ? job.isRefusing() : request(3, third) == nullptr);
+        second.letGoOn();
+        kept->wait();
+        EXPECT_FALSE(job.isRefusing()) << "the run has ended";
+        const std::shared_ptr<Job::Run> waited = request(3, third);
+        ASSERT_NE(waited, nullptr);
+        EXPECT_EQ(request(4, third), nullptr);
+        EXPECT_FALSE(waited->isCancelled());
+        first.letGoOn();
+        third.letGoOn();
+        waited->wait();
+    }
 }
 
 TEST_F(BackgroundJobTest, RequestsThatWaitCancelAnyNumberOfRuns)

@@ -96,6 +96,39 @@ TEST_F(DraftFramesTest, EachChangeOfASourceIsShownAsADraft)
     EXPECT_FALSE(_lego->isLegolized(_contextID));
 }
 
+TEST_F(DraftFramesTest, ASourceThatRestsAfterAMovementHasThePartsOfTheSettings)
+{
+    for (const char* effort : {"instant", "normal"})
+    {
+        _lego->setSettings(parseSettings("20,parts=bricks,device=cpu,effort=" + std::string(effort)));
+        for (const double height : {0.9, 0.8, 0.7, 0.6})
+        {
+            _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
+            _viewer.frame();
+        }
+        while (!_lego->isLegolized(_contextID))
+            _viewer.frame();
+        const osg::ref_ptr<const BrickModel> expected = legolizeOnCpu(*_transform, _lego->getSettings());
+        EXPECT_EQ(selectVisible(*_lego->getShownBricks()), selectVisible(*expected)) << effort;
+        EXPECT_LT(_lego->getShownBricks()->getParts().size(), 1.05 * static_cast<double>(expected->getParts().size()))
+            << effort;
+    }
+}
+
+TEST_F(DraftFramesTest, EvenWhileASourceMovesAProgramGetsTheBricksOfTheMoment)
+{
+    drawFrame();
+    _lego->setSettings(parseSettings("20,parts=bricks,device=cpu"));
+    for (const double height : {0.9, 0.8, 0.7, 0.6})
+    {
+        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height));
+        _viewer.frame();
+        _transform->setMatrix(osg::Matrix::scale(1.0, 1.0, height - 0.05));
+        const osg::ref_ptr<const BrickModel> expected = legolizeOnCpu(*_transform, _lego->getSettings());
+        EXPECT_EQ(selectVisible(*_lego->getBricks()), selectVisible(*expected)) << height;
+    }
+}
+
 TEST_F(DraftFramesTest, BricksThatAProgramAsksForAreNoDraft)
 {
     drawFrame();

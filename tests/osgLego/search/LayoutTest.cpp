@@ -123,6 +123,21 @@ TEST(Layout, CoversEveryCellOnceByPartsThatWereMadeInItsColor)
             }
 }
 
+TEST(Layout, AGreedyOneIsNotSearchedForBetterParts)
+{
+    for (std::uint32_t seed = 0; seed < 4; ++seed)
+    {
+        const LayoutProblem problem = makeRandomCells({13, 11, 9}, 85, seed);
+        LayoutOptions options = makeOptions(Effort::INSTANT, seed);
+        const std::size_t numSearched = layOut(problem, options).size();
+        options.isGreedy = true;
+        const LaidParts greedy = layOut(problem, options);
+        expectValid(problem, greedy);
+        EXPECT_GT(greedy.size(), numSearched) << "seed " << seed;
+        EXPECT_LT(greedy.size(), numSearched * 5 / 4) << "seed " << seed;
+    }
+}
+
 TEST(Layout, IsSortedByZThenYThenX)
 {
     const LaidParts parts = layOut(makeRandomCells({13, 11, 9}, 80, 1), {});
