@@ -23,6 +23,7 @@ BrickSet::BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel make
 const DistantOcclusion& BrickSet::getDistantOcclusion() const
 {
     std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });
+    _hasDistantOcclusion = true;
     return *_distantOcclusion;
 }
 

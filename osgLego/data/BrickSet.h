@@ -5,6 +5,7 @@
 #include <osgLego/data/BrickPoints.h>
 #include <osgLego/data/DistantOcclusion.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -46,6 +47,8 @@ public:
     const BrickPoints& getPoints() const { return _points; }
     /** The distant occlusion of a set that hasPoints(), computed by the first call. */
     const DistantOcclusion& getDistantOcclusion() const;
+    /** Whether getDistantOcclusion() has been called. */
+    bool hasDistantOcclusion() const { return _hasDistantOcclusion; }
     /** Every covered cell. The first call may take as long as legolizeOnCpu(). */
     osg::ref_ptr<const BrickModel> getModel() const;
     /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */
@@ -67,6 +70,7 @@ private:
     mutable std::optional<LayoutStatistics> _layoutStatistics;
     mutable std::once_flag _occlusionFlag;
     mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
+    mutable std::atomic<bool> _hasDistantOcclusion{false};
     mutable std::once_flag _modelFlag;
     mutable osg::ref_ptr<const BrickModel> _model;
 };

@@ -1,6 +1,7 @@
 #include <osgLego/node/LegoPipeline.h>
 
 #include <osgLego/gl/GlRequirements.h>
+#include <osgLego/polygonization/BrickStage.h>
 
 #include <algorithm>
 #include <utility>
@@ -203,18 +204,20 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
 bool LegoPipeline::produce(const LegoSource& source, const ContextBricks& bricks, osgUtil::CullVisitor& visitor)
 {
     BrickProducer& producer = chooseProducer(source.settings, visitor.getState()->getContextID());
-    producer.produce(source, visitor, chooseWait(source.settings.view.meanwhile, bricks));
+    producer.produce(source, visitor, findNeeds(source.settings.view.meanwhile, bricks, visitor));
     if (&producer != _cpuProducer.get()) return false;
     const osg::ref_ptr<const BrickSet> newest = _store->getBricks();
     // Picking may have made a set without points.
     return !newest || !newest->hasPoints() || newest->getRevision() != source.revision;
 }
 
-FrameWait LegoPipeline::chooseWait(Meanwhile meanwhile, const ContextBricks& bricks) const
+FrameNeeds LegoPipeline::findNeeds(Meanwhile meanwhile, const ContextBricks& bricks,
+                                   osgUtil::CullVisitor& visitor) const
 {
     const bool isDraftEnough = !_waiting && meanwhile == Meanwhile::DRAFT;
     const bool mustWait = _waiting || ((isDraftEnough || meanwhile == Meanwhile::WAIT) && !hasBricks(bricks));
-    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough};
+    const BrickStage* const stage = BrickStage::find(visitor);
+    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough, stage && stage->hasDistantOcclusion()};
 }
 
 /** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is

@@ -141,7 +141,7 @@ private:
     BrickProducer& chooseProducer(const LegoSettings& settings, unsigned int contextID) const;
     bool mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const;
     bool produce(const LegoSource& source, const ContextBricks& bricks, osgUtil::CullVisitor& visitor);
-    FrameWait chooseWait(Meanwhile meanwhile, const ContextBricks& bricks) const;
+    FrameNeeds findNeeds(Meanwhile meanwhile, const ContextBricks& bricks, osgUtil::CullVisitor& visitor) const;
     bool hasBricks(const ContextBricks& bricks) const;
     void showStored(const BrickModel& bricks);
     void prepareBuilding(const LegoSource* source);

@@ -9,11 +9,12 @@
 namespace osgLego
 {
 
-/** How long a frame waits for its bricks. */
-struct FrameWait
+/** The bricks that a frame needs. */
+struct FrameNeeds
 {
-    double seconds = 0.0;  //!< at most; 0: not at all
-    bool forDraft = false; //!< whether a draft ends the wait
+    double seconds = 0.0;          //!< the longest time that it waits for them
+    bool onlyDraft = false;        //!< whether it waits no longer than for a draft
+    bool distantOcclusion = false; //!< whether it shows their distant occlusion
 };
 
 /** Makes an immutable brick set (BrickSet) from a source, and delivers it to the BrickStore given to its constructor.
@@ -25,8 +26,8 @@ class BrickProducer : public osg::Referenced
 public:
     /** Make the bricks of a source for the context of a visitor, unless they exist or are being made. Cancels work on
      * an older source.
-     * @param wait for bricks that are available to the frame being culled; after it, they follow in a later frame. */
-    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait) = 0;
+     * @param needs of the frame being culled. Bricks that are not ready in time follow in a later frame. */
+    virtual void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs) = 0;
 
     /** Deliver the sets finished since the last call, and release resources that have been idle for a while. Called in
      * the update traversal of each frame while isBusy(), and possibly in others, with the number of the frame. */

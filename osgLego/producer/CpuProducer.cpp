@@ -60,14 +60,15 @@ CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
 {
 }
 
-void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait)
+void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs)
 {
+    if (needs.distantOcclusion) _computesDistantOcclusion = true;
     // Within a limit, bricks of a source that changes in every frame might never be made.
-    const bool isUrgent = wait.seconds == BackgroundTask::FOREVER;
-    const auto [run, isNew] = request(source, isUrgent, isUrgent && !wait.forDraft);
+    const bool isUrgent = needs.seconds == BackgroundTask::FOREVER;
+    const auto [run, isNew] = request(source, isUrgent, isUrgent && !needs.onlyDraft);
     // A set that was begun in this frame belongs to a later one, however fast it was made.
-    if (!run || (isNew && wait.seconds <= 0.0)) return;
-    if (wait.seconds > 0.0) wait.forDraft ? run->waitForDraft(wait.seconds) : run->wait(wait.seconds);
+    if (!run || (isNew && needs.seconds <= 0.0)) return;
+    if (needs.seconds > 0.0) needs.onlyDraft ? run->waitForDraft(needs.seconds) : run->wait(needs.seconds);
     _job.deliver();
     if (run->getOutcome() == Job::Outcome::FAILED)
         _store->getContext(visitor.getState()->getContextID())->fail(source.revision, run->getFailure());
@@ -97,9 +98,11 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
                 {
                     hasDraft = true;
                     *progress = 0.0f;
+                    const osg::ref_ptr<const BrickSet> set =
+                        new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout);
+                    complete(*set);
                     _pace.end(getNow() - start, getNow());
-                    run.offer({new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout),
-                               std::make_shared<PreviousLayout>(std::move(draftLayout)), true});
+                    run.offer({set, std::make_shared<PreviousLayout>(std::move(draftLayout)), true});
                     if (isMoving) run.rest(MotionPace::PAUSE);
                 };
             std::optional<Made> made = make(*source, work, error);
@@ -120,7 +123,14 @@ std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, Cpu
     const osg::ref_ptr<const BrickSet> bricks = createSet(source.revision, *model, source.settings.view.show,
                                                           work.statistics, work.measureLayout, work.isCancelled);
     if (!bricks) return std::nullopt;
+    complete(*bricks);
     return Made{bricks, std::make_shared<PreviousLayout>(std::move(*work.previous))};
+}
+
+/** Compute everything that drawing a set needs, so that the frame which shows it first takes no longer than others. */
+void CpuProducer::complete(const BrickSet& bricks) const
+{
+    if (_computesDistantOcclusion) bricks.getDistantOcclusion();
 }
 
 /** Whether a source needs other bricks than the last one even if its triangles are the same. */
@@ -165,14 +175,15 @@ void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision
 {
     const auto createWork = [&]
     {
-        return [model = osg::ref_ptr<const BrickModel>(&bricks), revision](const Job::Run& run,
-                                                                           std::string&) -> std::optional<Made>
+        return [this, model = osg::ref_ptr<const BrickModel>(&bricks), revision](const Job::Run& run,
+                                                                                 std::string&) -> std::optional<Made>
         {
             LegoStatistics statistics;
             statistics.isStored = true;
             const osg::ref_ptr<const BrickSet> set =
                 createSet(revision, *model, Show::LOAD, statistics, {}, [&run] { return run.isCancelled(); });
             if (!set) return std::nullopt;
+            complete(*set);
             return Made{set, std::make_shared<PreviousLayout>()};
         };
     };

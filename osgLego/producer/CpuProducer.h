@@ -43,7 +43,7 @@ public:
     /** @param announce called when a set is finished, in the thread that made it. */
     CpuProducer(BrickStore& store, std::function<void()> announce);
 
-    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait) override;
+    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs) override;
     void update(unsigned int frame) override;
     bool isBusy() const override { return _job.isBusy(); }
     void cancel() override;
@@ -88,6 +88,7 @@ private:
     bool hasOtherSettings(const LegoSource& source) const;
     Job::Request request(const LegoSource& source, bool isUrgent, bool isAwaited);
     std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, std::string& error);
+    void complete(const BrickSet& bricks) const;
     void warn(const std::string& warning);
     void deliver(const Made& made);
 
@@ -100,6 +101,7 @@ private:
     SharedLayout _layout = std::make_shared<PreviousLayout>();
     SharedLayout _shownLayout = _layout;
     MotionPace _pace;
+    std::atomic<bool> _computesDistantOcclusion{false}; // since a frame has needed it
     Job _job;
 };
 

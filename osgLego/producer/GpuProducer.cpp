@@ -33,7 +33,7 @@ GpuProducer::~GpuProducer()
     SharedGlObjects::get().removeUser(this);
 }
 
-void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait&)
+void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds&)
 {
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;

@@ -26,7 +26,7 @@ class GpuProducer : public BrickProducer
 public:
     explicit GpuProducer(BrickStore& store) : _workspace(new PassWorkspace(store)) {}
 
-    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameWait& wait) override;
+    void produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs) override;
     void update(unsigned int frame) override;
     bool isBusy() const override;
     void cancel() override { _workspace->clearSource(); }
