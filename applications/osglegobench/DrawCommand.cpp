@@ -5,6 +5,7 @@
 #include "Commands.h"
 #include "NodesComparison.h"
 #include "ResidentMemory.h"
+#include "ShadowComparison.h"
 #include "Spread.h"
 
 #include <osgLego/AmbientOcclusionScene.h>
@@ -31,11 +32,13 @@ struct DrawOptions : BenchOptions
     bool hasOcclusion = false;
     unsigned int numFrames = 20;
     unsigned int numNodes = 0; // 0: one scene, not compared with others
+    std::string shadows;       // a technique; empty: no shadows
 
     glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
-    BenchScene createScene(const MeshSource& mesh, unsigned int usualResolution) const
+    unsigned int getResolution(unsigned int usual) const { return getResolutions({16}, {usual}).front(); }
+    BenchScene createScene(const MeshSource& mesh, unsigned int resolution) const
     {
-        BenchScene scene(mesh, getResolutions({16}, {usualResolution}).front());
+        BenchScene scene(mesh, resolution);
         std::string error;
         if (!LegoSettings::parse(fmt::format("device={},drawing={},look={}{}", device, drawing,
                                              look == "none" ? "full" : look, hasParts ? ",parts=bricks" : ""),
@@ -113,7 +116,7 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
 {
     constexpr double MEBIBYTE = 1024.0 * 1024.0;
     constexpr unsigned int NUM_FRAMES_BEFORE = 20; // more than idle passes are kept
-    const BenchScene scene = options.createScene(options.getMesh(), 64);
+    const BenchScene scene = options.createScene(options.getMesh(), options.getResolution(64));
     const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr : scene.createLego();
     const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();
     const osg::ref_ptr<osg::Group> root = options.hasOcclusion ? new AmbientOcclusionScene : new osg::Group;
@@ -154,7 +157,8 @@ void runNodes(const DrawOptions& options)
     if (options.look == "none") throw std::runtime_error("--nodes draws bricks; expected --look plain or full");
     if (options.numFrames == 0) throw std::runtime_error("--nodes times frames; expected --frames of at least 1");
     const MeshSource mesh = options.getMesh(); // checks the options
-    const BenchScene scene = options.createScene(options.meshes.empty() ? MeshSource() : mesh, 12);
+    const BenchScene scene =
+        options.createScene(options.meshes.empty() ? MeshSource() : mesh, options.getResolution(12));
     const JsonValue figures =
         compareNodes(scene, {options.numNodes, options.numFrames, options.hasOcclusion, options.getSize()});
     JsonValue document = createDocument("nodes", *createBenchContext());
@@ -168,9 +172,28 @@ void runNodes(const DrawOptions& options)
     printNodes(document);
 }
 
+/** Compare frames with and without shadows. */
+void runShadows(const DrawOptions& options)
+{
+    if (options.look == "none") throw std::runtime_error("--shadows draws bricks; expected --look plain or full");
+    if (options.numFrames == 0) throw std::runtime_error("--shadows times frames; expected --frames of at least 1");
+    const MeshSource mesh = options.getMesh(); // reports bad options before there is a context
+    JsonValue document = createDocument("shadows", *createBenchContext());
+    document["width"] = options.getSize().x;
+    document["height"] = options.getSize().y;
+    document["mesh"] = mesh.name;
+    document["technique"] = options.shadows;
+    for (const unsigned int resolution : options.getResolutions({16}, {64, 128, 256}))
+        document["rows"].append(compareShadows(options.createScene(mesh, resolution),
+                                               {options.shadows, options.numFrames, options.getSize()}));
+    if (!options.jsonFile.empty()) return options.write(document);
+    printShadows(document);
+}
+
 void runDraw(const DrawOptions& options)
 {
     if (options.numNodes > 0) return runNodes(options);
+    if (!options.shadows.empty()) return runShadows(options);
     options.getMesh(); // reports bad options before there is a context
     FrameViewer viewer(options.getSize());
     JsonValue document = createDocument("draw", viewer.getContext());
@@ -203,6 +226,11 @@ void addDrawCommand(BenchCommandLine& commands)
                       "Instead, compare so many nodes of a mesh (car, at 12) with one node, and with one node that has "
                       "the same bricks; prints tables unless JSON goes to a file",
                       0u, 10000u);
+    command.addChoice(
+        "--shadows", options->shadows,
+        "Instead, compare frames at 64, 128 and 256 cells, or --resolution, without and with the shadows of "
+        "a technique of osgShadow; prints a table unless JSON goes to a file",
+        getShadowTechniques());
     command.setRun([options] { runDraw(*options); });
 }
 

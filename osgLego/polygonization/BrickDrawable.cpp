@@ -3,13 +3,10 @@
 #include <osgLego/BrickGeometry.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
+#include <osgLego/polygonization/DepthPass.h>
 
 #include <algorithm>
 
-#include <osg/CullFace>
-#include <osg/Depth>
-#include <osg/FrontFace>
-#include <osg/PolygonMode>
 #include <osg/RenderInfo>
 #include <osg/Viewport>
 #include <osgUtil/RenderBin>
@@ -21,53 +18,6 @@ namespace osgLego
 
 namespace
 {
-
-template <typename Attribute>
-const Attribute* findAttribute(const osg::State& state, osg::StateAttribute::Type type)
-{
-    return dynamic_cast<const Attribute*>(state.getLastAppliedAttribute(type));
-}
-
-/** Whether a state shows only the nearest surface, without clipping and blending, so that only the outer sides of
- * closed surfaces are visible. */
-bool showsNearestOnly(const osg::State& state, bool isMirrored)
-{
-    for (const auto mode :
-         {GL_BLEND, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3,
-          GL_CLIP_PLANE4, GL_CLIP_PLANE5, GL_CLIP_PLANE0 + 6, GL_CLIP_PLANE0 + 7})
-        if (state.getLastAppliedMode(static_cast<osg::StateAttribute::GLMode>(mode))) return false;
-    if (!state.getLastAppliedMode(GL_DEPTH_TEST)) return false;
-    const auto* depth = findAttribute<osg::Depth>(state, osg::StateAttribute::DEPTH);
-    if (depth && (!depth->getWriteMask() ||
-                  (depth->getFunction() != osg::Depth::LESS && depth->getFunction() != osg::Depth::LEQUAL)))
-        return false;
-    const auto* polygonMode = findAttribute<osg::PolygonMode>(state, osg::StateAttribute::POLYGONMODE);
-    if (polygonMode && polygonMode->getMode(osg::PolygonMode::FRONT) != osg::PolygonMode::FILL) return false;
-    if (polygonMode && polygonMode->getMode(osg::PolygonMode::BACK) != osg::PolygonMode::FILL) return false;
-    if (!state.getLastAppliedMode(GL_CULL_FACE)) return true;
-    const auto* cullFace = findAttribute<osg::CullFace>(state, osg::StateAttribute::CULLFACE);
-    return !isMirrored && (!cullFace || cullFace->getMode() == osg::CullFace::BACK);
-}
-
-/** Whether clockwise faces are front faces in a state. */
-bool isClockwise(const osg::State& state)
-{
-    const auto* frontFace = findAttribute<osg::FrontFace>(state, osg::StateAttribute::FRONTFACE);
-    return frontFace && frontFace->getMode() == osg::FrontFace::CLOCKWISE;
-}
-
-CellView createView(const osg::State& state, const BrickGrid& grid, const osg::Matrixd& cellsToEye)
-{
-    CellView view(grid, cellsToEye, state.getProjectionMatrix());
-    view.isMirrored = view.isMirrored != isClockwise(state);
-    return view;
-}
-
-/** Whether back-facing sides may be visible. */
-bool showsInsides(const osg::State& state, const CellView& view)
-{
-    return view.isCutOpen || !showsNearestOnly(state, view.isMirrored);
-}
 
 double getPictureWidth(const osg::State& state)
 {
@@ -115,7 +65,8 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
         return;
     }
     const SplatDestination destination(state);
-    SplatJob* const job = findSplats(renderInfo, destination);
+    const bool hasColors = !isDepthPass(renderInfo);
+    SplatJob* const job = hasColors ? findSplats(renderInfo, destination) : nullptr;
     const Shown shown = getShown();
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
@@ -129,10 +80,23 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     workspace.cellsToEye->set(getCellsToEye(*bricks, *modelView));
     state.applyModelViewMatrix(workspace.cellsToEye.get());
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
-    const BrickLight light = findLight(renderInfo, *bricks, *workspace.cellsToEye);
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *workspace.cellsToEye);
-    if (!job || !drawSplats(state, destination, drawn, *job, light)) drawTriangles(state, drawn, workspace, light);
+    if (hasColors)
+        drawColors(renderInfo, destination, *bricks, drawn, job);
+    else
+        drawDepths(state, destination, drawn, workspace);
     state.applyModelViewMatrix(modelView.get());
+}
+
+/** Draw bricks in light. The caller holds the mutex of `bricks`.
+ * @param job null if splats can't be used. */
+void BrickDrawable::drawColors(osg::RenderInfo& renderInfo, const SplatDestination& destination, ContextBricks& bricks,
+                               const DrawnBricks& drawn, const SplatJob* job) const
+{
+    osg::State& state = *renderInfo.getState();
+    Workspace& workspace = _workspaces[state.getContextID()];
+    const BrickLight light = findLight(renderInfo, bricks, *workspace.cellsToEye);
+    if (!job || !drawSplats(state, destination, drawn, *job, light)) drawTriangles(state, drawn, workspace, light);
 }
 
 /** The caller holds the mutex of `bricks`. */
@@ -233,8 +197,8 @@ void BrickDrawable::addSplats(const osg::State& state, const SplatDestination& d
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *job.cellsToEye);
     job.view.emplace(createView(state, drawn.grid, *job.cellsToEye));
     // Polygon offset depends on the slopes of triangles.
-    if (showsInsides(state, *job.view) || state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL)) return;
-    job.ranges.find(drawn.blocks, drawn.grid, *job.view, false, drawn.numPlaced);
+    if (findVisibleFaces(state, *job.view) != Faces::FRONT || state.getLastAppliedMode(GL_POLYGON_OFFSET_FILL)) return;
+    job.ranges.find(drawn.blocks, drawn.grid, *job.view, Faces::FRONT, drawn.numPlaced);
     job.isPossible = _splats.prepare(state, destination, drawn, job);
 }
 
@@ -310,16 +274,33 @@ void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, 
                                   const BrickLight& light) const
 {
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
-    const bool isOpen = showsInsides(state, view);
-    workspace.ranges.find(bricks.blocks, bricks.grid, view, isOpen, bricks.numPlaced);
+    const Faces faces = findVisibleFaces(state, view);
+    workspace.ranges.find(bricks.blocks, bricks.grid, view, faces, bricks.numPlaced);
     // Front to back, so that fewer hidden pixels are shaded.
-    if (!isOpen) workspace.ranges.sortFrontToBack();
+    if (faces == Faces::FRONT) workspace.ranges.sortFrontToBack();
     const bool hasShadows = !light.shadows.isEmpty();
     if (hasShadows && !applyBrickState(state, *_states->getShading(true).triangles)) return;
-    setBrickUniforms(state, bricks, view, isOpen);
+    setBrickUniforms(state, bricks, view, faces);
     light.apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
     if (hasShadows) state.apply(&_states->getTriangles());
+}
+
+/** Draw into a depth buffer without colours, such as a shadow map. */
+void BrickDrawable::drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                               Workspace& workspace) const
+{
+    const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
+    const Faces faces = findVisibleFaces(state, view);
+    workspace.ranges.find(bricks.blocks, bricks.grid, view, faces, bricks.numPlaced);
+    const bool hasSplats = _drawing != Drawing::TRIANGLES && _splats.getTarget(state).isFor(_drawing) &&
+                           _splats.drawDepths(state, destination, bricks, {view, faces, workspace.ranges});
+    if (!hasSplats && applyBrickState(state, _states->getDepths()))
+    {
+        setBrickUniforms(state, bricks, view, faces);
+        drawBrickPoints(state, bricks, workspace.ranges.getAll());
+    }
+    state.apply(&_states->getTriangles());
 }
 
 osg::ref_ptr<const BrickModel> BrickDrawable::getModel() const

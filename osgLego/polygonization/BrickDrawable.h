@@ -100,6 +100,10 @@ private:
     bool drawPoints(osg::State& state, const SplatDestination& destination, std::size_t first) const;
     bool drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
                     const SplatJob& job, const BrickLight& light) const;
+    void drawColors(osg::RenderInfo& renderInfo, const SplatDestination& destination, ContextBricks& bricks,
+                    const DrawnBricks& drawn, const SplatJob* job) const;
+    void drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                    Workspace& workspace) const;
     void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
                        const BrickLight& light) const;
 

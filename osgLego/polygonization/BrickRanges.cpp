@@ -27,7 +27,10 @@ float mostOf(const glm::vec4& function, const glm::vec3& lower, const glm::vec3&
 class BlockTest
 {
 public:
-    BlockTest(const CellView& view, int up, float studHeight) : _view(view), _up(up), _studHeight(studHeight) {}
+    BlockTest(const CellView& view, Faces faces, int up, float studHeight) :
+        _view(view), _faces(faces), _up(up), _studHeight(studHeight)
+    {
+    }
 
     bool isInPicture(const BrickBlock& block) const
     {
@@ -38,6 +41,26 @@ public:
                            { return mostOf(plane, glm::vec3(block.minimum), upper) >= 0.0f; });
     }
 
+    /** Whether a side or a stud is drawn. */
+    bool isDrawn(const BrickBlock& block) const
+    {
+        if (_faces == Faces::ALL || hasDrawnStuds(block)) return true;
+        return _faces == Faces::FRONT ? isTurnedToEye(block) : isTurnedAway(block);
+    }
+
+    bool hasDrawnStuds(const BrickBlock& block) const
+    {
+        return (block.openSides & (SIDE_RIGHT << (2 * _up))) && (_faces != Faces::FRONT || areStudsSeen(block));
+    }
+
+    float distanceOf(const BrickBlock& block) const
+    {
+        const glm::vec3 middle = 0.5f * glm::vec3(block.minimum + block.maximum + 1);
+        const glm::vec3 eye(_view.eye);
+        return _view.eye.w == 0.0f ? -glm::dot(middle, eye) : glm::distance(middle, eye);
+    }
+
+private:
     bool isTurnedToEye(const BrickBlock& block) const
     {
         for (int axis = 0; axis < 3; ++axis)
@@ -49,22 +72,23 @@ public:
             if (isLower && _view.eye[axis] < last * _view.eye.w) return true;
             if (isUpper && _view.eye[axis] > first * _view.eye.w) return true;
         }
-        return hasSeenStuds(block);
+        return false;
     }
 
-    bool hasSeenStuds(const BrickBlock& block) const
+    bool isTurnedAway(const BrickBlock& block) const
     {
-        return (block.openSides & (SIDE_RIGHT << (2 * _up))) && areStudsSeen(block);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const bool isLower = block.openSides & (SIDE_LEFT << (2 * axis));
+            const bool isUpper = block.openSides & (SIDE_RIGHT << (2 * axis));
+            const auto first = static_cast<float>(block.minimum[axis]);
+            const auto last = static_cast<float>(block.maximum[axis] + 1);
+            if (isLower && _view.eye[axis] > first * _view.eye.w) return true;
+            if (isUpper && _view.eye[axis] < last * _view.eye.w) return true;
+        }
+        return false;
     }
 
-    float distanceOf(const BrickBlock& block) const
-    {
-        const glm::vec3 middle = 0.5f * glm::vec3(block.minimum + block.maximum + 1);
-        const glm::vec3 eye(_view.eye);
-        return _view.eye.w == 0.0f ? -glm::dot(middle, eye) : glm::distance(middle, eye);
-    }
-
-private:
     /** Whether a stud at any position in the block can be visible. */
     bool areStudsSeen(const BrickBlock& block) const
     {
@@ -78,6 +102,7 @@ private:
     }
 
     const CellView& _view;
+    Faces _faces;
     int _up;
     float _studHeight;
 };
@@ -101,19 +126,19 @@ void BrickRanges::Parts::add(const BrickBlock& block)
     counts.push_back(block.count);
 }
 
-void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view,
-                       bool showsInsides, std::uint32_t numPlaced)
+void BrickRanges::find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, Faces faces,
+                       std::uint32_t numPlaced)
 {
-    const BlockTest test(view, grid.getUpIndex(), static_cast<float>(grid.getStudHeight()));
+    const BlockTest test(view, faces, grid.getUpIndex(), static_cast<float>(grid.getStudHeight()));
     _seen.clear();
     _studded.clear();
     _others.clear();
     for (const BrickBlock& block : blocks)
     {
         if (numPlaced <= block.firstRank || numPlaced > block.lastRank) continue;
-        if (!test.isInPicture(block) || !(showsInsides || test.isTurnedToEye(block))) continue;
+        if (!test.isInPicture(block) || !test.isDrawn(block)) continue;
         _seen.push_back({test.distanceOf(block), &block});
-        (test.hasSeenStuds(block) ? _studded : _others).add(block);
+        (test.hasDrawnStuds(block) ? _studded : _others).add(block);
     }
     fillAll();
 }

@@ -3,6 +3,7 @@
 #include <osgLego/BrickGrid.h>
 #include <osgLego/data/BrickBlock.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/polygonization/Faces.h>
 #include <osgLego/polygonization/PictureTiles.h>
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace osgLego
 {
 
 /** Finds the parts of a buffer with potentially visible bricks: blocks that intersect the picture and have an open side
- * turned towards the eye.
+ * that is drawn.
  *
  * Reuses its memory if it is used repeatedly. A plain value without GL; one thread at a time.
  */
@@ -34,9 +35,8 @@ public:
 
     /** Find the ranges, in the order of the buffer. Consecutive blocks are merged into one range, since each range
      * costs a draw.
-     * @param showsInsides whether back-facing sides are drawn, too.
      * @param numPlaced the number of parts in place, for the blocks of BuildingPoints; others ignore it. */
-    void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, bool showsInsides,
+    void find(const std::vector<BrickBlock>& blocks, const BrickGrid& grid, const CellView& view, Faces faces,
               std::uint32_t numPlaced = std::numeric_limits<std::uint32_t>::max());
 
     /** Sort blocks from front to back, so that fewer hidden pixels are shaded. */

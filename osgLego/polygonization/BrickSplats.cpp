@@ -70,19 +70,27 @@ SplatTarget& BrickSplats::getTarget(const osg::State& state) const
     return *targets.emplace_back(SplatTarget::get(state));
 }
 
+/** Find the rays of a picture. @return whether bricks can be drawn as points. */
+bool BrickSplats::findRays(const osg::State& state, const SplatDestination& destination, const CellView& view,
+                           CellView::Rays& rays) const
+{
+    const SplatTarget& target = getTarget(state);
+    // Rays do not support other depth conventions.
+    if (!view.isAllBehindNearPlane || state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
+    if (!target.isPossible(destination.getSize()) || destination.hasSamples()) return false;
+    rays = view.computeRays(destination.getSize());
+    if (!rays.isLinear || !view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
+    const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
+    return std::max(largest.x, largest.y) <= target.getMaximumPointSize() - 1.0f;
+}
+
 bool BrickSplats::prepare(const osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
                           SplatJob& job) const
 {
     SplatTarget& target = getTarget(state);
-    const CellView& view = *job.view;
-    // Rays do not support other depth conventions.
-    if (!view.isAllBehindNearPlane || state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
-    if (!target.isPossible(destination.getSize()) || bricks.count > target.getMaximumBricks()) return false;
+    if (bricks.count > target.getMaximumBricks()) return false;
     if (bricks.ranks != 0 && bricks.count > MAXIMUM_PARTIAL) return false;
-    job.rays = view.computeRays(destination.getSize());
-    if (!view.areDistinct(job.rays) || !CellView::isDepthDistance(job.rays)) return false;
-    const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
-    if (destination.hasSamples() || std::max(largest.x, largest.y) > target.getMaximumPointSize() - 1.0f) return false;
+    if (!findRays(state, destination, *job.view, job.rays)) return false;
     job.buffer = bricks.buffer;
     job.blocks = bricks.blocks.data();
     return target.number(job, bricks.count);
@@ -99,7 +107,7 @@ void BrickSplats::drawPoints(osg::State& state, const DrawnBricks& bricks, const
                              const glm::ivec2& size)
 {
     static const UniformName FIRST("firstSplat");
-    setBrickUniforms(state, bricks, *job.view, false);
+    setBrickUniforms(state, bricks, *job.view, Faces::FRONT);
     setRays(state, job.rays.onAxesOfStud(bricks.grid.getUpIndex()), size);
     ProgramUniforms(state).set(FIRST, job.firstSplat);
     drawBrickPoints(state, bricks, hasStuds ? job.ranges.getStudded() : job.ranges.getOthers());
@@ -122,7 +130,7 @@ bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, 
     state.applyTextureAttribute(BrickStates::SPLATS_UNIT, &target.getSplats());
     state.applyTextureAttribute(BrickStates::DEPTHS_UNIT, &target.getDepths());
     const BrickTexture texture(state, target.getBricks(), bricks);
-    setBrickUniforms(state, bricks, *job.view, false);
+    setBrickUniforms(state, bricks, *job.view, Faces::FRONT);
     light.apply(state);
     setRays(state, job.rays, destination.getSize());
     const ProgramUniforms uniforms(state);
@@ -131,6 +139,31 @@ bool BrickSplats::shade(osg::State& state, const SplatDestination& destination, 
     uniforms.set(COUNT, job.numSplats);
     drawTiles(state, bricks, job.ranges, *job.view, destination.getSize());
     return true;
+}
+
+bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                             const DepthJob& job) const
+{
+    CellView::Rays rays;
+    if (job.faces == Faces::ALL || destination.getOrigin() != glm::ivec2(0)) return false;
+    if (!findRays(state, destination, job.view, rays)) return false;
+    const DepthConversion conversion(state);
+    const glm::ivec2 size = destination.getSize();
+    SplatTarget::setPointViewport(size);
+    bool isDrawn = true;
+    for (const bool hasStuds : {false, true})
+    {
+        const BrickRanges::Parts& parts = hasStuds ? job.ranges.getStudded() : job.ranges.getOthers();
+        if (bricks.blocks.empty() ? !hasStuds : parts.firsts.empty()) continue;
+        isDrawn = applyBrickState(state, _states->getDepthPoints(job.faces, hasStuds));
+        if (!isDrawn) break;
+        setBrickUniforms(state, bricks, job.view, job.faces);
+        setRays(state, rays.onAxesOfStud(bricks.grid.getUpIndex()), size);
+        setDepthConversion(state, conversion);
+        drawBrickPoints(state, bricks, parts);
+    }
+    destination.restore();
+    return isDrawn;
 }
 
 void BrickSplats::drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges,

@@ -23,6 +23,14 @@ namespace osgLego
  * @return whether its program could be applied. */
 bool applyBrickState(osg::State& state, const osg::StateSet& stateSet);
 
+/** What to draw into a depth buffer without colours. */
+struct DepthJob
+{
+    const CellView& view;
+    Faces faces;
+    const BrickRanges& ranges; //!< with these faces
+};
+
 /** Draws bricks as points instead of triangles, for software renderers, on which small triangles are expensive: each
  * pixel of a point intersects its ray with the brick; then each pixel of the picture is shaded once.
  *
@@ -52,10 +60,17 @@ public:
     bool shade(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks, const SplatJob& job,
                const BrickLight& light) const;
 
+    /** Draw the depths of bricks right into a destination.
+     * @return false, with nothing drawn or only a part of it, if that is impossible. */
+    bool drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
+                    const DepthJob& job) const;
+
     void resizeGLObjectBuffers(unsigned int maxSize);
     void releaseGLObjects(osg::State* state) const;
 
 private:
+    bool findRays(const osg::State& state, const SplatDestination& destination, const CellView& view,
+                  CellView::Rays& rays) const;
     /** Draw a point for each tile of the picture that may contain bricks, with the applied program. */
     void drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges, const CellView& view,
                    const glm::ivec2& size) const;

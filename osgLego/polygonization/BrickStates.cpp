@@ -148,10 +148,35 @@ BrickStates::Shading createShading(const osg::StateSet& common, Look look, const
             createSplatState(common, look, splats + "#define ONE_LIGHT\n")};
 }
 
+osg::ref_ptr<osg::StateSet> createDepthState(const std::string& definitions)
+{
+    const osg::ref_ptr<osg::Program> program = ShaderLibrary::getProgram(
+        "polygonization_depth",
+        {"polygonization/polygonization.vert", "polygonization/polygonization.geom", "polygonization/depth.frag"},
+        definitions);
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(program, PROGRAM);
+    return stateSet;
+}
+
+osg::ref_ptr<osg::Program> getPointProgram(const std::string& definitions)
+{
+    return ShaderLibrary::getProgram("splats", {"polygonization/splats.vert", "polygonization/splats.frag"},
+                                     definitions);
+}
+
+/** Create the state for points that are drawn with the depth test of the scene. */
+osg::ref_ptr<osg::StateSet> createDepthPointState(const std::string& definitions)
+{
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(getPointProgram(definitions), PROGRAM);
+    setPointModes(*stateSet);
+    return stateSet;
+}
+
 osg::ref_ptr<osg::StateSet> createPointState(const std::string& definitions)
 {
-    const osg::ref_ptr<osg::Program> program =
-        ShaderLibrary::getProgram("splats", {"polygonization/splats.vert", "polygonization/splats.frag"}, definitions);
+    const osg::ref_ptr<osg::Program> program = getPointProgram(definitions);
     osg::ref_ptr<osg::StateSet> stateSet = createPassState(*program);
     stateSet->setAttributeAndModes(new osg::Depth(osg::Depth::LESS), osg::StateAttribute::ON | OVERRIDE_PROTECTED);
     setPointModes(*stateSet);
@@ -194,6 +219,12 @@ BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& app
     const std::string partial = kind.isPartial ? "#define PARTIAL\n" : "";
     _boxes = createPointState(partial);
     _studded = createPointState("#define STUDS\n" + partial);
+    const std::string depths = "#define DEPTH_ONLY\n" + partial;
+    _depths = createDepthState(depths);
+    for (std::size_t isBack : {0, 1})
+        for (std::size_t hasStuds : {0, 1})
+            _depthPoints[isBack][hasStuds] = createDepthPointState(depths + (isBack ? "#define BACK_FACES\n" : "") +
+                                                                   (hasStuds ? "#define STUDS\n" : ""));
 }
 
 BrickStates::Shading BrickStates::getShading(bool hasShadows) const
@@ -208,8 +239,9 @@ void BrickStates::resizeGLObjectBuffers(unsigned int maxSize) const
 {
     const std::lock_guard lock(_mutex);
     for (const osg::ref_ptr<osg::StateSet>& stateSet :
-         {_boxes, _studded, _shading.triangles, _shading.splats, _shading.splatsByOneLight, _shadowed.triangles,
-          _shadowed.splats, _shadowed.splatsByOneLight})
+         {_boxes, _studded, _depths, _depthPoints[0][0], _depthPoints[0][1], _depthPoints[1][0], _depthPoints[1][1],
+          _shading.triangles, _shading.splats, _shading.splatsByOneLight, _shadowed.triangles, _shadowed.splats,
+          _shadowed.splatsByOneLight})
         if (stateSet) stateSet->resizeGLObjectBuffers(maxSize);
 }
 

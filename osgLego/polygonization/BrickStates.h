@@ -3,7 +3,9 @@
 #include <osgLego/BrickAppearance.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LightProbe.h>
+#include <osgLego/polygonization/Faces.h>
 
+#include <array>
 #include <mutex>
 #include <string>
 
@@ -70,6 +72,15 @@ public:
     /** For finding the splats of bricks with or without visible studs. */
     const osg::StateSet& getPoints(bool hasStuds) const { return hasStuds ? *_studded : *_boxes; }
 
+    /** For drawing with the geometry shader into a depth buffer without colours. */
+    const osg::StateSet& getDepths() const { return *_depths; }
+    /** For drawing bricks with or without visible studs right into such a buffer, as points.
+     * @param faces not all. */
+    const osg::StateSet& getDepthPoints(Faces faces, bool hasStuds) const
+    {
+        return *_depthPoints[faces == Faces::BACK ? 1 : 0][hasStuds ? 1 : 0];
+    }
+
     void resizeGLObjectBuffers(unsigned int maxSize) const;
 
 private:
@@ -98,6 +109,8 @@ private:
     Shading _shading;
     osg::ref_ptr<osg::StateSet> _boxes;
     osg::ref_ptr<osg::StateSet> _studded;
+    osg::ref_ptr<osg::StateSet> _depths;
+    std::array<std::array<osg::ref_ptr<osg::StateSet>, 2>, 2> _depthPoints; // by getDepthPoints()
     mutable std::mutex _mutex;
     mutable Shading _shadowed;
 };

@@ -68,20 +68,20 @@ GLuint setAttributes(const osg::GLExtensions& extensions, const DrawnBricks& bri
 
 } // namespace
 
-void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, bool showsInsides)
+void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, Faces faces)
 {
     static const UniformName UP_AXIS("upAxis");
     static const UniformName STUD_HEIGHT("studHeight");
     static const UniformName PROPORTIONS("cellProportions");
     static const UniformName EYE("eye");
-    static const UniformName SHOWS_INSIDES("showsInsides");
+    static const UniformName DRAWN_FACES("drawnFaces");
     const ProgramUniforms uniforms(state);
     const BrickGrid& grid = bricks.grid;
     uniforms.set(UP_AXIS, grid.getUpIndex());
     uniforms.set(STUD_HEIGHT, static_cast<float>(grid.getStudHeight()));
     uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
     uniforms.set(EYE, view.eye);
-    uniforms.set(SHOWS_INSIDES, showsInsides ? 1 : 0);
+    uniforms.set(DRAWN_FACES, static_cast<int>(faces));
     if (bricks.ranks != 0) setParts(uniforms, bricks);
     setLines(uniforms, bricks.lines);
     setFog(uniforms, state);
@@ -105,6 +105,15 @@ void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ive
     uniforms.set(DIRECTION, rays.direction);
     uniforms.set(DEPTH, glm::vec2(rays.depth.x, rays.depthSlope));
     uniforms.set(SIZE, glm::vec2(pictureSize));
+}
+
+void setDepthConversion(const osg::State& state, const DepthConversion& conversion)
+{
+    static const UniformName RANGE("depthRange");
+    static const UniformName OFFSET("depthOffset");
+    const ProgramUniforms uniforms(state);
+    uniforms.set(RANGE, conversion.range);
+    uniforms.set(OFFSET, conversion.offset);
 }
 
 void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRanges::Parts& parts)

@@ -162,6 +162,8 @@ CellView::Rays CellView::computeRays(const glm::ivec2& size) const
         // Rays start on the near plane.
         const double deeper = glm::dot(glm::dvec3(rowOf(_toClip, 2)), -glm::dvec3(eye));
         rays.depthSlope = static_cast<float>(0.5 * deeper * places[0].w());
+        const double change = std::abs(places[1].w()) * size.x + std::abs(places[2].w()) * size.y;
+        rays.isLinear = change <= 1e-9 * std::abs(places[0].w());
         return rays;
     }
     const osg::Vec4d center = osg::Vec4d(0.0, 0.0, 1.0, 0.0) * _toCells;

@@ -32,6 +32,8 @@ struct CellView
         glm::vec3 depth{0.0f};
         /** The change of depth with the ray's parameter or, in perspective, with its reciprocal. */
         float depthSlope = 0.0f;
+        /** Whether the changes are the same for all pixels. They are not if parallel rays are drawn in perspective. */
+        bool isLinear = true;
 
         /** The same rays in stud coordinates, whose last axis is up. @param up the up axis of the grid. */
         Rays onAxesOfStud(int up) const;

@@ -203,9 +203,7 @@ bool SplatTarget::bind(osg::State& state, const glm::ivec2& size)
     state.applyTextureAttribute(BrickStates::SPLATS_UNIT, _splats);
     state.applyTextureAttribute(BrickStates::DEPTHS_UNIT, _depths);
     _frameBuffer->apply(state, osg::FrameBufferObject::DRAW_FRAMEBUFFER);
-    // The picture is the right half of the viewport, and points in the left half are outside the target. See NOWHERE
-    // in splats.vert.
-    glViewport(-size.x, 0, 2 * size.x, size.y);
+    setPointViewport(size);
     if (!isTargetThere(state)) return false;
     if (!_isCleared) clearDepths(size);
     _isCleared = true;

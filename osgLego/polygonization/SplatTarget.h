@@ -133,6 +133,9 @@ public:
     std::size_t getNumJobs() const { return _numJobs; }
     SplatJob& getJob(std::size_t index) { return _jobs[index]; }
 
+    /** Set a viewport of which the picture is the right half; points in the left half are outside the target. See
+     * NOWHERE in splats.vert. @param size of the picture, in pixels. */
+    static void setPointViewport(const glm::ivec2& size) { glViewport(-size.x, 0, 2 * size.x, size.y); }
     /** Bind the target for drawing points into the picture, and clear it the first time. The state for points is
      * applied.
      * @param size of the picture, in pixels. @return false if the target can't be created. */

@@ -1,6 +1,6 @@
 // Polygonization (the paper, section III-C, Algorithm 5): the first invocation turns a point into the open sides of a
 // brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
-// counter-clockwise as seen from outside.
+// counter-clockwise as seen from outside. With #define DEPTH_ONLY, vertices are positions alone.
 
 #include "gl/fixed_state.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
@@ -12,19 +12,23 @@ layout(triangle_strip, max_vertices = 50) out; // for a stud: 3 * STUD_SIDES + 2
 flat in uvec3 brick[];
 #if defined(PARTIAL)
 flat in uint vertexNovelty[];
+#if !defined(DEPTH_ONLY)
 flat out uint novelty;
+#endif
 #endif
 
 uniform int upAxis;       // 1 or 2
 uniform float studHeight; // in cells; the radius needs no scale, since a cell is as wide as the pitch
 uniform vec4 eye;         // in cells: the position or, if w is 0, the direction towards the eye
-uniform bool showsInsides; // whether back-facing sides are drawn, too
+uniform int drawnFaces;    // see Faces: 1, front-facing; 2, back-facing; 3, both
 
+#if !defined(DEPTH_ONLY)
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec2 coordinate; // faces and disk: 0 to 1 across; wall: 0 to 1 around and up
 flat out uint color;  // see colorOf in brick_detail.glsl
 flat out uint detail; // see detailOf
+#endif
 
 // Directions around the stud, in a table, since the cosine is slow on some machines.
 const vec2 DIRECTIONS[STUD_SIDES] = vec2[](
@@ -53,6 +57,7 @@ Place moved(Place place, float distance, Place step)
 
 void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
 {
+#if !defined(DEPTH_ONLY)
     eyePosition = place.eye;
     eyeNormal = normal;
     coordinate = where;
@@ -60,6 +65,7 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
     detail = details;
 #if defined(PARTIAL)
     novelty = vertexNovelty[0];
+#endif
 #endif
     gl_Position = place.clip;
 #if defined(GL_compatibility_profile)
@@ -72,6 +78,12 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
 bool isTurnedToEye(float place, int axis, bool upper)
 {
     return upper ? eye[axis] > place * eye.w : eye[axis] < place * eye.w;
+}
+
+// Whether faces are drawn that are turned towards or away from the eye.
+bool isDrawn(bool isTurned)
+{
+    return (drawnFaces & (isTurned ? 1 : 2)) != 0;
 }
 
 uint insideUnless(bool isTurned)
@@ -148,7 +160,7 @@ void emitStud(vec3 center, vec3 up)
         // The first and the last edge are exactly the same.
         vec2 direction = DIRECTIONS[side % STUD_SIDES];
         bool isTurned = isWallSeen(center, 0.5 * (direction + next));
-        bool isSeen = side < STUD_SIDES && (showsInsides || isTurned);
+        bool isSeen = side < STUD_SIDES && isDrawn(isTurned);
         if (isSeen || wasSeen)
         {
             vec3 normal = direction.x * normalU + direction.y * normalV;
@@ -165,7 +177,7 @@ void emitStud(vec3 center, vec3 up)
     }
 
     bool isDiskTurned = isTurnedToEye(center[upAxis] + studHeight, upAxis, true);
-    if (!showsInsides && !isDiskTurned) return;
+    if (!isDrawn(isDiskTurned)) return;
     disk |= insideUnless(isDiskTurned);
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
@@ -189,7 +201,7 @@ void main()
             int axis = side / 2;
             bool upper = side % 2 == 1;
             if ((open & (1u << side)) == 0u) continue;
-            if (showsInsides || isTurnedToEye(cell[axis] + float(upper), axis, upper)) emitSide(cell, axis, upper);
+            if (isDrawn(isTurnedToEye(cell[axis] + float(upper), axis, upper))) emitSide(cell, axis, upper);
         }
     }
     else if ((open & (2u << (2 * upAxis))) != 0u)
@@ -197,6 +209,6 @@ void main()
         vec3 up = vec3(0.0);
         up[upAxis] = 1.0;
         vec3 center = cell + across(0.5, 0.5) + up;
-        if (showsInsides || isStudAtSeen(center)) emitStud(center, up);
+        if (isDrawn(false) || isStudAtSeen(center)) emitStud(center, up);
     }
 }

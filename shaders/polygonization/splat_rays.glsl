@@ -18,6 +18,11 @@ uniform mat3 rayDirection; // likewise
 #endif
 
 const uint STUD = 3u;
+#if defined(BACK_FACES)
+const uint STUD_BIT = 64u; // see splats.vert
+#else
+const uint STUD_BIT = 8u;
+#endif
 const float APOTHEM = STUD_RADIUS * 0.980785280; // the cosine of half a side's angle
 // The normal of one side of each opposite pair.
 const vec2 FACETS[STUD_SIDES / 2] =
@@ -43,15 +48,19 @@ vec3 fromStud(vec3 vector)
     return upAxis == 1 ? vector.yzx : vector;
 }
 
-// The parameter at which a ray, in stud coordinates, hits the stud's prism; NEVER if it misses. `facet` is the normal of the
-// side that it enters through, 0 for the disk.
-float meetStud(Ray ray, float height, out vec2 facet)
+// Where a ray passes through the sides of the stud's prism without ends.
+struct Crossing
 {
-    vec3 origin = ray.origin - vec3(0.5, 0.5, 1.0);
-    vec3 direction = ray.direction;
-    float first = -NEVER;
-    float last = NEVER;
-    vec2 normal = vec2(0.0);
+    float first; // the parameters
+    float last;
+    vec2 entered; // the outward normals of the sides
+    vec2 left;
+};
+
+// The origin is relative to the middle of the stud's foot.
+Crossing crossWall(vec3 origin, vec3 direction)
+{
+    Crossing crossing = Crossing(-NEVER, NEVER, vec2(0.0), vec2(0.0));
     for (int index = 0; index < STUD_SIDES / 2; ++index)
     {
         // A ray parallel to a facet is treated as one that hits it far away.
@@ -59,15 +68,43 @@ float meetStud(Ray ray, float height, out vec2 facet)
         float slower = 1.0 / (abs(speed) < 1e-12 ? 1e-12 : speed);
         float middle = -dot(FACETS[index], origin.xy) * slower;
         float reach = APOTHEM * abs(slower);
-        if (middle - reach > first) normal = -sign(slower) * FACETS[index];
-        first = max(first, middle - reach);
-        last = min(last, middle + reach);
+        vec2 outward = sign(slower) * FACETS[index];
+        if (middle - reach > crossing.first) crossing.entered = -outward;
+        if (middle + reach < crossing.last) crossing.left = outward;
+        crossing.first = max(crossing.first, middle - reach);
+        crossing.last = min(crossing.last, middle + reach);
     }
-    facet = normal;
-    if (first > last) return NEVER;
-    float place = origin.z + first * direction.z;
-    if (place >= -1e-3 && place <= height) return first;
+    return crossing;
+}
+
+// The parameter at which a ray, in stud coordinates, hits the stud's prism; NEVER if it misses. `facet` is the normal of the
+// side that it enters through, 0 for the disk.
+float meetStud(Ray ray, float height, out vec2 facet)
+{
+    vec3 origin = ray.origin - vec3(0.5, 0.5, 1.0);
+    vec3 direction = ray.direction;
+    Crossing crossing = crossWall(origin, direction);
+    facet = crossing.entered;
+    if (crossing.first > crossing.last) return NEVER;
+    float place = origin.z + crossing.first * direction.z;
+    if (place >= -1e-3 && place <= height) return crossing.first;
     facet = vec2(0.0);
     float disk = (height - origin.z) / direction.z;
-    return direction.z < 0.0 && disk >= first && disk <= last ? disk : NEVER;
+    return direction.z < 0.0 && disk >= crossing.first && disk <= crossing.last ? disk : NEVER;
+}
+
+// Likewise, the parameter at which a ray leaves the prism, but not through its foot. `facet` is that of the side that it leaves
+// through.
+float leaveStud(Ray ray, float height, out vec2 facet)
+{
+    vec3 origin = ray.origin - vec3(0.5, 0.5, 1.0);
+    vec3 direction = ray.direction;
+    Crossing crossing = crossWall(origin, direction);
+    facet = crossing.left;
+    if (crossing.first > crossing.last) return NEVER;
+    float place = origin.z + crossing.last * direction.z;
+    if (place >= -1e-3 && place <= height) return crossing.last;
+    facet = vec2(0.0);
+    float disk = (height - origin.z) / direction.z;
+    return direction.z > 0.0 && disk >= crossing.first && disk <= crossing.last ? disk : NEVER;
 }

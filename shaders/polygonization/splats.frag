@@ -8,7 +8,13 @@
 flat in uvec3 splat;
 flat in vec4 rays[4];
 
+#if defined(DEPTH_ONLY)
+#include "gl/fragment_outputs.glsl"
+
+flat in vec2 offset; // see splats.vert
+#else
 out uint nearest; // see splat_rays.glsl
+#endif
 
 const float TINY = 1e-20; // avoids divisions by 0
 
@@ -19,20 +25,83 @@ Ray rayHere()
     return Ray(rays[2].xyz + (1.0 - rays[0].w) * change, rays[3].xyz + rays[0].w * change);
 }
 
-// The parameter at which a ray hits a visible side; `part` becomes the axis of this side. NEVER if it misses.
+// For each axis, whether the side that the ray meets is drawn.
+bvec3 drawnSides(Ray ray)
+{
+#if defined(BACK_FACES)
+    uvec3 leaving = uvec3(1u, 4u, 16u) << uvec3(greaterThan(ray.direction, vec3(0.0)));
+    return notEqual(splat.yyy & leaving, uvec3(0u));
+#else
+    return notEqual(splat.yyy & uvec3(1u, 2u, 4u), uvec3(0u));
+#endif
+}
+
+// The parameter at which a ray hits a drawn side; `part` becomes the axis of this side. NEVER if it misses.
 float meetSides(Ray ray, inout uint part)
 {
     vec3 steps = 1.0 / (ray.direction + TINY);
     vec3 middle = (0.5 - ray.origin) * steps;
     vec3 reach = abs(steps);
-    bvec3 isSeen = notEqual(splat.yyy & uvec3(1u, 2u, 4u), uvec3(0u));
-    vec3 near = mix(vec3(-NEVER), middle - 0.5 * reach, isSeen);
-    float first = max(near.x, max(near.y, near.z));
+    bvec3 isDrawn = drawnSides(ray);
+#if defined(BACK_FACES)
+    vec3 sides = mix(vec3(NEVER), middle + 0.5 * reach, isDrawn);
+    float met = min(sides.x, min(sides.y, sides.z));
+#else
+    vec3 sides = mix(vec3(-NEVER), middle - 0.5 * reach, isDrawn);
+    float met = max(sides.x, max(sides.y, sides.z));
+#endif
     float slack = rays[1].w;
-    if (any(greaterThan(abs(first - middle), (0.5 + slack) * reach))) return NEVER;
-    part = near.x == first ? 0u : near.y == first ? 1u : 2u;
-    return first;
+    if (any(greaterThan(abs(met - middle), (0.5 + slack) * reach))) return NEVER;
+    part = sides.x == met ? 0u : sides.y == met ? 1u : 2u;
+    return met;
 }
+
+#if defined(STUDS)
+float meetDrawnStud(Ray ray, out vec2 facet)
+{
+    if ((splat.y & STUD_BIT) == 0u) return NEVER;
+#if defined(BACK_FACES)
+    return leaveStud(ray, uintBitsToFloat(splat.z), facet);
+#else
+    return meetStud(ray, uintBitsToFloat(splat.z), facet);
+#endif
+}
+#endif
+
+float depthAt(float distance)
+{
+    return rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance : 1.0 / distance);
+}
+
+#if defined(DEPTH_ONLY)
+
+// The depth of a face, moved as by glPolygonOffset. NEVER where a ray misses the face.
+float movedDepth(Ray ray, float distance, vec3 normal)
+{
+    if (distance == NEVER) return NEVER;
+    vec2 speed = vec2(dot(normal, rays[0].xyz), dot(normal, rays[1].xyz)) / dot(normal, ray.direction);
+    float slope = max(abs(speed.x), abs(speed.y)) * (rays[0].w == 0.0 ? 1.0 : 1.0 / distance);
+    return depthAt(distance) + offset.x * slope + offset.y;
+}
+
+void main()
+{
+    Ray ray = rayHere();
+    uint part = STUD;
+    float sides = meetSides(ray, part);
+    float depth = movedDepth(ray, sides, vec3(equal(uvec3(part), uvec3(0u, 1u, 2u))));
+#if defined(STUDS)
+    // The stud is not nearer if it is moved further.
+    vec2 facet;
+    float stud = meetDrawnStud(ray, facet);
+    depth = min(depth, movedDepth(ray, stud, facet == vec2(0.0) ? vec3(0.0, 0.0, 1.0) : vec3(facet, 0.0)));
+#endif
+    if (depth == NEVER) discard;
+    gl_FragDepth = depth;
+    fragmentColor = vec4(1.0); // opaque, for an alpha test
+}
+
+#else
 
 void main()
 {
@@ -41,11 +110,13 @@ void main()
     float distance = meetSides(ray, part);
 #if defined(STUDS)
     vec2 facet;
-    float stud = (splat.y & 8u) != 0u ? meetStud(ray, uintBitsToFloat(splat.z), facet) : NEVER;
+    float stud = meetDrawnStud(ray, facet);
     if (stud < distance) part = STUD;
     distance = min(distance, stud);
 #endif
     if (distance == NEVER) discard;
     nearest = splat.x | part;
-    gl_FragDepth = rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance : 1.0 / distance);
+    gl_FragDepth = depthAt(distance);
 }
+
+#endif

@@ -23,12 +23,12 @@ protected:
 
     /** The numbers of the blocks found. */
     std::vector<int> find(const std::vector<BrickBlock>& blocks, const osg::Vec3d& eye, const osg::Vec3d& target,
-                          bool showsInsides = false,
+                          Faces faces = Faces::FRONT,
                           std::uint32_t numPlaced = std::numeric_limits<std::uint32_t>::max())
     {
         const osg::Matrixd view = osg::Matrixd::lookAt(eye, target, osg::Vec3d(0.1, 0, 1));
         const CellView cellView(_grid, _grid.getCellsToModel() * view, osg::Matrixd::perspective(40, 1.5, 1, 1000));
-        _ranges.find(blocks, _grid, cellView, showsInsides, numPlaced);
+        _ranges.find(blocks, _grid, cellView, faces, numPlaced);
         _ranges.sortFrontToBack();
         std::vector<int> numbers;
         for (std::size_t range = 0; range < _ranges.getAll().firsts.size(); ++range)
@@ -62,7 +62,17 @@ TEST_F(Ranges, LeaveOutWhatIsTurnedAway)
     EXPECT_EQ(find(blocks, {8, -100, 4}, {8, 0, 4}), (Numbers{1}));
     EXPECT_EQ(find(blocks, {8, 100, 4}, {8, 0, 4}), (Numbers{0}));
     EXPECT_EQ(find(blocks, {-30, 12, 4}, {8, 12, 4}).size(), 2u) << "level with the bricks";
-    EXPECT_EQ(find(blocks, {8, -100, 4}, {8, 0, 4}, true).size(), 2u);
+    EXPECT_EQ(find(blocks, {8, -100, 4}, {8, 0, 4}, Faces::ALL).size(), 2u);
+}
+
+TEST_F(Ranges, OfBackFacesLeaveOutWhatIsTurnedToTheEye)
+{
+    const std::vector<BrickBlock> blocks{createBlock(0, {0, 8, 0}, {7, 15, 7}, SIDE_BACK),
+                                         createBlock(1, {16, 8, 0}, {23, 15, 7}, SIDE_FRONT),
+                                         createBlock(2, {32, 8, 0}, {39, 15, 7}, SIDE_FRONT | SIDE_TOP)};
+    EXPECT_EQ(find(blocks, {8, -100, 4}, {8, 0, 4}, Faces::BACK), (Numbers{0, 2})) << "studs have a back";
+    EXPECT_EQ(find(blocks, {8, 100, 4}, {8, 0, 4}, Faces::BACK), (Numbers{1, 2}));
+    EXPECT_EQ(find(blocks, {-30, 12, 4}, {8, 12, 4}, Faces::BACK).size(), 3u) << "level with the bricks";
 }
 
 TEST_F(Ranges, AreThoseWithCellsThatAreVisibleWithThePartsInPlace)
@@ -72,7 +82,7 @@ TEST_F(Ranges, AreThoseWithCellsThatAreVisibleWithThePartsInPlace)
     blocks[1].firstRank = 4;
     blocks[1].lastRank = 9;
     const auto findWith = [&](std::uint32_t numPlaced) {
-        return find(blocks, {32, -200, 32}, {32, 0, 32}, false, numPlaced);
+        return find(blocks, {32, -200, 32}, {32, 0, 32}, Faces::FRONT, numPlaced);
     };
     EXPECT_EQ(findWith(0), Numbers());
     EXPECT_EQ(findWith(4), Numbers{0});
