@@ -7,16 +7,25 @@ namespace osgLego
 
 void ContextProgram::apply(osg::State& state) const
 {
+    prepare(state);
     useForCore(state);
     osg::Program::apply(state);
 }
 
 void ContextProgram::compileGLObjects(osg::State& state) const
 {
+    prepare(state);
     if (const ContextProgram* forCore = useForCore(state))
         forCore->compileGLObjects(state);
     else
         osg::Program::compileGLObjects(state);
+}
+
+/** Have the GL program released with its context, before it is created. */
+void ContextProgram::prepare(const osg::State& state) const
+{
+    const unsigned int contextID = state.getContextID();
+    if (!_pcpList[contextID]) SharedGlObjects::releaseAtClose(contextID);
 }
 
 const ContextProgram* ContextProgram::useForCore(osg::State& state) const

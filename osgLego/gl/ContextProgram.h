@@ -31,6 +31,7 @@ public:
 private:
     ~ContextProgram() override = default;
 
+    void prepare(const osg::State& state) const;
     /** Share the GL program of the program for core contexts, and return that program; null in other contexts. */
     const ContextProgram* useForCore(osg::State& state) const;
 

@@ -20,10 +20,10 @@ protected:
     ~SharedGlObject() = default;
 };
 
-/** Releases the shared GL objects of a context together with their last user there.
+/** Releases the shared GL objects of a context together with their last user there, or when the context closes.
  *
  * If each node released them, removing a node from a scene would release those of the nodes that remain, possibly while
- * another thread draws them.
+ * another thread draws them. A context may close after all its users have been deleted, and another one gets its ID.
  *
  * Functions may be called from any thread.
  */
@@ -38,6 +38,11 @@ public:
     void removeUser(const void* user);
     /** Called when `user` releases its GL objects. @param state of the context; null for all contexts. */
     void release(osg::State* state, const void* user);
+
+    /** Release the GL objects of a context when it closes. Called before they are created, in the context's thread. */
+    static void releaseAtClose(unsigned int contextID);
+    /** Release the GL objects of a context, regardless of users. */
+    void releaseAll(unsigned int contextID);
 
     void add(const SharedGlObject& object);
     /** Called in the destructor of the most derived class. */

@@ -252,6 +252,38 @@ TEST_P(SharedLook, AContextThatClosesLeavesTheOthersTheirPictures)
     EXPECT_EQ(countDifferent(*cutOut(*drawField(*scene), 0), *cutOut(*before, 0), 0), 0u);
 }
 
+TEST_P(SharedLook, AContextWithTheNumberOfOneThatClosedWithoutNodesShowsThem)
+{
+    const NodeMaker make = makeWith("4,drawing=" + getDrawing(), [](LegoNode&) {});
+    const osg::ref_ptr<osg::Group> scene = createScene();
+    scene->addChild(createPlaced(*make(), placeOf(0)));
+    const osg::ref_ptr<osg::Image> before = drawField(*scene);
+    const auto show = [](osgViewer::Viewer& viewer, osg::GraphicsContext& context, osg::Node& node)
+    {
+        setUpViewer(viewer, context, node);
+        FIELD_VIEW.apply(*viewer.getCamera());
+        viewer.frame();
+    };
+    unsigned int number = 0;
+    {
+        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+        number = context->getState()->getContextID();
+        osgViewer::Viewer viewer;
+        osg::ref_ptr<osg::Group> other = createScene();
+        other->addChild(createPlaced(*make(), placeOf(0)));
+        show(viewer, *context, *other);
+        other = nullptr;
+        for (int frame = 0; frame < 3; ++frame)
+            show(viewer, *context, *osg::ref_ptr<osg::Group>(new osg::Group));
+        context->close();
+    }
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    ASSERT_EQ(context->getState()->getContextID(), number);
+    osgViewer::Viewer viewer;
+    show(viewer, *context, *scene);
+    EXPECT_EQ(countDifferent(*readPixels(*context), *before, 0), 0u);
+}
+
 /** Two nodes behind each other. @param between drawn after the first and before the second; may be null. */
 osg::ref_ptr<osg::Group> createRow(const std::string& drawing, osg::Group& scene, osg::Node* between)
 {
