@@ -319,8 +319,6 @@ void AmbientOcclusionView::setUpStage(osgUtil::RenderStage& outer)
     _stage->setFrameBufferObject(_geometryBuffer);
     // Cameras among the children may inherit it.
     _stage->setViewport(new osg::Viewport(0, 0, _format.size.x, _format.size.y));
-    _stage->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    _stage->setClearColor(osg::Vec4());
     _stage->setInitialViewMatrix(outer.getInitialViewMatrix());
 }
 

@@ -81,7 +81,15 @@ void GeometryBufferStage::cull(osgUtil::CullVisitor& visitor, const std::functio
     _root = visitor.getRenderStage();
     setCamera(outer->getStage()->getCamera());
     visitor.setRenderStage(this);
+    osgUtil::RenderStage& frame = *outer->getStage();
+    setClearColor(frame.getClearColor());
+    setClearMask(frame.getClearMask());
     cullChildren();
+    // An osg::ClearNode among the children is for the frame, too.
+    frame.setClearColor(getClearColor());
+    frame.setClearMask(getClearMask());
+    setClearColor(osg::Vec4());
+    setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     visitor.setRenderStage(_root);
     visitor.setCurrentRenderBin(outer);
     _root = nullptr;

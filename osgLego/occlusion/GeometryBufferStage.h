@@ -27,7 +27,8 @@ public:
     void resetFor(osgUtil::RenderStage& outer);
 
     /** Let a visitor fill this stage, and then go on with its present one. Techniques of osgShadow look in the
-     * visitor's stage for receivers of shadows and for the camera.
+     * visitor's stage for receivers of shadows and for the camera. An osg::ClearNode among the children changes the
+     * present stage.
      * @param cullChildren traverses the children with the visitor. */
     void cull(osgUtil::CullVisitor& visitor, const std::function<void()>& cullChildren);
 

@@ -5,8 +5,11 @@
 #include <osg/AlphaFunc>
 #include <osg/BlendFunc>
 #include <osg/Camera>
+#include <osg/ClearNode>
 #include <osg/ColorMask>
 #include <osg/Depth>
+#include <osg/MatrixTransform>
+#include <osg/Texture2D>
 
 namespace osgLego::test
 {
@@ -119,6 +122,75 @@ TEST_F(AmbientOcclusionState, ACameraThatDrawsAfterTheFrameDoesSo)
     _children->addChild(camera);
     const osg::Vec3d color = readColor(*drawGroup(), WIDTH / 2, HEIGHT / 2);
     EXPECT_LT((color - osg::Vec3d(0, 1, 0)).length(), 0.02);
+}
+
+TEST_F(AmbientOcclusionState, AClearNodeAmongTheChildrenGivesTheFrameItsBackground)
+{
+    const osg::Vec3d beside(-5, 8, 4);
+    const osg::Vec3d bricks(4, 0, 1.5);
+    const osg::Vec3d expected = colorAt(*drawGroup(), bricks);
+    const osg::ref_ptr<osg::ClearNode> clear = new osg::ClearNode;
+    clear->setClearColor(SKY_COLOR);
+    _children->insertChild(0, clear);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+        const osg::ref_ptr<osg::Image> image = drawGroup();
+        EXPECT_LT((colorAt(*image, beside) - osg::Vec3d(0, 1, 0)).length(), 0.02) << frame;
+        EXPECT_LT((colorAt(*image, bricks) - expected).length(), 0.02) << frame;
+    }
+}
+
+TEST_F(AmbientOcclusionState, AClearNodeAmongTheChildrenThatKeepsTheFrameLeavesNoTraceOfEarlierBricks)
+{
+    const osg::Vec3d place(4, 0, 1.5);
+    const osg::ref_ptr<osg::ClearNode> keep = new osg::ClearNode;
+    keep->setRequiresClear(false);
+    _children->addChild(keep);
+    drawGroup();
+    _children->getChild(0)->setNodeMask(0);
+    // This background, which is drawn before the scene, replaces the bricks of the last frame.
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    const osg::ref_ptr<osg::Geometry> sky = createSheet(20.0, SKY_COLOR);
+    sky->getStateSet()->setRenderBinDetails(-1, "RenderBin");
+    sky->getStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 1.0, 1.0));
+    root->addChild(sky);
+    root->addChild(_group);
+    const osg::ref_ptr<osg::Image> image = draw(*root, _view);
+    EXPECT_LT((colorAt(*image, place) - osg::Vec3d(0, 1, 0)).length(), 0.02);
+}
+
+TEST_F(AmbientOcclusionState, ACameraThatDrawsToATextureBetweenTheBricksLeavesTheirPicture)
+{
+    const auto createBox = [] { return createBrickBox({8, 6, 3}, "8"); };
+    const osg::ref_ptr<osg::MatrixTransform> second = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 3.6));
+    second->addChild(createBrickBox({4, 3, 2}, "4", SKY_COLOR));
+    _children->addChild(second);
+    const osg::ref_ptr<osg::Image> expected = drawGroup();
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(64, 64);
+    texture->setInternalFormat(GL_RGBA8);
+    const osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setRenderOrder(osg::Camera::PRE_RENDER);
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setViewport(0, 0, 64, 64);
+    camera->setClearColor(osg::Vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    camera->attach(osg::Camera::COLOR_BUFFER, texture);
+    camera->setProjectionMatrixAsPerspective(30.0, 1.0, 0.1, 1000.0);
+    camera->setViewMatrixAsLookAt({9, -14, 9}, {4, 3, 1}, {0, 0, 1});
+    camera->addChild(createBox());
+    _children->insertChild(1, camera);
+    for (int frame = 0; frame < 2; ++frame)
+        EXPECT_EQ(countDifferent(*drawGroup(), *expected, 0), 0u) << frame;
+    // The bricks below the camera fill the middle of its texture.
+    const osg::ref_ptr<osg::Image> target = new osg::Image;
+    _context->makeCurrent();
+    _context->getState()->applyTextureAttribute(0, texture);
+    target->readImageFromCurrentTexture(_context->getState()->getContextID(), false);
+    EXPECT_LT(
+        (osg::Vec3d(target->getColor(1u, 62u).r(), target->getColor(1u, 62u).g(), 0.0) - osg::Vec3d(1, 0, 0)).length(),
+        0.02);
+    EXPECT_GT(target->getColor(32u, 32u).g(), 0.2f);
 }
 
 TEST_F(AmbientOcclusionState, FramesDrawnAgainUnderOneNumberAreTheSame)
