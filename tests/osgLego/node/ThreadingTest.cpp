@@ -151,6 +151,31 @@ TEST_P(Threading, ANodeMayBeAddedAndRemovedWhileItRuns)
     expectBricksInAllViews();
 }
 
+TEST_P(Threading, NodesWhoseSplatsAreDrawnTogetherMayMoveComeAndGo)
+{
+    constexpr unsigned int NUM_GUESTS = 4;
+    std::vector<osg::ref_ptr<osg::MatrixTransform>> places;
+    for (unsigned int index = 0; index < NUM_GUESTS; ++index)
+    {
+        const osg::ref_ptr<LegoNode> guest = new LegoNode(parseSettings("12,drawing=splats"));
+        guest->addChild(createSphere(10));
+        places.push_back(new osg::MatrixTransform);
+        places.back()->addChild(guest);
+        _root->addChild(places.back());
+    }
+    _lego->setSettings(parseSettings("12,drawing=splats"));
+    for (unsigned int frame = 0; frame < 24; ++frame)
+    {
+        for (unsigned int index = 0; index < NUM_GUESTS; ++index)
+            places[index]->setMatrix(
+                osg::Matrix::translate(2.2 * index - 3.3, 0.02 * index * frame, 2.4 - 0.004 * frame));
+        if (frame % 6 == 2) _root->removeChild(places[frame / 6]);
+        if (frame % 6 == 5) _root->addChild(places[frame / 6]);
+        _viewer.frame();
+    }
+    expectBricksInAllViews();
+}
+
 TEST_P(Threading, AViewMayBeAddedAndThreadsRestarted)
 {
     drawFrames(3);
