@@ -27,7 +27,7 @@ int main()
     // In one group with ambient occlusion, those of the tiles do nothing: they share its buffers and passes.
     const osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
     std::vector<osg::ref_ptr<osg::PagedLOD>> tiles;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0, row = 0; i < 9; ++i, row = i / 3)
     {
         tiles.push_back(new osg::PagedLOD);
         tiles.back()->setFileName(0, tile + ".(16,meanwhile=source).legolize");
@@ -35,7 +35,7 @@ int main()
         tiles.back()->setCenter({0, 0, 0});
         tiles.back()->setRadius(2.0);
         osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform;
-        place->setMatrix(osg::Matrix::translate(2.5 * (i % 3 - 1), 2.5 * (i / 3), 0.0));
+        place->setMatrix(osg::Matrix::translate(2.5 * (i % 3 - 1), 2.5 * row, 0.0));
         place->addChild(tiles.back());
         scene->addChild(place);
     }

@@ -17,7 +17,8 @@ int main()
     const osg::ref_ptr<osgAnimation::VertexInfluenceMap> influences = new osgAnimation::VertexInfluenceMap;
     for (unsigned int i = 0; i < 18; ++i)
     {
-        vertices->push_back({i % 2 == 0 ? -0.5f : 0.5f, 0.1f, 0.5f * static_cast<float>(i / 2)});
+        const unsigned int row = i / 2;
+        vertices->push_back({i % 2 == 0 ? -0.5f : 0.5f, 0.1f, 0.5f * static_cast<float>(row)});
         (*influences)[i < 10 ? "foot" : "top"].push_back({i, 1.0f});
     }
     const osg::ref_ptr<osgAnimation::RigGeometry> skin = new osgAnimation::RigGeometry;
