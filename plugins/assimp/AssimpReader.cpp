@@ -4,6 +4,7 @@
 #include "AssimpGeometry.h"
 #include "ImportObstacle.h"
 
+#include <common/FiniteMatrix.h>
 #include <common/UprightTurn.h>
 
 #include <algorithm>
@@ -90,7 +91,7 @@ private:
     {
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(matrix);
         node->setName(source.mName.C_Str());
-        if (!matrix.valid() && _error.empty())
+        if (!osgLego::isFinite(matrix) && _error.empty())
             _error = "the transform of the node '" + node->getName() +
                      "' is infinite or not a number; expected finite values";
         return node;

@@ -1,10 +1,12 @@
 #include "ImportObstacle.h"
 
 #include "GltfJson.h"
+#include "Nesting.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 
 namespace
@@ -40,6 +42,7 @@ std::string findWrongMimeType(const std::string& json)
 std::string findGltfObstacle(const std::string& format, std::istream& stream)
 {
     const std::string json = readGltfJson(stream);
+    if (std::string nesting = findNestingObstacle(format, json); !nesting.empty()) return nesting;
     const std::string extension = findRequiredExtension(format, json);
     return extension.empty() ? findWrongMimeType(json) : extension;
 }
@@ -72,5 +75,9 @@ std::string findOffObstacle(std::istream& stream)
 std::string findImportObstacle(const std::string& format, std::istream& stream)
 {
     if (format == "glb" || format == "gltf") return findGltfObstacle(format, stream);
-    return format == "off" ? findOffObstacle(stream) : std::string();
+    if (format == "off") return findOffObstacle(stream);
+    for (const char* nested : {"b3d", "fbx", "x3d", "xgl"})
+        if (format == nested)
+            return findNestingObstacle(format, std::string(std::istreambuf_iterator<char>(stream), {}));
+    return {};
 }

@@ -2,6 +2,7 @@
 
 #include "GltfPartMesh.h"
 
+#include <common/FiniteMatrix.h>
 #include <common/NumberText.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
@@ -65,8 +66,8 @@ std::string findObstacle(const osg::Matrixd& matrix)
     constexpr double TOLERANCE = 1e-6;
     const auto axisOf = [&matrix](int row) { return osg::Vec3d(matrix(row, 0), matrix(row, 1), matrix(row, 2)); };
     const bool isAffine = osg::Vec4d(matrix(0, 3), matrix(1, 3), matrix(2, 3), matrix(3, 3)) == osg::Vec4d(0, 0, 0, 1);
-    if (!matrix.valid() || !isAffine)
-        return "is below a transform that is not affine; expected one without perspective";
+    if (!isFinite(matrix)) return "is below a transform that is infinite or not a number; expected finite values";
+    if (!isAffine) return "is below a transform that is not affine; expected one without perspective";
     for (int row = 0; row < 3; ++row)
     {
         const osg::Vec3d axis = axisOf(row);

@@ -454,6 +454,13 @@ TEST_F(AssimpReader, RejectsVerticesThatAreNotFinite)
     }
 }
 
+TEST_F(AssimpReader, RejectsTransformsThatAreNotFinite)
+{
+    GltfDocument document = createTriangle();
+    document.nodes = R"([{"mesh":0,"matrix":[1e39,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])";
+    EXPECT_NE(errorOf(document).find("is infinite or not a number; expected finite values"), std::string::npos);
+}
+
 TEST_F(AssimpReader, LeavesOutTrianglesBeyondTheVertices)
 {
     GltfDocument document;

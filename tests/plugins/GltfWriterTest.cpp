@@ -9,6 +9,7 @@
 #include <TemporaryFolder.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -317,6 +318,8 @@ TEST_F(GltfWriter, KeepsTheOldFileIfTransformsCantBeRepresented)
     EXPECT_NE(errorOf(*transform).find("is below a transform without an inverse"), std::string::npos);
     transform->setMatrix(osg::Matrixd::perspective(60, 1, 1, 10));
     EXPECT_NE(errorOf(*transform).find("expected one without perspective"), std::string::npos);
+    transform->setMatrix(osg::Matrixd::scale(std::numeric_limits<double>::infinity(), 1, 1));
+    EXPECT_NE(errorOf(*transform).find("is below a transform that is infinite"), std::string::npos);
     EXPECT_EQ(contentsOf(pathOf("bricks.glb")), old);
     EXPECT_EQ(countFiles(), 1u);
 }
