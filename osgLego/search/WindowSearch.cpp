@@ -6,6 +6,7 @@
 #include <functional>
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -98,31 +99,39 @@ bool WindowSearch::runRound(int seamCost, const Limits& limits)
         const std::vector<LayoutRegion> regions = makeRegions(phase % 2, phase / 2);
         if (regions.empty()) continue;
         findFixedComponents(regions);
-        std::atomic<bool> isStopped = false;
-        oneapi::tbb::parallel_for(std::size_t(0), regions.size(),
-                                  [&](std::size_t i)
-                                  {
-                                      if (isStopped || isCancelled())
-                                      {
-                                          isStopped = true;
-                                          return;
-                                      }
-                                      const std::uint64_t position =
-                                          static_cast<std::uint64_t>(regions[i].zBegin) << 32 |
-                                          static_cast<std::uint64_t>(regions[i].yBegin) << 16;
-                                      LayoutRandom seeds(position ^ static_cast<std::uint64_t>(_round) << 48);
-                                      LayoutRandom random(seeds.next() ^ _options.seed);
-                                      improve(regions[i], seamCost, limits, random);
-                                  });
-        // The loop skips regions if the group of tasks that it belongs to is cancelled.
-        if (isStopped || isCancelled()) return false;
+        if (!improveAll(regions, seamCost, limits)) return false;
     }
     ++_round;
     return true;
 }
 
-void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random)
+/** Each thread takes the next region when it is free: a range that oneTBB divides would leave the largest ones to one
+ * thread. @return false if it was cancelled. */
+bool WindowSearch::improveAll(const std::vector<LayoutRegion>& regions, int seamCost, const Limits& limits)
 {
+    const auto numThreads = static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
+    std::atomic<bool> isStopped = false;
+    std::atomic<std::size_t> next = 0;
+    const auto improveNext = [&](std::size_t)
+    {
+        for (std::size_t i = next++; i < regions.size() && !isStopped; i = next++)
+            if (isCancelled())
+                isStopped = true;
+            else
+                improve(regions[i], seamCost, limits);
+    };
+    oneapi::tbb::parallel_for(std::size_t(0), std::min(regions.size(), numThreads), improveNext,
+                              oneapi::tbb::simple_partitioner());
+    // The loop skips tasks if the group of tasks that it belongs to is cancelled.
+    return !isStopped && !isCancelled();
+}
+
+void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limits& limits)
+{
+    const std::uint64_t position =
+        static_cast<std::uint64_t>(region.zBegin) << 32 | static_cast<std::uint64_t>(region.yBegin) << 16;
+    LayoutRandom mixed(position ^ static_cast<std::uint64_t>(_round) << 48);
+    LayoutRandom random(mixed.next() ^ _options.seed);
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
     for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)

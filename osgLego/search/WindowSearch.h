@@ -44,7 +44,8 @@ public:
 
 private:
     void findFixedComponents(const std::vector<LayoutRegion>& regions);
-    void improve(const LayoutRegion& region, int seamCost, const Limits& limits, LayoutRandom& random);
+    bool improveAll(const std::vector<LayoutRegion>& regions, int seamCost, const Limits& limits);
+    void improve(const LayoutRegion& region, int seamCost, const Limits& limits);
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
 
     PartMap& _map;
