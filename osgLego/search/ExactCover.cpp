@@ -15,8 +15,8 @@ constexpr std::size_t NUM_KNOWN = 4096; // a power of two
 } // namespace
 
 /** Raise the price of each cell as far as the parts that contain it allow, first that of cells in the fewest parts.
- * @return the sum of the prices. */
-int ExactCover::computePrices()
+ * @return the sum of the prices, or of enough of them to reach `limit`. */
+int ExactCover::computePrices(int limit)
 {
     const std::vector<WindowPart>& parts = _window->parts;
     const auto numCells = static_cast<std::size_t>(_window->getNumCells());
@@ -57,23 +57,32 @@ int ExactCover::computePrices()
         for (auto user = begin; user != end && price > 0; ++user)
             _reducedCosts[static_cast<std::size_t>(*user)] -= price;
         sum += price;
+        if (sum >= limit) break;
     }
     return sum;
 }
 
-void ExactCover::sortParts()
+/** Sort the parts that begin at each cell by their reduced costs. Parts that cost the limit or more are in no cover
+ * that the search may find.
+ * @return false if no other parts begin at the first cell, so that there is no such cover. */
+bool ExactCover::sortParts()
 {
-    _order.resize(_window->parts.size());
-    for (std::size_t i = 0; i < _order.size(); ++i)
-        _order[i] = static_cast<int>(i);
-    for (std::size_t cell = 0; cell + 1 < _window->starts.size(); ++cell)
-        std::sort(_order.begin() + _window->starts[cell], _order.begin() + _window->starts[cell + 1],
-                  [&](int a, int b)
-                  {
-                      const int costOfA = _reducedCosts[static_cast<std::size_t>(a)];
-                      const int costOfB = _reducedCosts[static_cast<std::size_t>(b)];
-                      return costOfA != costOfB ? costOfA < costOfB : a > b;
-                  });
+    const std::vector<int>& starts = _window->starts;
+    _order.clear();
+    _orderStarts.assign(1, 0);
+    for (std::size_t cell = 0; cell + 1 < starts.size(); ++cell)
+    {
+        for (int part = starts[cell + 1]; part-- > starts[cell];)
+            if (const int cost = _reducedCosts[static_cast<std::size_t>(part)]; cost < _limit)
+                _order.push_back({cost, part});
+        const auto begin = _order.begin() + _orderStarts.back();
+        // Of equal costs, the last part comes first.
+        std::sort(begin, _order.end(),
+                  [](const Choice& a, const Choice& b)
+                  { return a.cost != b.cost ? a.cost < b.cost : a.part > b.part; });
+        _orderStarts.push_back(static_cast<int>(_order.size()));
+    }
+    return _orderStarts.size() < 2 || _orderStarts[1] > 0;
 }
 
 /** Whether an earlier step reached the same set of uncovered cells at this cost or less. If not, remember the set. */
@@ -110,10 +119,10 @@ void ExactCover::search(const WindowCells& uncovered, int cost)
     ++_numNodes;
     if (isKnown(uncovered, cost)) return;
     const auto first = static_cast<std::size_t>(uncovered.getFirst());
-    for (int i = _window->starts[first]; i < _window->starts[first + 1]; ++i)
+    for (int i = _orderStarts[first]; i < _orderStarts[first + 1]; ++i)
     {
-        const int part = _order[static_cast<std::size_t>(i)];
-        const int sum = cost + _reducedCosts[static_cast<std::size_t>(part)];
+        const auto [reducedCost, part] = _order[static_cast<std::size_t>(i)];
+        const int sum = cost + reducedCost;
         if (sum >= _limit || _numNodes > _maximumNodes) return;
         const WindowCells& cells = _window->parts[static_cast<std::size_t>(part)].cells;
         if (!uncovered.includes(cells)) continue;
@@ -127,10 +136,10 @@ bool ExactCover::findCheaper(const WindowParts& window, int limit, int maximumNo
 {
     _window = &window;
     _numNodes = 0;
-    const int prices = computePrices();
+    const int prices = computePrices(limit);
     if (prices >= limit) return false;
     _limit = limit - prices;
-    sortParts();
+    if (!sortParts()) return false;
     if (_known.empty()) _known.resize(NUM_KNOWN);
     ++_numSearches;
     _maximumNodes = maximumNodes;

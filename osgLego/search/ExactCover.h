@@ -34,15 +34,23 @@ private:
         std::uint32_t search = 0;
     };
 
-    int computePrices();
-    void sortParts();
+    /** A part that may cover the first uncovered cell. */
+    struct Choice
+    {
+        int cost = 0; //!< reduced
+        int part = 0;
+    };
+
+    int computePrices(int limit);
+    bool sortParts();
     bool isKnown(const WindowCells& uncovered, int cost);
     void search(const WindowCells& uncovered, int cost);
 
     const WindowParts* _window = nullptr;
     std::vector<int> _reducedCosts;
-    std::vector<int> _order; //!< indices of parts, sorted by reduced cost for each first cell
-    std::vector<int> _users; //!< the parts that contain a cell, cell by cell
+    std::vector<Choice> _order;    //!< sorted by reduced cost for each first cell
+    std::vector<int> _orderStarts; //!< for each cell, its first choice; then the number of choices
+    std::vector<int> _users;       //!< the parts that contain a cell, cell by cell
     std::vector<int> _userStarts;
     std::vector<int> _cells; //!< in the order in which they get their prices
     std::vector<Known> _known;

@@ -2,7 +2,6 @@
 
 #include <osgLego/search/LayoutCosts.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -10,7 +9,8 @@ namespace osgLego
 {
 
 LayoutWindow::LayoutWindow(PartMap& map, const PartSizes& sizes) :
-    _map(map), _hasBricks(sizes.getHeights().size() > 1), _window(map, sizes), _connections(map)
+    _map(map), _hasBricks(sizes.getHeights().size() > 1), _window(map, sizes), _connections(map),
+    _seen(static_cast<std::size_t>(map.getLattice().getNumCells()))
 {
 }
 
@@ -48,7 +48,9 @@ void LayoutWindow::gather(std::span<const Index> first, int numParts, const Layo
 {
     _window.clear();
     _frontier.clear();
-    _seen.assign(first.begin(), first.end());
+    ++_numGathered;
+    for (const Index anchor : first)
+        _seen[static_cast<std::size_t>(anchor)] = _numGathered;
     for (const Index anchor : first)
         if (_window.addPart(anchor)) addFrontier(anchor, region, hasLayers);
     while (!_frontier.empty() && static_cast<int>(_window.getAnchors().size()) < numParts)
@@ -76,8 +78,9 @@ void LayoutWindow::addFrontier(Index anchor, const LayoutRegion& region, bool ha
                            if (other == CellLattice::NONE || _map.getAnchor(other) == anchor) continue;
                            if (side < 4 && !PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) continue;
                            const Index neighbor = _map.getAnchor(other);
-                           if (std::find(_seen.begin(), _seen.end(), neighbor) != _seen.end()) continue;
-                           _seen.push_back(neighbor);
+                           std::uint32_t& seen = _seen[static_cast<std::size_t>(neighbor)];
+                           if (seen == _numGathered) continue;
+                           seen = _numGathered;
                            if (region.contains(_map, neighbor) && region.isActive(neighbor))
                                _frontier.push_back(neighbor);
                        }

@@ -48,7 +48,8 @@ private:
     ExactCover _cover;
     ConnectionCheck _connections;
     std::vector<int> _chosen;
-    std::vector<Index> _seen;
+    std::vector<std::uint32_t> _seen; //!< for each anchor, the last window of which it was a neighbour or a part
+    std::uint32_t _numGathered = 0;
     std::vector<Index> _frontier;
 };
 

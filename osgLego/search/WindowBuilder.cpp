@@ -184,9 +184,10 @@ void WindowBuilder::extend(int cell, int height, const std::vector<Column>& colu
         const auto shortSide = static_cast<std::uint8_t>(breadth);
         part.shape = {isAlongX ? longSide : shortSide, isAlongX ? shortSide : longSide,
                       static_cast<std::uint8_t>(height)};
-        if (length >= shortest && _sizes.isAllowed(part.shape, color))
+        const bool isMade = _sizes.isMade(part.shape, color);
+        if (length >= shortest && (isMade || _sizes.isAllowed(part.shape, color)))
         {
-            part.cost = LayoutCosts::PART + seams + (_sizes.isMade(part.shape, color) ? 0 : LayoutCosts::UNMADE);
+            part.cost = LayoutCosts::PART + seams + (isMade ? 0 : LayoutCosts::UNMADE);
             if (contacts.first == CellLattice::NONE && height == 1) part.cost += LayoutCosts::COMPONENT;
             if (contacts.first >= 0 && !contacts.areSeveral) part.cost += _leafCost;
             _parts.parts.push_back(part);
