@@ -79,7 +79,8 @@ bool BrickSplats::findRays(const osg::State& state, const SplatDestination& dest
     if (!view.isAllBehindNearPlane || state.getLastAppliedAttribute(osg::StateAttribute::CLIPCONTROL)) return false;
     if (!target.isPossible(destination.getSize()) || destination.hasSamples()) return false;
     rays = view.computeRays(destination.getSize());
-    if (!rays.isLinear || !view.areDistinct(rays) || !CellView::isDepthDistance(rays)) return false;
+    if (!view.areDistinct(rays, destination.getSize()) || !CellView::isDepthDistance(rays)) return false;
+    if (!CellView::areWeightsPositive(rays, destination.getSize())) return false;
     const glm::vec2 largest = 0.5f * view.largestBrick * glm::vec2(destination.getSize());
     return std::max(largest.x, largest.y) <= target.getMaximumPointSize() - 1.0f;
 }
@@ -90,7 +91,7 @@ bool BrickSplats::prepare(const osg::State& state, const SplatDestination& desti
     SplatTarget& target = getTarget(state);
     if (bricks.count > target.getMaximumBricks()) return false;
     if (bricks.ranks != 0 && bricks.count > MAXIMUM_PARTIAL) return false;
-    if (!findRays(state, destination, *job.view, job.rays)) return false;
+    if (!findRays(state, destination, *job.view, job.rays) || !job.rays.isLinear()) return false;
     job.buffer = bricks.buffer;
     job.blocks = bricks.blocks.data();
     return target.number(job, bricks.count);

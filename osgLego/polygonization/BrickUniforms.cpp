@@ -98,11 +98,13 @@ void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ive
 {
     static const UniformName ORIGIN("rayOrigin");
     static const UniformName DIRECTION("rayDirection");
+    static const UniformName WEIGHT("rayWeight");
     static const UniformName DEPTH("depth");
     static const UniformName SIZE("pictureSize");
     const ProgramUniforms uniforms(state);
     uniforms.set(ORIGIN, rays.origin);
     uniforms.set(DIRECTION, rays.direction);
+    uniforms.set(WEIGHT, rays.weight);
     uniforms.set(DEPTH, glm::vec2(rays.depth.x, rays.depthSlope));
     uniforms.set(SIZE, glm::vec2(pictureSize));
 }

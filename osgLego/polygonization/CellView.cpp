@@ -14,6 +14,9 @@ namespace osgLego
 namespace
 {
 
+// Smaller changes of weights per pixel are due to rounding.
+constexpr double ROUNDED_WEIGHT = 1e-12;
+
 glm::dvec3 firstThree(const osg::Vec4d& vector)
 {
     return {vector.x(), vector.y(), vector.z()};
@@ -118,14 +121,23 @@ glm::vec4 CellView::areaOf(const glm::dvec3& lower, const glm::dvec3& upper) con
     return {least, most};
 }
 
-bool CellView::areDistinct(const Rays& rays) const
+bool CellView::areDistinct(const Rays& rays, const glm::ivec2& size) const
 {
     constexpr float ROUNDING = 6e-8f;
     constexpr float WANTED = 0.02f; // of a pixel
     const float range = glm::length(rays.origin[0]);
     // The width of a pixel at the distance of the bricks; the direction of a ray has a length of about 1.
-    const float width = eye.w == 0.0f ? glm::length(rays.origin[1]) : range * glm::length(rays.direction[1]);
+    const glm::vec3 middle = rays.origin * glm::vec3(1.0f, 0.5f * glm::vec2(size));
+    const float width =
+        eye.w == 0.0f ? glm::length(rays.origin[1] - rays.weight.y * middle) : range * glm::length(rays.direction[1]);
     return range * ROUNDING < WANTED * width;
+}
+
+bool CellView::areWeightsPositive(const Rays& rays, const glm::ivec2& size)
+{
+    constexpr float LEAST = 1e-3f;
+    const glm::vec2 changes = glm::vec2(rays.weight.y, rays.weight.z) * glm::vec2(size);
+    return rays.weight.x + std::min(changes.x, 0.0f) + std::min(changes.y, 0.0f) > LEAST;
 }
 
 bool CellView::isDepthDistance(const Rays& rays)
@@ -157,13 +169,17 @@ CellView::Rays CellView::computeRays(const glm::ivec2& size) const
     if (eye.w == 0.0f)
     {
         rays.direction = glm::mat3(-glm::vec3(eye), glm::vec3(0.0f), glm::vec3(0.0f));
+        const double middle = places[0].w() + 0.5 * (size.x * places[1].w() + size.y * places[2].w());
         for (int column = 0; column < 3; ++column)
-            rays.origin[column] = glm::vec3(firstThree(places[static_cast<std::size_t>(column)]) / places[0].w());
+        {
+            const osg::Vec4d& place = places[static_cast<std::size_t>(column)];
+            const double weight = place.w() / middle;
+            rays.origin[column] = glm::vec3(firstThree(place) / middle);
+            rays.weight[column] = std::abs(weight) > ROUNDED_WEIGHT ? static_cast<float>(weight) : 0.0f;
+        }
         // Rays start on the near plane.
         const double deeper = glm::dot(glm::dvec3(rowOf(_toClip, 2)), -glm::dvec3(eye));
-        rays.depthSlope = static_cast<float>(0.5 * deeper * places[0].w());
-        const double change = std::abs(places[1].w()) * size.x + std::abs(places[2].w()) * size.y;
-        rays.isLinear = change <= 1e-9 * std::abs(places[0].w());
+        rays.depthSlope = static_cast<float>(0.5 * deeper * middle);
         return rays;
     }
     const osg::Vec4d center = osg::Vec4d(0.0, 0.0, 1.0, 0.0) * _toCells;

@@ -32,8 +32,12 @@ struct CellView
         glm::vec3 depth{0.0f};
         /** The change of depth with the ray's parameter or, in perspective, with its reciprocal. */
         float depthSlope = 0.0f;
-        /** Whether the changes are the same for all pixels. They are not if parallel rays are drawn in perspective. */
-        bool isLinear = true;
+        /** The weight by which the origin is divided and the depth is multiplied: at the corner, and the changes per
+         * pixel. Others than 1, 0, 0 belong to parallel rays in perspective, such as those of shadow maps in light
+         * space. */
+        glm::vec3 weight{1.0f, 0.0f, 0.0f};
+
+        bool isLinear() const { return weight.y == 0.0f && weight.z == 0.0f; }
 
         /** The same rays in stud coordinates, whose last axis is up. @param up the up axis of the grid. */
         Rays onAxesOfStud(int up) const;
@@ -44,7 +48,9 @@ struct CellView
 
     /** Whether single precision is enough to distinguish the rays of adjacent pixels. It is not if the eye is far away
      * and has a narrow field of view. */
-    bool areDistinct(const Rays& rays) const;
+    bool areDistinct(const Rays& rays, const glm::ivec2& size) const;
+    /** Whether the weights of all pixels are positive, without rounding. */
+    static bool areWeightsPositive(const Rays& rays, const glm::ivec2& size);
 
     /** Whether depth depends only on the ray's parameter. It does not if the near plane is oblique. */
     static bool isDepthDistance(const Rays& rays);

@@ -11,18 +11,30 @@ flat in vec4 rays[4];
 #if defined(DEPTH_ONLY)
 #include "gl/fragment_outputs.glsl"
 
-flat in vec2 offset; // see splats.vert
+// See splats.vert.
+flat in vec2 offset;
+flat in vec3 weight;
 #else
 out uint nearest; // see splat_rays.glsl
 #endif
 
 const float TINY = 1e-20; // avoids divisions by 0
 
+// The weight of the pixel's ray, see CellView::Rays.
+float weightHere()
+{
+#if defined(DEPTH_ONLY)
+    return weight.x + gl_FragCoord.x * weight.y + gl_FragCoord.y * weight.z;
+#else
+    return 1.0;
+#endif
+}
+
 // In coordinates relative to the lower corner of the cell.
 Ray rayHere()
 {
     vec3 change = gl_FragCoord.x * rays[0].xyz + gl_FragCoord.y * rays[1].xyz;
-    return Ray(rays[2].xyz + (1.0 - rays[0].w) * change, rays[3].xyz + rays[0].w * change);
+    return Ray((rays[2].xyz + (1.0 - rays[0].w) * change) / weightHere(), rays[3].xyz + rays[0].w * change);
 }
 
 // For each axis, whether the side that the ray meets is drawn.
@@ -50,7 +62,7 @@ float meetSides(Ray ray, inout uint part)
     vec3 sides = mix(vec3(-NEVER), middle - 0.5 * reach, isDrawn);
     float met = max(sides.x, max(sides.y, sides.z));
 #endif
-    float slack = rays[1].w;
+    float slack = rays[1].w / weightHere();
     if (any(greaterThan(abs(met - middle), (0.5 + slack) * reach))) return NEVER;
     part = sides.x == met ? 0u : sides.y == met ? 1u : 2u;
     return met;
@@ -70,7 +82,7 @@ float meetDrawnStud(Ray ray, out vec2 facet)
 
 float depthAt(float distance)
 {
-    return rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance : 1.0 / distance);
+    return rays[2].w + rays[3].w * (rays[0].w == 0.0 ? distance * weightHere() : 1.0 / distance);
 }
 
 #if defined(DEPTH_ONLY)
@@ -79,7 +91,9 @@ float depthAt(float distance)
 float movedDepth(Ray ray, float distance, vec3 normal)
 {
     if (distance == NEVER) return NEVER;
-    vec2 speed = vec2(dot(normal, rays[0].xyz), dot(normal, rays[1].xyz)) / dot(normal, ray.direction);
+    float place = dot(normal, ray.origin + distance * ray.direction);
+    vec2 change = vec2(dot(normal, rays[0].xyz), dot(normal, rays[1].xyz)) - place * weight.yz;
+    vec2 speed = change / dot(normal, ray.direction);
     float slope = max(abs(speed.x), abs(speed.y)) * (rays[0].w == 0.0 ? 1.0 : 1.0 / distance);
     return depthAt(distance) + offset.x * slope + offset.y;
 }

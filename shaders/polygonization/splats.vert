@@ -23,10 +23,12 @@ flat out uvec3 splat;
 // slack, in cells; the depth.
 flat out vec4 rays[4];
 #if defined(DEPTH_ONLY)
+uniform vec3 rayWeight; // see CellView::Rays
 uniform vec2 depthRange;
 uniform vec2 depthOffset; // for each unit of the slope, and constant
 
 flat out vec2 offset; // likewise
+flat out vec3 weight;
 #endif
 
 const float SLACK = 0.002; // pixels by which sides are extended, so that rounding leaves no cracks between bricks
@@ -110,9 +112,17 @@ void passRays(vec3 cell)
     mat3 change = isPerspective ? rayDirection : rayOrigin;
     // The directions of rays have a length of about 1.
     float range = isPerspective ? length(eye.xyz - cell) : 1.0;
+    vec3 corner = toStud(cell);
+#if defined(DEPTH_ONLY)
+    weight = rayWeight;
+    rays[0] = vec4(change[1] - weight.y * corner, eye.w);
+    rays[1] = vec4(change[2] - weight.z * corner, SLACK * range * length(change[1] - weight.y * corner));
+    rays[2] = vec4(rayOrigin[0] - weight.x * corner, converted.x);
+#else
     rays[0] = vec4(change[1], eye.w);
     rays[1] = vec4(change[2], SLACK * range * length(change[1]));
-    rays[2] = vec4(rayOrigin[0] - toStud(cell), converted.x);
+    rays[2] = vec4(rayOrigin[0] - corner, converted.x);
+#endif
     rays[3] = vec4(rayDirection[0], converted.y);
 }
 

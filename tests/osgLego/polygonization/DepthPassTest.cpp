@@ -131,8 +131,11 @@ protected:
         camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
         viewpoint.apply(*camera);
         if (viewpoint.height > 0.0)
+        {
             camera->setProjectionMatrixAsOrtho(-0.5 * viewpoint.height, 0.5 * viewpoint.height, -0.5 * viewpoint.height,
                                                0.5 * viewpoint.height, 1.0, 13.0);
+            camera->setProjectionMatrix(camera->getProjectionMatrix() * _warp);
+        }
         else
             camera->setProjectionMatrixAsPerspective(30.0, 1.0, 3.0, 20.0);
         camera->attach(osg::Camera::DEPTH_BUFFER, image);
@@ -146,6 +149,8 @@ protected:
         const auto* depths = reinterpret_cast<const float*>(image->data());
         return {{depths, depths + SIDE * SIDE}, primitives.get()};
     }
+
+    osg::Matrixd _warp; // of orthographic pictures
 
     /** Expect the same depths, except in a few pixels at edges. */
     static void expectSame(const Picture& actual, const Picture& expected)
@@ -180,6 +185,22 @@ TEST_F(DepthPass, GivesTheDepthsOfShadedBricks)
                 expectSame(drawDepths(*lego, viewpoint, modes.set, Colors::NONE),
                            drawDepths(*shaded, viewpoint, modes.set, Colors::ATTACHED));
             }
+    }
+}
+
+TEST_F(DepthPass, GivesTheDepthsOfShadedBricksInLightSpacePerspective)
+{
+    // Larger at the lower edge of the picture.
+    _warp = osg::Matrixd(0.5, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 0.5, 0, 0, 0.5, 0, 1);
+    const Viewpoint viewpoint{{3.0, -5.0, 4.0}, {0.0, 0.0, 0.4}, {0, 0, 1}, 4.2};
+    const osg::ref_ptr<LegoNode> shaded = createCar("drawing=triangles");
+    const osg::ref_ptr<LegoNode> lego = createCar("drawing=splats");
+    for (const NamedModes& modes : ALL_MODES)
+    {
+        SCOPED_TRACE(modes.name);
+        const Picture actual = drawDepths(*lego, viewpoint, modes.set, Colors::NONE);
+        expectSame(actual, drawDepths(*shaded, viewpoint, modes.set, Colors::ATTACHED));
+        EXPECT_LE(actual.numPrimitives, lego->getBricks()->getBricks().size());
     }
 }
 
