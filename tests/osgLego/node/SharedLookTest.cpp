@@ -252,7 +252,7 @@ TEST_P(SharedLook, AContextThatClosesLeavesTheOthersTheirPictures)
     EXPECT_EQ(countDifferent(*cutOut(*drawField(*scene), 0), *cutOut(*before, 0), 0), 0u);
 }
 
-TEST_P(SharedLook, AContextWithTheNumberOfOneThatClosedWithoutNodesShowsThem)
+TEST_P(SharedLook, AContextThatTakesOverTheIdOfAClosedOneDrawsBricks)
 {
     const NodeMaker make = makeWith("4,drawing=" + getDrawing(), [](LegoNode&) {});
     const osg::ref_ptr<osg::Group> scene = createScene();
@@ -264,10 +264,10 @@ TEST_P(SharedLook, AContextWithTheNumberOfOneThatClosedWithoutNodesShowsThem)
         FIELD_VIEW.apply(*viewer.getCamera());
         viewer.frame();
     };
-    unsigned int number = 0;
+    unsigned int contextID = 0;
     {
         const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-        number = context->getState()->getContextID();
+        contextID = context->getState()->getContextID();
         osgViewer::Viewer viewer;
         osg::ref_ptr<osg::Group> other = createScene();
         other->addChild(createPlaced(*make(), placeOf(0)));
@@ -278,7 +278,7 @@ TEST_P(SharedLook, AContextWithTheNumberOfOneThatClosedWithoutNodesShowsThem)
         context->close();
     }
     const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-    ASSERT_EQ(context->getState()->getContextID(), number);
+    ASSERT_EQ(context->getState()->getContextID(), contextID);
     osgViewer::Viewer viewer;
     show(viewer, *context, *scene);
     EXPECT_EQ(countDifferent(*readPixels(*context), *before, 0), 0u);
