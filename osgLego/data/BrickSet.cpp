@@ -8,23 +8,15 @@ namespace osgLego
 BrickSet::BrickSet(std::uint64_t revision, const BrickModel& model, const LegoStatistics& statistics,
                    MeasureLayout measureLayout, const BrickModel* shown) :
     _revision(revision),
-    _grid(model.getGrid()), _hasPoints(true), _points(createBrickPoints(shown ? *shown : model)),
-    _statistics(statistics), _makeModel([] { return nullptr; }), _measureLayout(std::move(measureLayout)),
-    _model(&model)
+    _grid(model.getGrid()), _points(ModelPoints::get(shown ? *shown : model)), _statistics(statistics),
+    _makeModel([] { return nullptr; }), _measureLayout(std::move(measureLayout)), _model(&model)
 {
-    _statistics.numDrawnBricks = _points.points.size();
+    _statistics.numDrawnBricks = getPoints().points.size();
 }
 
 BrickSet::BrickSet(std::uint64_t revision, const BrickGrid& grid, MakeModel makeModel) :
-    _revision(revision), _grid(grid), _hasPoints(false), _makeModel(std::move(makeModel))
+    _revision(revision), _grid(grid), _makeModel(std::move(makeModel))
 {
-}
-
-const DistantOcclusion& BrickSet::getDistantOcclusion() const
-{
-    std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });
-    _hasDistantOcclusion = true;
-    return *_distantOcclusion;
 }
 
 std::optional<LayoutStatistics> BrickSet::getLayoutStatistics() const

@@ -2,10 +2,8 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoStatistics.h>
-#include <osgLego/data/BrickPoints.h>
-#include <osgLego/data/DistantOcclusion.h>
+#include <osgLego/data/ModelPoints.h>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -42,13 +40,13 @@ public:
     std::uint64_t getRevision() const { return _revision; }
     const BrickGrid& getGrid() const { return _grid; }
     /** Whether the points are in this set, rather than in a buffer on the GPU. */
-    bool hasPoints() const { return _hasPoints; }
-    /** The visible bricks, block by block; empty unless hasPoints(). */
-    const BrickPoints& getPoints() const { return _points; }
+    bool hasPoints() const { return _points.valid(); }
+    /** The visible bricks of a set that hasPoints(), block by block. */
+    const BrickPoints& getPoints() const { return _points->getPoints(); }
     /** The distant occlusion of a set that hasPoints(), computed by the first call. */
-    const DistantOcclusion& getDistantOcclusion() const;
-    /** Whether getDistantOcclusion() has been called. */
-    bool hasDistantOcclusion() const { return _hasDistantOcclusion; }
+    const DistantOcclusion& getDistantOcclusion() const { return _points->getDistantOcclusion(); }
+    /** Whether it has been computed. */
+    bool hasDistantOcclusion() const { return _points && _points->hasDistantOcclusion(); }
     /** Every covered cell. The first call may take as long as legolizeOnCpu(). */
     osg::ref_ptr<const BrickModel> getModel() const;
     /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */
@@ -61,16 +59,12 @@ private:
 
     std::uint64_t _revision;
     BrickGrid _grid;
-    bool _hasPoints;
-    BrickPoints _points;
+    osg::ref_ptr<const ModelPoints> _points; // null for a set made on the GPU
     LegoStatistics _statistics;
     MakeModel _makeModel;
     MeasureLayout _measureLayout;
     mutable std::once_flag _layoutFlag;
     mutable std::optional<LayoutStatistics> _layoutStatistics;
-    mutable std::once_flag _occlusionFlag;
-    mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
-    mutable std::atomic<bool> _hasDistantOcclusion{false};
     mutable std::once_flag _modelFlag;
     mutable osg::ref_ptr<const BrickModel> _model;
 };

@@ -80,17 +80,17 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
     const auto createWork = [&]
     {
         const bool isMoving = _pace.request(getNow()) && !isAwaited;
-        return [this, source = osg::ref_ptr<const LegoSource>(&source), previous = _layout, shown = _shownLayout,
+        return [this, source = osg::ref_ptr<const LegoSource>(&source), previous = _bricks, shown = _shownBricks,
                 progress = begin(source.settings), isAwaited, isMoving](Job::Run& run, std::string& error)
         {
             if (isMoving) run.rest(_pace.getRest(getNow()));
             const double start = getNow();
-            PreviousLayout layout = *previous;
+            PreviousLayout layout = previous->layout;
             CpuBricksWork work;
             work.isCancelled = [&run] { return run.isCancelled(); };
             work.progress = [&progress](double fraction) { *progress = static_cast<float>(fraction); };
             work.previous = &layout;
-            work.shown = shown.get();
+            work.shown = &shown->layout;
             work.isDraftGreedy = isMoving;
             bool hasDraft = false;
             if (!isAwaited && deservesDraft(source->settings, isMoving))
@@ -102,7 +102,9 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
                         new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout);
                     complete(*set);
                     _pace.end(getNow() - start, getNow());
-                    run.offer({set, std::make_shared<PreviousLayout>(std::move(draftLayout)), true});
+                    const osg::ref_ptr<MadeBricks> bricks = new MadeBricks;
+                    bricks->layout = std::move(draftLayout);
+                    run.offer({set, bricks, true});
                     if (isMoving) run.rest(MotionPace::PAUSE);
                 };
             std::optional<Made> made = make(*source, work, error);
@@ -113,18 +115,44 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
     return _job.request(source.revision, isUrgent || hasOtherSettings(source), createWork);
 }
 
-/** Make the bricks of a source. @return nothing if that was cancelled, or with a sentence in `error`. */
+/** Make the set of a source. @return nothing if that was cancelled, or with a sentence in `error`. */
 std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, CpuBricksWork& work, std::string& error)
 {
-    const osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(source, work);
+    const osg::ref_ptr<const MadeBricks> bricks = makeOrFind(source, work);
     error = work.error;
-    if (!model) return std::nullopt;
-    warn(work.warning);
-    const osg::ref_ptr<const BrickSet> bricks = createSet(source.revision, *model, source.settings.view.show,
-                                                          work.statistics, work.measureLayout, work.isCancelled);
     if (!bricks) return std::nullopt;
-    complete(*bricks);
-    return Made{bricks, std::make_shared<PreviousLayout>(std::move(*work.previous))};
+    warn(bricks->warning);
+    const osg::ref_ptr<const BrickSet> set = createSet(source.revision, *bricks->model, source.settings.view.show,
+                                                       work.statistics, bricks->measureLayout, work.isCancelled);
+    if (!set) return std::nullopt;
+    complete(*set);
+    return Made{set, bricks};
+}
+
+/** Make the bricks of a source, unless another producer has the same. @return null if that was cancelled, or with a
+ * sentence in `work.error`. */
+osg::ref_ptr<const MadeBricks> CpuProducer::makeOrFind(const LegoSource& source, CpuBricksWork& work)
+{
+    const auto isAlike = [&](const PreviousLayout& layout)
+    { return layout.cells && layout.settings.givesSameBricks(source.settings); };
+    // Bricks that resemble earlier ones depend on them.
+    const bool isShareable = !isAlike(*work.previous) && !isAlike(*work.shown);
+    if (const osg::ref_ptr<const MadeBricks> found = isShareable ? MadeBricks::find(source) : nullptr)
+    {
+        work.statistics = found->statistics;
+        work.statistics.flattening = source.flattening;
+        work.statistics.voxelization = 0.0;
+        return found;
+    }
+    const osg::ref_ptr<MadeBricks> made = new MadeBricks;
+    made->model = makeBricksOnCpu(source, work);
+    if (!made->model) return nullptr;
+    made->statistics = work.statistics;
+    made->measureLayout = work.measureLayout;
+    made->warning = work.warning;
+    made->layout = std::move(*work.previous);
+    if (isShareable) return MadeBricks::share(source, *made);
+    return made;
 }
 
 /** Compute everything that drawing a set needs, so that the frame which shows it first takes no longer than others. */
@@ -184,7 +212,7 @@ void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision
                 createSet(revision, *model, Show::LOAD, statistics, {}, [&run] { return run.isCancelled(); });
             if (!set) return std::nullopt;
             complete(*set);
-            return Made{set, std::make_shared<PreviousLayout>()};
+            return Made{set, new MadeBricks};
         };
     };
     _job.cancel();
@@ -193,9 +221,9 @@ void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision
 
 void CpuProducer::deliver(const Made& made)
 {
-    _store->deliver(*made.bricks);
-    _shownLayout = made.layout;
-    if (!made.isDraft) _layout = made.layout;
+    _store->deliver(*made.set);
+    _shownBricks = made.bricks;
+    if (!made.isDraft) _bricks = made.bricks;
 }
 
 void CpuProducer::update(unsigned int)
@@ -220,7 +248,7 @@ osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, st
     run->wait();
     error = run->getFailure();
     const Made* const made = run->getResult();
-    return made ? made->bricks : nullptr;
+    return made ? made->set : nullptr;
 }
 
 } // namespace osgLego

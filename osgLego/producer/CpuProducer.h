@@ -7,6 +7,7 @@
 #include <osgLego/model/ModelBuilder.h>
 #include <osgLego/producer/BackgroundJob.h>
 #include <osgLego/producer/BrickProducer.h>
+#include <osgLego/producer/MadeBricks.h>
 #include <osgLego/producer/MotionPace.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -70,11 +71,10 @@ public:
     auto getCounts() const { return _job.getCounts(); }
 
 private:
-    using SharedLayout = std::shared_ptr<const PreviousLayout>;
     struct Made
     {
-        osg::ref_ptr<const BrickSet> bricks;
-        SharedLayout layout;
+        osg::ref_ptr<const BrickSet> set;
+        osg::ref_ptr<const MadeBricks> bricks;
         bool isDraft = false;
     };
     using Job = BackgroundJob<Made>;
@@ -88,6 +88,7 @@ private:
     bool hasOtherSettings(const LegoSource& source) const;
     Job::Request request(const LegoSource& source, bool isUrgent, bool isAwaited);
     std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, std::string& error);
+    static osg::ref_ptr<const MadeBricks> makeOrFind(const LegoSource& source, CpuBricksWork& work);
     void complete(const BrickSet& bricks) const;
     void warn(const std::string& warning);
     void deliver(const Made& made);
@@ -97,9 +98,9 @@ private:
     std::shared_ptr<Progress> _progress; // of the last set; the work has it, too, and may outlast its request
     LegoSettings _settings;              // of the last set
     std::string _warning;                // the last one that was printed
-    // The layouts of the last set but drafts, and of the last set; guarded by the job, whose calls alone use them.
-    SharedLayout _layout = std::make_shared<PreviousLayout>();
-    SharedLayout _shownLayout = _layout;
+    // Those of the last set but drafts, and of the last set; guarded by the job, whose calls alone use them.
+    osg::ref_ptr<const MadeBricks> _bricks = new MadeBricks;
+    osg::ref_ptr<const MadeBricks> _shownBricks = _bricks;
     MotionPace _pace;
     std::atomic<bool> _computesDistantOcclusion{false}; // since a frame has needed it
     Job _job;

@@ -110,6 +110,52 @@ TEST_F(CpuProducerTest, ACancelledSourceHasNotFailed)
     expectCounts(0, 0, 1);
 }
 
+TEST_F(CpuProducerTest, EqualSourcesShareTheirBricksAndThePoints)
+{
+    const osg::ref_ptr<const LegoSource> source = createSource("16,parts=bricks", 5);
+    const auto copy = [&](std::uint64_t revision, const char* settings)
+    {
+        std::string error;
+        const LegoSettings other = parseSettings(settings);
+        const osg::ref_ptr<LegoSource> copied =
+            LegoSource::create(*source->triangles, other, SettingsPalette::read(other), error);
+        copied->revision = revision;
+        return copied;
+    };
+    const osg::ref_ptr<const LegoSource> equal = copy(7, "16,parts=bricks,look=plain");
+    const osg::ref_ptr<const LegoSource> different = copy(7, "16,parts=bricks,seed=3");
+    std::string error;
+    const auto make = [&](const LegoSource& wanted)
+    {
+        const osg::ref_ptr<CpuProducer> producer = new CpuProducer(*new BrickStore, {});
+        return std::pair(producer, producer->getBricks(wanted, error));
+    };
+    const auto [producer, first] = make(*source);
+    ASSERT_TRUE(first);
+    const auto [second, shared] = make(*equal);
+    EXPECT_EQ(shared->getRevision(), 7u);
+    EXPECT_EQ(shared->getModel(), first->getModel());
+    EXPECT_EQ(&shared->getPoints(), &first->getPoints());
+    EXPECT_EQ(shared->getLayoutStatistics()->numParts, first->getLayoutStatistics()->numParts);
+    EXPECT_EQ(shared->getStatistics().numDrawnBricks, first->getStatistics().numDrawnBricks);
+    EXPECT_NE(make(*different).second->getModel(), first->getModel());
+}
+
+TEST_F(CpuProducerTest, BricksThatKeepPartsOfEarlierOnesAreNotShared)
+{
+    std::string error;
+    const osg::ref_ptr<const LegoSource> source = createSource("16,parts=bricks", 5);
+    const osg::ref_ptr<const BrickSet> first = _producer->getBricks(*source, error);
+    ASSERT_TRUE(first);
+    _store->deliver(*first);
+    _producer->update(0);
+    const osg::ref_ptr<const LegoSource> later = createSource("16,parts=bricks", 7);
+    ASSERT_NE(later->triangles, source->triangles);
+    const osg::ref_ptr<const BrickSet> second = _producer->getBricks(*later, error);
+    const osg::ref_ptr<CpuProducer> other = new CpuProducer(*new BrickStore, {});
+    EXPECT_NE(other->getBricks(*later, error)->getModel(), second->getModel());
+}
+
 TEST_F(CpuProducerTest, OtherSettingsAlwaysCancel)
 {
     std::uint64_t revision = 0;

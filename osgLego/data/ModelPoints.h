@@ -1,0 +1,44 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/data/BrickPoints.h>
+#include <osgLego/data/DistantOcclusion.h>
+
+#include <atomic>
+#include <mutex>
+
+#include <osg/Referenced>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The points of a model and their distant occlusion, which brick sets of the same model share.
+ *
+ * Immutable; every function may be called from any thread.
+ */
+class ModelPoints : public osg::Referenced
+{
+public:
+    /** The points of a model: those that are in use, or new ones. */
+    static osg::ref_ptr<const ModelPoints> get(const BrickModel& model);
+
+    explicit ModelPoints(const BrickModel& model);
+
+    const BrickPoints& getPoints() const { return _points; }
+    /** The distant occlusion, computed by the first call. */
+    const DistantOcclusion& getDistantOcclusion() const;
+    /** Whether getDistantOcclusion() has been called. */
+    bool hasDistantOcclusion() const { return _hasDistantOcclusion; }
+
+private:
+    ~ModelPoints() override = default;
+
+    BrickGrid _grid;
+    BrickPoints _points;
+    mutable std::once_flag _occlusionFlag;
+    mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
+    mutable std::atomic<bool> _hasDistantOcclusion{false};
+};
+
+} // namespace osgLego
