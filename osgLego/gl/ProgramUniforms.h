@@ -71,6 +71,10 @@ public:
     {
         _extensions.glUniform4fv(find(name), 1, &value.x);
     }
+    void set(const UniformName& name, const glm::vec4* values, GLsizei count) const
+    {
+        _extensions.glUniform4fv(find(name), count, glm::value_ptr(*values));
+    }
     void set(const UniformName& name, const glm::ivec3& value) const
     {
         _extensions.glUniform3iv(find(name), 1, &value.x);

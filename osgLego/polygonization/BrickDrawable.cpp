@@ -84,7 +84,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     if (hasColors)
         drawColors(renderInfo, destination, *bricks, drawn, job);
     else
-        drawDepths(state, destination, drawn, workspace);
+        drawDepths(state, destination, drawn, workspace, CoreClipPlanes(renderInfo));
     state.applyModelViewMatrix(modelView.get());
 }
 
@@ -96,7 +96,8 @@ void BrickDrawable::drawColors(osg::RenderInfo& renderInfo, const SplatDestinati
     osg::State& state = *renderInfo.getState();
     Workspace& workspace = _workspaces[state.getContextID()];
     const BrickLight light = findLight(renderInfo, bricks, *workspace.cellsToEye);
-    if (!job || !drawSplats(state, destination, drawn, *job, light)) drawTriangles(state, drawn, workspace, light);
+    if (!job || !drawSplats(state, destination, drawn, *job, light))
+        drawTriangles(state, drawn, workspace, light, CoreClipPlanes(renderInfo));
 }
 
 /** The caller holds the mutex of `bricks`. */
@@ -271,7 +272,7 @@ bool BrickDrawable::drawSplats(osg::State& state, const SplatDestination& destin
 }
 
 void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                                  const BrickLight& light) const
+                                  const BrickLight& light, const CoreClipPlanes& clipPlanes) const
 {
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
     const Faces faces = findVisibleFaces(state, view);
@@ -279,25 +280,30 @@ void BrickDrawable::drawTriangles(osg::State& state, const DrawnBricks& bricks, 
     // Front to back, so that fewer hidden pixels are shaded.
     if (faces == Faces::FRONT) workspace.ranges.sortFrontToBack();
     const bool hasShadows = !light.shadows.isEmpty();
-    if (hasShadows && !applyBrickState(state, *_states->getShading(true).triangles)) return;
+    const bool isOther = hasShadows || !clipPlanes.isEmpty(); // than the state that OSG has applied
+    if (isOther && !applyBrickState(state, clipPlanes.isEmpty() ? *_states->getShading(true).triangles
+                                                                : _states->getClippedTriangles(hasShadows)))
+        return;
     setBrickUniforms(state, bricks, view, faces);
     light.apply(state);
+    clipPlanes.apply(state);
     drawBrickPoints(state, bricks, workspace.ranges.getAll());
-    if (hasShadows) state.apply(&_states->getTriangles());
+    if (isOther) state.apply(&_states->getTriangles());
 }
 
 /** Draw into a depth buffer without colours, such as a shadow map. */
 void BrickDrawable::drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                               Workspace& workspace) const
+                               Workspace& workspace, const CoreClipPlanes& clipPlanes) const
 {
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
     const Faces faces = findVisibleFaces(state, view);
     workspace.ranges.find(bricks.blocks, bricks.grid, view, faces, bricks.numPlaced);
     const bool hasSplats = _drawing != Drawing::TRIANGLES && _splats.getTarget(state).isFor(_drawing) &&
                            _splats.drawDepths(state, destination, bricks, {view, faces, workspace.ranges});
-    if (!hasSplats && applyBrickState(state, _states->getDepths()))
+    if (!hasSplats && applyBrickState(state, _states->getDepths(!clipPlanes.isEmpty())))
     {
         setBrickUniforms(state, bricks, view, faces);
+        clipPlanes.apply(state);
         drawBrickPoints(state, bricks, workspace.ranges.getAll());
     }
     state.apply(&_states->getTriangles());

@@ -7,6 +7,7 @@
 #include <osgLego/polygonization/BrickSplats.h>
 #include <osgLego/polygonization/BrickStates.h>
 #include <osgLego/polygonization/CellView.h>
+#include <osgLego/polygonization/CoreClipPlanes.h>
 #include <osgLego/polygonization/DrawnBricks.h>
 #include <osgLego/store/BrickStore.h>
 
@@ -103,9 +104,9 @@ private:
     void drawColors(osg::RenderInfo& renderInfo, const SplatDestination& destination, ContextBricks& bricks,
                     const DrawnBricks& drawn, const SplatJob* job) const;
     void drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
-                    Workspace& workspace) const;
-    void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace,
-                       const BrickLight& light) const;
+                    Workspace& workspace, const CoreClipPlanes& clipPlanes) const;
+    void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace, const BrickLight& light,
+                       const CoreClipPlanes& clipPlanes) const;
 
     osg::ref_ptr<BrickStore> _store;
     Drawing _drawing;

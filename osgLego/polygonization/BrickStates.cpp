@@ -26,6 +26,8 @@ constexpr unsigned int RELIEF_UNIT = 0;
 // Protected, since no other program, such as that of a shadow pass, can draw bricks from their buffer.
 constexpr osg::StateAttribute::OverrideValue PROGRAM = osg::StateAttribute::ON | OVERRIDE_PROTECTED;
 
+constexpr const char* CLIP_PLANES = "#define CLIP_PLANES\n";
+
 /** The names of a look's programs and fragment shader. */
 struct LookNames
 {
@@ -221,6 +223,7 @@ BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& app
     _studded = createPointState("#define STUDS\n" + partial);
     const std::string depths = "#define DEPTH_ONLY\n" + partial;
     _depths = createDepthState(depths);
+    _clippedDepths = createDepthState(depths + CLIP_PLANES);
     for (std::size_t isBack : {0, 1})
         for (std::size_t hasStuds : {0, 1})
             _depthPoints[isBack][hasStuds] = createDepthPointState(depths + (isBack ? "#define BACK_FACES\n" : "") +
@@ -235,13 +238,22 @@ BrickStates::Shading BrickStates::getShading(bool hasShadows) const
     return _shadowed;
 }
 
+const osg::StateSet& BrickStates::getClippedTriangles(bool hasShadows) const
+{
+    const std::lock_guard lock(_mutex);
+    osg::ref_ptr<osg::StateSet>& stateSet = _clipped[hasShadows ? 1 : 0];
+    const std::string definitions = _definitions + CLIP_PLANES + (hasShadows ? "#define SHADOWS\n" : "");
+    if (!stateSet) stateSet = createShadingState(*_common, *getTriangleProgram(_look, definitions));
+    return *stateSet;
+}
+
 void BrickStates::resizeGLObjectBuffers(unsigned int maxSize) const
 {
     const std::lock_guard lock(_mutex);
     for (const osg::ref_ptr<osg::StateSet>& stateSet :
-         {_boxes, _studded, _depths, _depthPoints[0][0], _depthPoints[0][1], _depthPoints[1][0], _depthPoints[1][1],
-          _shading.triangles, _shading.splats, _shading.splatsByOneLight, _shadowed.triangles, _shadowed.splats,
-          _shadowed.splatsByOneLight})
+         {_boxes, _studded, _depths, _clippedDepths, _clipped[0], _clipped[1], _depthPoints[0][0], _depthPoints[0][1],
+          _depthPoints[1][0], _depthPoints[1][1], _shading.triangles, _shading.splats, _shading.splatsByOneLight,
+          _shadowed.triangles, _shadowed.splats, _shadowed.splatsByOneLight})
         if (stateSet) stateSet->resizeGLObjectBuffers(maxSize);
 }
 

@@ -69,11 +69,13 @@ public:
     /** The states for bricks with or without shadows of the scene (ShadowMaps). Those with shadows are created at the
      * first call. */
     Shading getShading(bool hasShadows) const;
+    /** Likewise, for triangles with the clip planes of a core context (CoreClipPlanes). */
+    const osg::StateSet& getClippedTriangles(bool hasShadows) const;
     /** For finding the splats of bricks with or without visible studs. */
     const osg::StateSet& getPoints(bool hasStuds) const { return hasStuds ? *_studded : *_boxes; }
 
     /** For drawing with the geometry shader into a depth buffer without colours. */
-    const osg::StateSet& getDepths() const { return *_depths; }
+    const osg::StateSet& getDepths(bool hasClipPlanes) const { return hasClipPlanes ? *_clippedDepths : *_depths; }
     /** For drawing bricks with or without visible studs right into such a buffer, as points.
      * @param faces not all. */
     const osg::StateSet& getDepthPoints(Faces faces, bool hasStuds) const
@@ -110,9 +112,11 @@ private:
     osg::ref_ptr<osg::StateSet> _boxes;
     osg::ref_ptr<osg::StateSet> _studded;
     osg::ref_ptr<osg::StateSet> _depths;
+    osg::ref_ptr<osg::StateSet> _clippedDepths;
     std::array<std::array<osg::ref_ptr<osg::StateSet>, 2>, 2> _depthPoints; // by getDepthPoints()
     mutable std::mutex _mutex;
     mutable Shading _shadowed;
+    mutable std::array<osg::ref_ptr<osg::StateSet>, 2> _clipped; // triangles, without and with shadows
 };
 
 } // namespace osgLego

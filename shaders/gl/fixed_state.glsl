@@ -59,6 +59,9 @@ uniform LightSource lightSources[8];
 uniform LightModel lightModel;
 uniform FogParameters fogParameters;
 uniform Material frontMaterial;
+#if defined(CLIP_PLANES)
+uniform vec4 clipPlanes[8]; // in eye coordinates; see class CoreClipPlanes
+#endif
 
 #endif
 

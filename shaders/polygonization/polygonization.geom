@@ -6,8 +6,19 @@
 #include "osgLego/polygonization/StudVisibility.h"
 #include "polygonization/brick_detail.glsl"
 
+#if defined(CLIP_PLANES)
+// The wall and the disk are separate: GL guarantees 1024 components of output for all vertices.
+layout(points, invocations = 3) in;
+layout(triangle_strip, max_vertices = 34) out; // for a wall: 2 * STUD_SIDES + 2
+out float gl_ClipDistance[8];
+#define hasWall (gl_InvocationID == 1)
+#define hasDisk (gl_InvocationID == 2)
+#else
 layout(points, invocations = 2) in;
 layout(triangle_strip, max_vertices = 50) out; // for a stud: 3 * STUD_SIDES + 2
+#define hasWall true
+#define hasDisk true
+#endif
 
 flat in uvec3 brick[];
 #if defined(PARTIAL)
@@ -70,6 +81,9 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
     gl_Position = place.clip;
 #if defined(GL_compatibility_profile)
     gl_ClipVertex = vec4(place.eye, 1.0);
+#elif defined(CLIP_PLANES)
+    for (int plane = 0; plane < 8; ++plane)
+        gl_ClipDistance[plane] = dot(clipPlanes[plane], vec4(place.eye, 1.0));
 #endif
     EmitVertex();
 }
@@ -154,7 +168,7 @@ void emitStud(vec3 center, vec3 up)
     // of the side that ends at it.
     bool wasSeen = false;
     bool wasTurned = true;
-    for (int side = 0; side <= STUD_SIDES; ++side)
+    for (int side = 0; hasWall && side <= STUD_SIDES; ++side)
     {
         vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
         // The first and the last edge are exactly the same.
@@ -177,7 +191,7 @@ void emitStud(vec3 center, vec3 up)
     }
 
     bool isDiskTurned = isTurnedToEye(center[upAxis] + studHeight, upAxis, true);
-    if (!isDrawn(isDiskTurned)) return;
+    if (!hasDisk || !isDrawn(isDiskTurned)) return;
     disk |= insideUnless(isDiskTurned);
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)

@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 
+#include <osg/ClipNode>
 #include <osg/Fog>
 #include <osg/Geometry>
 #include <osg/Light>
@@ -159,6 +160,23 @@ TEST_F(CoreProfile, ShowsTheSameLightsFogAndMaterial)
         appearance.materialSpecular = true;
         lego->setAppearance(appearance);
         expectSamePicture(*createLitScene(*lego));
+    }
+}
+
+TEST_F(CoreProfile, CutsBricksAtTheSameClipPlanes)
+{
+    for (const char* settings : {"look=plain", "look=full", "look=plain,drawing=splats"})
+    {
+        const osg::ref_ptr<osg::ClipNode> clip = new osg::ClipNode;
+        clip->addClipPlane(new osg::ClipPlane(0, 1.0, 0.3, 0.2, 0.05));
+        clip->addClipPlane(new osg::ClipPlane(3, -0.2, 0.4, -1.0, 0.3));
+        clip->addChild(createLego(std::string("12,device=cpu,") + settings));
+        const osg::ref_ptr<osg::MatrixTransform> moved =
+            new osg::MatrixTransform(osg::Matrix::rotate(0.4, osg::Vec3d(0.0, 0.0, 1.0)));
+        moved->addChild(clip);
+        const osg::ref_ptr<osg::Group> scene = new osg::Group;
+        scene->addChild(moved);
+        expectSamePicture(*scene);
     }
 }
 
