@@ -20,7 +20,7 @@ public:
     void apply(osg::Group& group) override
     {
         if (const auto* lego = dynamic_cast<const LegoNode*>(&group))
-            found.push_back({lego, osg::computeLocalToWorld(getNodePath())});
+            found.push_back({lego, lego->getBricksToNode() * osg::computeLocalToWorld(getNodePath())});
         else
             traverse(group);
     }

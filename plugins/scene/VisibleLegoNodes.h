@@ -14,7 +14,7 @@ namespace osgLego
 struct PlacedLegoNode
 {
     const LegoNode* node;
-    osg::Matrixd toWorld; //!< from the coordinates of the node
+    osg::Matrixd toWorld; //!< from the coordinates of LegoNode::getBricks()
 };
 
 /** Find the visible LegoNodes of a scene, once for each path to them, for writers of their bricks. */

@@ -6,6 +6,7 @@
 #include <Meshes.h>
 #include <Notices.h>
 #include <PartModels.h>
+#include <Settings.h>
 #include <TemporaryFolder.h>
 
 #include <algorithm>
@@ -169,6 +170,16 @@ TEST_F(GltfWriter, PlacesPartsBelowTransforms)
     EXPECT_EQ(sortedBoxes(file), expected);
     // The triangles and places of the node are in the file once.
     EXPECT_EQ(file.getAll("accessors").size(), write(*lego).getAll("accessors").size());
+}
+
+TEST_F(GltfWriter, PlacesPartsInALatticeOfTheWorld)
+{
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("cell=0.4,anchor=world,parts=bricks"));
+    lego->addChild(createSphere(8));
+    const osg::ref_ptr<osg::MatrixTransform> above =
+        new osg::MatrixTransform(osg::Matrixd(0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 10, 20, 30, 1));
+    above->addChild(lego);
+    EXPECT_EQ(sortedBoxes(write(*above)), expectedBoxes(*lego->getBricks()));
 }
 
 TEST_F(GltfWriter, WritesFilesThatTheReaderTurnsIntoTheSameParts)

@@ -6,7 +6,9 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/LegoNode.h>
 
+#include <Meshes.h>
 #include <PartModels.h>
+#include <Settings.h>
 #include <TemporaryFolder.h>
 
 #include <cmath>
@@ -63,6 +65,23 @@ TEST(LDrawWriter, EachNodeOfAnMpdHasItsOwnParts)
     const auto second = text.find("0 FILE a-2.ldr");
     EXPECT_LT(text.find("3005.dat"), second);
     EXPECT_LT(second, text.find("3004.dat"));
+}
+
+TEST(LDrawWriter, PlacesNodesInALatticeOfTheWorld)
+{
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<osg::Group> expected = new osg::Group;
+    for (const double place : {0.0, 3.0})
+    {
+        const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("cell=0.3,anchor=world,parts=bricks"));
+        lego->addChild(createSphere(8));
+        const osg::ref_ptr<osg::MatrixTransform> above = new osg::MatrixTransform(
+            osg::Matrixd::rotate(place, osg::Vec3d(1, 2, 3)) * osg::Matrixd::translate(place, 0, 0));
+        above->addChild(lego);
+        scene->addChild(above);
+        expected->addChild(createStoredNode(*lego->getBricks(), "parts=bricks"));
+    }
+    EXPECT_EQ(writeLDraw(*scene, "a.mpd").getReferences(), writeLDraw(*expected, "a.mpd").getReferences());
 }
 
 TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
