@@ -8,8 +8,19 @@
 namespace osgLego
 {
 
+namespace
+{
+
+const osg::Node* findRoot(const osg::Node& node)
+{
+    return node.getNumParents() > 0 ? findRoot(*node.getParent(0)) : &node;
+}
+
+} // namespace
+
 bool NodePlace::update(const osg::Node& node, bool isInWorld)
 {
+    _root = isInWorld ? findRoot(node) : nullptr;
     const osg::MatrixList places = isInWorld ? node.getWorldMatrices() : osg::MatrixList();
     const osg::Matrixd toWorld = places.empty() ? osg::Matrixd() : places.front();
     const auto differs = [&](const osg::Matrix& place) { return place != toWorld; };

@@ -27,12 +27,16 @@ public:
     const osg::Matrixd& getToWorld() const { return _toWorld; }
     const osg::Matrixd& getToNode() const { return _toNode; }
 
+    /** The first node of the path; null for bricks that are not in a lattice of the world. */
+    const osg::Node* getRoot() const { return _root; }
+
     /** The reason why the transforms can't be used; empty if they can. */
     const std::string& getObstacle() const { return _obstacle; }
 
 private:
     osg::Matrixd _toWorld;
     osg::Matrixd _toNode;
+    const osg::Node* _root = nullptr; // compared only, never used
     std::string _obstacle;
     bool _hasWarned = false;
 };

@@ -86,6 +86,8 @@ osg::ref_ptr<const GridTriangles> SourceWatch::flatten(const osg::Node& node, Le
 {
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node, _textures, _place.getToWorld());
     if (!std::exchange(_hasTexts, scene->getNumTexts() > 0)) scene->warnOfTexts(node);
+    // The transforms above a node that is not in its scene yet, or in another scene, are not those of this world.
+    if (std::exchange(_root, _place.getRoot()) != _place.getRoot()) _lattice = {};
     settings = _lattice.apply(scene->getBounds(), settings);
     _obstacle = _place.getObstacle();
     if (_obstacle.empty()) _obstacle = BrickGrid::findObstacle(scene->getBounds(), settings);

@@ -68,6 +68,7 @@ private:
 
     NodePlace _place;
     KeptLattice _lattice;
+    const osg::Node* _root = nullptr; // for which the lattice was found; compared only
     SourceSignature _signature;
     SourceSignatures _signatures;
     SurfaceTextureCache _textures;

@@ -98,6 +98,25 @@ TEST_P(NodePlaceTest, BricksBoundsAndIntersectionsAreThoseOfTheWorld)
     EXPECT_LT((pick(const_cast<osg::Node&>(*exported)) - pick(*_reference)).length(), 1e-5);
 }
 
+TEST_P(NodePlaceTest, TheResolutionCountsCellsOfTheModelInItsScene)
+{
+    _lego->setSettings(parseSettings("32,anchor=world"));
+    _above->removeChild(_lego);
+    ASSERT_TRUE(_lego->getBricks());
+    const osg::ref_ptr<osg::MatrixTransform> smaller = new osg::MatrixTransform(osg::Matrixd::scale(1e-3, 1e-3, 1e-3));
+    smaller->addChild(_lego);
+    ASSERT_TRUE(_lego->getBricks());
+    move(osg::Matrixd::scale(100, 100, 100)); // 3,200 of the first cells
+    _above->addChild(_lego);
+    smaller->removeChild(_lego);
+    ASSERT_TRUE(_lego->getBricks()) << _lego->getObstacle();
+    const BrickGrid grid = _lego->getBricks()->getGrid();
+    EXPECT_NEAR(_above->getBound().radius() * 2.0 / grid.cellSize.x, 32 * std::sqrt(3.0), 4.0);
+    _above->setMatrix(osg::Matrixd::scale(50, 50, 50));
+    EXPECT_EQ(_lego->getBricks()->getGrid().cellSize, grid.cellSize)
+        << "a model that moves in its scene keeps its cells";
+}
+
 TEST_P(NodePlaceTest, StoredBricksMoveWithTheNode)
 {
     move(stepAt(0.7));
