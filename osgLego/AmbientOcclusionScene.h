@@ -31,9 +31,9 @@ class AmbientOcclusionViews;
  *   occlusion.
  *
  * Preconditions:
- * 1. Contexts have OpenGL 4.0 or later, compatibility profile. Otherwise, or if there is too little memory for the
- *    buffers, the group draws its children like an osg::Group, and a warning gives the reason. Cameras that draw only
- *    depth, as for shadows, also draw the children like an osg::Group.
+ * 1. Contexts have OpenGL 4.0 or later; see precondition 1 of LegoNode. Otherwise, or if there is too little memory
+ *    for the buffers, the group draws its children like an osg::Group, and a warning gives the reason. Cameras that
+ *    draw only depth, as for shadows, also draw the children like an osg::Group.
  * 2. Programs of the children write gl_FragColor, or every gl_FragData.
  * 3. Fog is set in the state above the group, not by the children.
  * 4. Projections map the near plane to depth 0 and a finite far plane to depth 1.

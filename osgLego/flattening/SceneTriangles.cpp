@@ -67,7 +67,8 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
     const osg::Vec3d size = triangles->getBounds()._max - triangles->getBounds()._min;
     if (triangles->getNumTriangles() > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
     {
-        OSG_WARN << "osgLego: '" << node.getName() << "' is smaller than " << MINIMUM_SIZE
+        const std::string name = node.getName().empty() ? "the model" : "'" + node.getName() + "'";
+        OSG_WARN << "osgLego: " << name << " is smaller than " << MINIMUM_SIZE
                  << " units and is ignored; expected a larger scale" << std::endl;
         return new SceneTriangles({});
     }

@@ -27,8 +27,9 @@ bool NodePlace::update(const osg::Node& node, bool isInWorld)
     if (!_hasWarned && std::any_of(places.begin(), places.end(), differs))
     {
         _hasWarned = true;
-        OSG_WARN << "osgLego: '" << node.getName()
-                 << "' has several places in the world; its bricks with anchor=world are made for the first one, and "
+        const std::string name = node.getName().empty() ? "a LegoNode" : "'" + node.getName() + "'";
+        OSG_WARN << "osgLego: " << name
+                 << " has several places in the world; its bricks with anchor=world are made for the first one, and "
                     "are drawn at the others with their transforms; expected one LegoNode for each place"
                  << std::endl;
     }

@@ -196,6 +196,13 @@ TEST(SceneTriangles, CoordinatesThatAreNotFiniteOrTooLargeAreLeftOutAndCounted)
     }
 }
 
+TEST(SceneTriangles, ASourceWithoutANameThatIsTooSmallIsWarnedOf)
+{
+    const osg::ref_ptr<osg::Geometry> tiny = createTriangle({0, 0, 0}, {1e-20f, 0, 0}, {0, 1e-20f, 0});
+    const std::string notices = noticesOf([&] { SceneTriangles::create(*tiny); });
+    EXPECT_EQ(notices, "osgLego: the model is smaller than 1e-18 units and is ignored; expected a larger scale\n");
+}
+
 TEST(SceneTriangles, ANonFiniteVertexOfSeveralTrianglesCountsOnce)
 {
     const osg::ref_ptr<osg::Geometry> fan = createPolygon(6, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 6));
