@@ -25,6 +25,11 @@ std::optional<PreviousCells> findPreviousCells(const PreviousLayout* previous, c
                          glm::ivec3(glm::round((grid.origin - previous->grid.origin) / grid.cellSize)));
 }
 
+const PreviousLayout* getShown(const CpuBricksWork& work)
+{
+    return work.shown ? work.shown : work.previous;
+}
+
 /** Lay parts with little effort, and show them. */
 void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork& work)
 {
@@ -33,7 +38,8 @@ void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork&
     settings.parts.support = false;
     PreviousLayout layout;
     // Its parts may have been laid with more effort.
-    if (work.shown && work.shown->settings.givesSameBricks(source.settings)) layout = *work.shown;
+    const PreviousLayout* const shown = getShown(work);
+    if (shown && shown->settings.givesSameBricks(source.settings)) layout = *shown;
     layout.settings = settings;
     ModelBuilder builder(settings, source.lookup);
     builder.setCancellation(work.isCancelled);
@@ -52,7 +58,7 @@ void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork&
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    const std::optional<PreviousCells> previous = findPreviousCells(work.shown, source);
+    const std::optional<PreviousCells> previous = findPreviousCells(getShown(work), source);
     const osg::ref_ptr<const BrickModel> cells =
         voxelizeOnCpu(*source.triangles, source.lookup.hasPalette() ? CellColor::DOMINANT : CellColor::MEAN,
                       previous ? &*previous : nullptr);

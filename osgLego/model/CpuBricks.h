@@ -19,7 +19,7 @@ struct CpuBricksWork
     std::function<bool()> isCancelled;    //!< called from any thread; may be empty
     std::function<void(double)> progress; //!< called with the fraction of the layout that is done; may be empty
     PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
-    /** The layout that is shown, whose parts a draft keeps, and whose colours cells keep; may be null. */
+    /** The layout that is shown, whose parts a draft keeps, and whose colours cells keep; null: `previous`. */
     const PreviousLayout* shown = nullptr;
     /** Called with parts laid with Effort::INSTANT and without columns, and their layout, before those of the settings
      * are laid; empty: no such draft is made. */
