@@ -4,6 +4,7 @@
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/BrickUniforms.h>
+#include <osgLego/polygonization/FittedTiles.h>
 
 #include <algorithm>
 
@@ -170,6 +171,22 @@ bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destinat
 void BrickSplats::drawTiles(const osg::State& state, const DrawnBricks& bricks, const BrickRanges& ranges,
                             const CellView& view, const glm::ivec2& size) const
 {
+    static const UniformName FIRST("firstPixel");
+    static const UniformName NUM_ACROSS("tilesAcross");
+    static const UniformName SIDE("tileSide");
+    const ProgramUniforms uniforms(state);
+    const CoreVertexArray vertexArray(state);
+    if (FittedTiles::isSmall(view.area, size))
+    {
+        const FittedTiles tiles = FittedTiles::fit(view.area, size);
+        uniforms.set(FIRST, tiles.first);
+        uniforms.set(NUM_ACROSS, tiles.count.x);
+        uniforms.set(SIDE, static_cast<float>(tiles.side));
+        const GLint first = 0;
+        const GLsizei count = tiles.count.x * tiles.count.y;
+        state.get<osg::GLExtensions>()->glMultiDrawArrays(GL_POINTS, &first, &count, 1);
+        return;
+    }
     PictureTiles& tiles = _tiles[state.getContextID()];
     tiles.clear(size);
     if (bricks.blocks.empty())
@@ -177,12 +194,9 @@ void BrickSplats::drawTiles(const osg::State& state, const DrawnBricks& bricks, 
     else
         ranges.addTo(tiles, bricks.grid, view);
     tiles.findRuns();
-    static const UniformName NUM_ACROSS("tilesAcross");
-    static const UniformName SIDE("tileSide");
-    const ProgramUniforms uniforms(state);
+    uniforms.set(FIRST, glm::ivec2(0));
     uniforms.set(NUM_ACROSS, tiles.getNumAcross());
     uniforms.set(SIDE, static_cast<float>(PictureTiles::SIDE));
-    const CoreVertexArray vertexArray(state);
     state.get<osg::GLExtensions>()->glMultiDrawArrays(GL_POINTS, tiles.getFirsts().data(), tiles.getCounts().data(),
                                                       static_cast<GLsizei>(tiles.getFirsts().size()));
 }

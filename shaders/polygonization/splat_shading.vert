@@ -13,6 +13,7 @@ uniform vec2 pictureSize;
 uniform int firstSplat;
 uniform int numSplats;
 uniform ivec2 origin; // the picture's lower left pixel
+uniform ivec2 firstPixel; // of the first tile
 uniform int tilesAcross;
 uniform float tileSide; // pixels
 uniform int fogMode;
@@ -75,7 +76,7 @@ void main()
 
     vec2 tile = vec2(gl_VertexID % tilesAcross, gl_VertexID / tilesAcross);
     // The last tile of a row or column is moved inwards, so that its centre is inside the picture.
-    vec2 middle = min((tile + 0.5) * tileSide, pictureSize - 0.5 * tileSide);
+    vec2 middle = min(vec2(firstPixel) + (tile + 0.5) * tileSide, pictureSize - 0.5 * tileSide);
     middle = max(middle, 0.5 * min(vec2(tileSide), pictureSize));
     gl_PointSize = tileSide;
     gl_Position = vec4(2.0 * middle / pictureSize - 1.0, 0.0, 1.0);
