@@ -45,6 +45,11 @@ struct OSGLEGO_EXPORT BrickAppearance
     /** The width of lines at the edges of parts and studs, in pixels, 0 (none) to 8: dark, or light on dark parts, as
      * in building instructions. Also in the plain look. */
     double outline = 0.0;
+    /** Whether the cells around a brick occlude it where it is drawn without an AmbientOcclusionScene: exactly as far
+     * as they are known, which is one cell to each side and three in front of a face, and without noise or a pass over
+     * the picture. Bricks of other nodes, and distant ones, occlude nothing. Without effect while a model is partly
+     * built. */
+    bool gridOcclusion = false;
 
     /** The first error in these values, with the expected value, in one sentence; empty if there is none. */
     std::string check() const;

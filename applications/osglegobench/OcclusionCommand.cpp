@@ -1,6 +1,7 @@
 #include "BenchEnvironment.h"
 #include "BenchOptions.h"
 #include "Commands.h"
+#include "OcclusionFrames.h"
 #include "OcclusionView.h"
 #include "Spread.h"
 
@@ -71,6 +72,29 @@ JsonValue timePasses(BenchScene scene, const char* quality, int numFrames)
     return row;
 }
 
+/** Frames of a mesh at 128 cells without ambient occlusion and with both kinds, from four views. */
+JsonValue compareFrames(const BenchScene& scene, const OcclusionOptions& options)
+{
+    struct View
+    {
+        const char* name;
+        double elevation;
+        double distance;
+    };
+    JsonValue rows;
+    for (const View& view : {View{"above", 25.0, 3.5}, {"below", -35.0, 3.5}, {"near", 25.0, 1.3}, {"far", 25.0, 14.0}})
+    {
+        BenchScene seen = scene;
+        seen.settings.grid.resolution = 128;
+        seen.elevation = view.elevation;
+        seen.distance = view.distance;
+        JsonValue row = compareOcclusionFrames(seen, static_cast<unsigned int>(options.numFrames), SIZE);
+        row["view"] = view.name;
+        rows.append(row);
+    }
+    return rows;
+}
+
 /** Ambient occlusion was tuned on the first view. */
 std::vector<BenchScene> createScenes(const OcclusionOptions& options)
 {
@@ -98,6 +122,7 @@ void runOcclusion(const OcclusionOptions& options)
             document["errors"].append(compareWithRays(scene, quality, options));
     for (const char* quality : QUALITIES)
         if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options.numFrames));
+    if (options.numFrames > 0) document["frameRows"] = compareFrames(scenes.front(), options);
     options.write(document);
 }
 

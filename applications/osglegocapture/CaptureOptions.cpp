@@ -64,10 +64,11 @@ std::string readSettings(const std::string& text, CaptureOptions& options)
 std::string readOcclusion(const std::string& text, CaptureOptions& options)
 {
     options.isOcclusionGiven = true;
-    options.hasOcclusion = text != "off";
+    options.hasGridOcclusion = text == "grid";
+    options.hasOcclusion = text != "off" && !options.hasGridOcclusion;
     std::string error;
     if (!options.hasOcclusion || AmbientOcclusionSettings::parse(text, options.occlusion, error)) return {};
-    return "--occlusion: " + error + " (or off alone)";
+    return "--occlusion: " + error + " (or off or grid alone)";
 }
 
 /** The valid range of an option's number, and its description in messages. */
@@ -219,7 +220,7 @@ void addCamera(CLI::App& app, CaptureOptions& options)
 void addLight(CLI::App& app, CaptureOptions& options)
 {
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
-                   "Ambient occlusion, as below, or off (medium)")
+                   "Ambient occlusion, as below, or grid: by the neighbours of each brick, or off (medium)")
         ->type_name("OCCLUSION");
     app.add_option(
            "--probe", options.probe.file,

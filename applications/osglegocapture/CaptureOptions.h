@@ -54,7 +54,8 @@ struct CaptureOptions
     int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
     CaptureProbe probe;
-    bool hasOcclusion = true;
+    bool hasOcclusion = true;      //!< whether there is an AmbientOcclusionScene
+    bool hasGridOcclusion = false; //!< BrickAppearance::gridOcclusion
     bool isOcclusionGiven = false; //!< whether the command line has the option, and not its default
     AmbientOcclusionSettings occlusion;
     bool original = false;

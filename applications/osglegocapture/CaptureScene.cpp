@@ -179,6 +179,12 @@ void CaptureScene::addOcclusion()
 
 void CaptureScene::setOcclusion()
 {
+    for (LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
+    {
+        BrickAppearance appearance = lego->getAppearance();
+        appearance.gridOcclusion = _options.hasGridOcclusion;
+        lego->setAppearance(appearance);
+    }
     const bool hasGroup = Finder<AmbientOcclusionScene>(*_shown).getFound() != nullptr;
     if (_lego->getSettings().view.look == Look::FULL && _options.hasOcclusion && !hasGroup)
     {

@@ -43,6 +43,8 @@ public:
     bool hasPoints() const { return _points.valid(); }
     /** The visible bricks of a set that hasPoints(), block by block. */
     const BrickPoints& getPoints() const { return _points->getPoints(); }
+    /** The neighbours of each point of a set that hasPoints(), computed by the first call. */
+    const std::vector<BrickNeighbors>& getNeighbors() const { return _points->getNeighbors(); }
     /** The distant occlusion of a set that hasPoints(), computed by the first call. */
     const DistantOcclusion& getDistantOcclusion() const { return _points->getDistantOcclusion(); }
     /** Whether it has been computed. */

@@ -1,6 +1,6 @@
 #include <osgLego/data/DistantOcclusion.h>
 
-#include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/data/OcclusionFalloff.h>
 
 #include <algorithm>
 #include <array>
@@ -90,11 +90,6 @@ struct Path
     std::vector<Step> steps;
 };
 
-double fade(double distance, double radius)
-{
-    return std::clamp((radius - distance) / (radius * AmbientOcclusionSettings::FALLOFF), 0.0, 1.0);
-}
-
 Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
 {
     Path path{glm::vec3(direction), {}};
@@ -111,7 +106,8 @@ Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
         voxel[axis] += direction[axis] < 0.0 ? -1 : 1;
         next[axis] += steps[axis];
         const std::ptrdiff_t offset = voxel.x * grid.strides.x + voxel.y * grid.strides.y + voxel.z * grid.strides.z;
-        path.steps.push_back({offset, static_cast<float>(fade(distance, grid.reach) - fade(distance, nearest))});
+        path.steps.push_back(
+            {offset, static_cast<float>(fadeOcclusion(distance, grid.reach) - fadeOcclusion(distance, nearest))});
     }
 }
 

@@ -15,6 +15,12 @@ osg::ref_ptr<const ModelPoints> ModelPoints::get(const BrickModel& model)
 
 ModelPoints::ModelPoints(const BrickModel& model) : _grid(model.getGrid()), _points(createBrickPoints(model)) {}
 
+const std::vector<BrickNeighbors>& ModelPoints::getNeighbors() const
+{
+    std::call_once(_neighborsFlag, [this] { _neighbors = createBrickNeighbors(_points.points); });
+    return _neighbors;
+}
+
 const DistantOcclusion& ModelPoints::getDistantOcclusion() const
 {
     std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/data/BrickNeighbors.h>
 #include <osgLego/data/BrickPoints.h>
 #include <osgLego/data/DistantOcclusion.h>
 
 #include <atomic>
 #include <mutex>
+#include <vector>
 
 #include <osg/Referenced>
 #include <osg/ref_ptr>
@@ -26,6 +28,8 @@ public:
     explicit ModelPoints(const BrickModel& model);
 
     const BrickPoints& getPoints() const { return _points; }
+    /** The neighbours of each point, computed by the first call. */
+    const std::vector<BrickNeighbors>& getNeighbors() const;
     /** The distant occlusion, computed by the first call. */
     const DistantOcclusion& getDistantOcclusion() const;
     /** Whether getDistantOcclusion() has been called. */
@@ -36,6 +40,8 @@ private:
 
     BrickGrid _grid;
     BrickPoints _points;
+    mutable std::once_flag _neighborsFlag;
+    mutable std::vector<BrickNeighbors> _neighbors;
     mutable std::once_flag _occlusionFlag;
     mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
     mutable std::atomic<bool> _hasDistantOcclusion{false};

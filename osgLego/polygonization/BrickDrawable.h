@@ -33,8 +33,9 @@ public:
     {
         BrickStore* store = nullptr;
         Drawing drawing = Drawing::AUTO;
-        bool isPartial = false; //!< whether the programs draw the model partly built (BrickStore::getBuilding())
-        double outline = 0.0;   //!< see BrickAppearance
+        bool isPartial = false;        //!< whether the programs draw the model partly built (BrickStore::getBuilding())
+        double outline = 0.0;          //!< see BrickAppearance
+        bool hasGridOcclusion = false; //!< whether the programs use grid occlusion
         bool hasDistantOcclusion = false; //!< whether the programs use distant occlusion
     };
 
@@ -112,6 +113,7 @@ private:
     Drawing _drawing;
     bool _isPartial;
     double _outline;
+    bool _hasGridOcclusion;
     /** Shown until there is distant occlusion; null if the programs don't use it. */
     osg::ref_ptr<DistantOcclusionTexture> _noOcclusion;
     osg::ref_ptr<const BrickStates> _states;

@@ -2,6 +2,7 @@
 
 #include <osgLego/polygonization/CoreLights.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
+#include <osgLego/polygonization/GridOcclusionView.h>
 #include <osgLego/polygonization/ShadowMaps.h>
 
 #include <optional>
@@ -16,6 +17,7 @@ struct BrickLight
 {
     CoreLights lights;
     ShadowMaps shadows;
+    std::optional<GridOcclusionView> near;       //!< nothing if the programs use no grid occlusion
     std::optional<DistantOcclusionView> distant; //!< nothing if the programs use no distant occlusion
 
     /** Set textures and uniforms of the program that a state has applied. Needs its context current. */
@@ -23,6 +25,7 @@ struct BrickLight
     {
         lights.apply(state);
         if (!shadows.isEmpty()) shadows.apply(state);
+        if (near) near->apply(state);
         if (distant) distant->apply(state);
     }
 };

@@ -30,7 +30,11 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     {
         BrickDrawable::Options options{&store, drawing, kind.isPartial, appearance.outline};
         options.hasDistantOcclusion = look == Look::FULL && target == BrickStates::Target::BUFFER_WITH_DISTANT;
-        return createNode(options, *BrickStates::get(look, {target, kind.isPartial, kind.hasLines}, appearance, probe));
+        options.hasGridOcclusion =
+            appearance.gridOcclusion && look == Look::FULL && target == BrickStates::Target::FRAME && !kind.isPartial;
+        return createNode(options,
+                          *BrickStates::get(look, {target, kind.isPartial, kind.hasLines, options.hasGridOcclusion},
+                                            appearance, probe));
     };
     _frameNode = create(BrickStates::Target::FRAME);
     _bufferNode = look == Look::PLAIN ? _frameNode : create(BrickStates::Target::BUFFER);

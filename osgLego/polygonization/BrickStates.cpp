@@ -7,6 +7,7 @@
 #include <osgLego/gl/StateOverride.h>
 #include <osgLego/light/LightProbeState.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
+#include <osgLego/polygonization/GridOcclusionView.h>
 #include <osgLego/polygonization/ReliefMap.h>
 
 #include <utility>
@@ -91,6 +92,7 @@ std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& p
     if (kind.isPartial) definitions += "#define PARTIAL\n";
     if (kind.hasLines) definitions += "#define LINES\n";
     if (look == Look::PLAIN) return definitions;
+    if (kind.hasGridOcclusion) definitions += "#define GRID_OCCLUSION\n";
     if (kind.target == BrickStates::Target::FRAME) return definitions + defineLightProbe(probe);
     definitions += "#define GEOMETRY_BUFFER\n";
     if (kind.target == BrickStates::Target::BUFFER_WITH_DISTANT) definitions += "#define DISTANT_OCCLUSION\n";
@@ -116,6 +118,11 @@ osg::ref_ptr<osg::StateSet> createCommonState(Look look, const BrickStates::Kind
         applyLightProbe(probe, *stateSet);
     else
         applyBufferModes(*stateSet);
+    if (kind.hasGridOcclusion)
+    {
+        stateSet->addUniform(new osg::Uniform("neighbors", static_cast<int>(GridOcclusionView::NEIGHBORS_UNIT)));
+        stateSet->addUniform(new osg::Uniform("occlusionTable", static_cast<int>(GridOcclusionView::TABLE_UNIT)));
+    }
     if (kind.target != BrickStates::Target::BUFFER_WITH_DISTANT) return stateSet;
     stateSet->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
     stateSet->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
@@ -193,10 +200,13 @@ BrickStates::Key::Key(Look ofLook, const Kind& ofKind, const BrickAppearance& of
     if (look == Look::PLAIN)
     {
         kind.target = Target::FRAME;
+        kind.hasGridOcclusion = false;
         return;
     }
     appearance = ofAppearance;
-    appearance.outline = 0.0; // a property of each node
+    // Properties of each node.
+    appearance.outline = 0.0;
+    appearance.gridOcclusion = false;
     const osg::ref_ptr<const osg::Image> image = std::exchange(appearance.reliefImage, nullptr);
     relief = image;
     reliefCount = image ? image->getModifiedCount() : 0;

@@ -83,6 +83,7 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     _highlight = nullptr;
     numBricks = made.numBricks;
     blocks.clear();
+    _gridOcclusion = nullptr;
     _distantOcclusion = nullptr;
     _blockReader.start(state, buffer.get(), numBricks);
     _model = made.model;
@@ -112,6 +113,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     _highlight = nullptr;
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
+    _gridOcclusion = nullptr;
     _distantOcclusion = nullptr;
     _blockReader.stop();
     _model = wanted.getModel();
@@ -153,12 +155,20 @@ void ContextBricks::highlight(const osg::State& state, const PartHighlight* want
 
 void ContextBricks::pollBlocks(const osg::State& state)
 {
-    _blockReader.poll(state, false, [this](std::span<const BrickPoint> points) { usePoints(points); });
+    _blockReader.poll(state, false, [&](std::span<const BrickPoint> points) { usePoints(state, points); });
 }
 
-void ContextBricks::usePoints(std::span<const BrickPoint> points)
+/** Wait until the bricks, which were made on the GPU, have been read. */
+void ContextBricks::readPoints(const osg::State& state)
+{
+    if (!_blockReader.isReading()) _blockReader.start(state, buffer.get(), numBricks);
+    _blockReader.poll(state, true, [&](std::span<const BrickPoint> points) { usePoints(state, points); });
+}
+
+void ContextBricks::usePoints(const osg::State& state, std::span<const BrickPoint> points)
 {
     blocks = findBlocks(points);
+    if (_wantsGridOcclusion) uploadNeighbors(state, createBrickNeighbors(points));
     if (_wantsDistantOcclusion)
         _distantOcclusion = new DistantOcclusionTexture(*DistantOcclusion::create(bricks->getGrid(), points));
 }
@@ -172,9 +182,25 @@ DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& s
         _distantOcclusion = new DistantOcclusionTexture(bricks->getDistantOcclusion());
         return _distantOcclusion;
     }
-    if (!_blockReader.isReading()) _blockReader.start(state, buffer.get(), numBricks);
-    _blockReader.poll(state, true, [this](std::span<const BrickPoint> points) { usePoints(points); });
+    readPoints(state);
     return _distantOcclusion;
+}
+
+const GridOcclusionTextures* ContextBricks::findGridOcclusion(const osg::State& state)
+{
+    _wantsGridOcclusion = true;
+    if (_gridOcclusion || numBricks == 0) return _gridOcclusion;
+    if (bricks->hasPoints())
+        uploadNeighbors(state, bricks->getNeighbors());
+    else
+        readPoints(state);
+    return _gridOcclusion;
+}
+
+void ContextBricks::uploadNeighbors(const osg::State& state, std::span<const BrickNeighbors> neighbors)
+{
+    _gridOcclusion = new GridOcclusionTextures(state, bricks->getGrid(), neighbors);
+    if (takeOutOfMemoryError()) _gridOcclusion = nullptr;
 }
 
 void ContextBricks::fail(std::uint64_t revision, const std::string& why)
@@ -224,6 +250,7 @@ void ContextBricks::clear()
     rankBuffer = GlBuffer();
     numBricks = 0;
     blocks.clear();
+    _gridOcclusion = nullptr;
     _distantOcclusion = nullptr;
     _blockReader.stop();
     _model = nullptr;

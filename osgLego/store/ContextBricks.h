@@ -9,6 +9,7 @@
 #include <osgLego/gl/GlObject.h>
 #include <osgLego/store/BlockReader.h>
 #include <osgLego/store/DistantOcclusionTexture.h>
+#include <osgLego/store/GridOcclusionTextures.h>
 
 #include <atomic>
 #include <cstdint>
@@ -75,6 +76,11 @@ public:
      * @return null if there are no bricks, or no memory for reading them. */
     DistantOcclusionTexture* findDistantOcclusion(const osg::State& state);
 
+    /** The grid occlusion of the bricks as textures, created by the first call after they were shown. For bricks made
+     * on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is current.
+     * @return null if there are no bricks, or no memory. */
+    const GridOcclusionTextures* findGridOcclusion(const osg::State& state);
+
     /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
     /** Give up on the context, and report the reason once for all nodes in it. Locks the mutex. */
@@ -99,13 +105,17 @@ private:
     ~ContextBricks() override = default;
 
     void clear();
-    void usePoints(std::span<const BrickPoint> points);
+    void uploadNeighbors(const osg::State& state, std::span<const BrickNeighbors> neighbors);
+    void readPoints(const osg::State& state);
+    void usePoints(const osg::State& state, std::span<const BrickPoint> points);
     void setFailure(std::uint64_t revision, const std::string& why);
 
     mutable std::mutex _mutex;
     BlockReader _blockReader;
     osg::ref_ptr<const PartHighlight> _highlight;         // in the points of the bricks
     osg::ref_ptr<const PartHighlight> _buildingHighlight; // in those of the model partly built
+    bool _wantsGridOcclusion = false;
+    osg::ref_ptr<GridOcclusionTextures> _gridOcclusion;
     bool _wantsDistantOcclusion = false;
     osg::ref_ptr<DistantOcclusionTexture> _distantOcclusion;
     osg::ref_ptr<const BrickModel> _model;

@@ -36,10 +36,12 @@ const osgLego::SettingsTable<LegolizeSettings>& getTable()
         osgLego::SettingsTable<LegolizeSettings> created;
         created.add("occlusion", &LegolizeSettings::occlusion,
                     osgLego::Choice<Occlusion>{{"off", Occlusion::OFF},
+                                               {"grid", Occlusion::GRID},
                                                {"low", Occlusion::LOW},
                                                {"medium", Occlusion::MEDIUM},
                                                {"high", Occlusion::HIGH}},
-                    "quality of ambient occlusion", "medium; off with look=plain");
+                    "ambient occlusion: by the neighbours of each brick, or in the picture, of a quality",
+                    "medium; off with look=plain");
         created.add("distant", &LegolizeSettings::distant, osgLego::Switch(), "occlusion by distant bricks, too");
         created.add("probe", &LegolizeSettings::probe, PictureName(), "environment light", "a built-in sky");
         return created;
@@ -58,6 +60,7 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
     switch (occlusion.value_or(isPlain ? Occlusion::OFF : Occlusion::MEDIUM))
     {
     case Occlusion::OFF:
+    case Occlusion::GRID:
         return std::nullopt;
     case Occlusion::LOW:
         result.quality = Quality::LOW;

@@ -13,6 +13,7 @@ struct LegolizeSettings
     enum class Occlusion
     {
         OFF,
+        GRID, //!< BrickAppearance::gridOcclusion, without AmbientOcclusionScene
         LOW,
         MEDIUM,
         HIGH
@@ -23,7 +24,7 @@ struct LegolizeSettings
     bool distant = true;                //!< whether distant bricks occlude
     std::optional<std::string> probe;   //!< the file name of a picture; unset: the built-in sky
 
-    /** The settings of ambient occlusion; unset: no ambient occlusion. */
+    /** The settings of the AmbientOcclusionScene; unset: none. */
     std::optional<osgLego::AmbientOcclusionSettings> getOcclusion() const;
 
     /** Read `key=value` separated by commas. Settings whose keys are not given keep their values.

@@ -129,6 +129,14 @@ private:
         return list;
     }
 
+    static void setLight(osgLego::LegoNode& lego, const LegolizeSettings& settings, const osgLego::LightProbe& probe)
+    {
+        lego.setLightProbe(&probe);
+        osgLego::BrickAppearance appearance = lego.getAppearance();
+        appearance.gridOcclusion = settings.occlusion == LegolizeSettings::Occlusion::GRID;
+        lego.setAppearance(appearance);
+    }
+
     /** Show a file that already consists of bricks, by the settings. */
     static ReadResult showStored(const osg::ref_ptr<osg::Node>& source, const std::vector<osgLego::LegoNode*>& nodes,
                                  const std::string& fileName, const LegolizeSettings& settings,
@@ -142,7 +150,7 @@ private:
             osgLego::LegoSettings shown = lego->getSettings();
             shown.view = settings.lego.view;
             lego->setSettings(shown);
-            lego->setLightProbe(&probe);
+            setLight(*lego, settings, probe);
         }
         return addOcclusion(source, settings, probe, source->getName());
     }
@@ -155,7 +163,7 @@ private:
         lego->addChild(source);
         if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
         if (const std::string obstacle = lego->getObstacle(); !obstacle.empty()) return ReadResult(obstacle);
-        lego->setLightProbe(&probe);
+        setLight(*lego, settings, probe);
         if (settings.lego.grid.upAxis == osgLego::UpAxis::Y)
             return addOcclusion(osgLego::turnUpright(*lego), settings, probe, name);
         return addOcclusion(lego, settings, probe, name);

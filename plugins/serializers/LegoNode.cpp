@@ -73,6 +73,24 @@ static bool writeAppearance(osgDB::OutputStream& stream, const osgLego::LegoNode
     return true;
 }
 
+static bool checkGridOcclusion(const osgLego::LegoNode& node)
+{
+    return node.getAppearance().gridOcclusion != osgLego::BrickAppearance().gridOcclusion;
+}
+
+static bool readGridOcclusion(osgDB::InputStream& stream, osgLego::LegoNode& node)
+{
+    osgLego::BrickAppearance appearance = node.getAppearance();
+    stream >> appearance.gridOcclusion;
+    return node.setAppearance(appearance);
+}
+
+static bool writeGridOcclusion(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
+{
+    stream << node.getAppearance().gridOcclusion << std::endl;
+    return true;
+}
+
 static bool checkLight(const osgLego::LegoNode&)
 {
     return true;
@@ -146,6 +164,7 @@ REGISTER_OBJECT_WRAPPER(osgLego_LegoNode, new osgLego::LegoNode, osgLego::LegoNo
 {
     ADD_USER_SERIALIZER(Settings);
     ADD_USER_SERIALIZER(Appearance);
+    ADD_USER_SERIALIZER(GridOcclusion);
     ADD_USER_SERIALIZER(Light);
     ADD_USER_SERIALIZER(StoredBricks);
     wrapper->addFinishedObjectReadCallback(new StoredBricksCheck);

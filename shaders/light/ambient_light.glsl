@@ -54,6 +54,12 @@ vec3 irradianceAt(vec3 eyeNormal)
     return probeIntensity * max(irradiance, 0.0);
 }
 
+// The visibility in the mirrored direction, estimated from the visibility of the whole sky (Lagarde and de Rousiers 2014).
+float reflectionVisibility(float cosine, float visibility, float roughness)
+{
+    return clamp(pow(cosine + visibility, exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
+}
+
 // The light reflected by glossy plastic, with Karis' fit of the integrated reflectance (2014).
 vec3 reflectionAt(vec3 eyeNormal, vec3 toEye, float roughness)
 {

@@ -41,12 +41,6 @@ void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float vis
 }
 #endif
 
-// The visibility in the mirrored direction, estimated from the visibility of the whole sky (Lagarde and de Rousiers 2014).
-float reflectionVisibility(float cosine, float visibility, float roughness)
-{
-    return clamp(pow(cosine + visibility, exp2(-16.0 * roughness - 1.0)) - 1.0 + visibility, 0.0, 1.0);
-}
-
 vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float visibility, vec3 toEye)
 {
     vec3 diffuse = irradianceAt(normalize(bent + bend)) * visibility * toLight(albedo.rgb);

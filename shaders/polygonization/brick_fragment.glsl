@@ -23,6 +23,7 @@ vec2 coordinate;
 vec4 coordinateSlopes; // by pixel: those of the first coordinate, those of the second
 uint color;
 uint detail;
+int brickNumber;
 const bool isOutside = true;
 bool isNew = true; // whether the part is drawn in full colour
 
@@ -100,6 +101,7 @@ bool findFragment()
     int number = int(splat >> 2) - sceneSplats.x;
 #endif
     if (number < 0 || number >= sceneSplats.y) return false; // the brick of another node
+    brickNumber = number;
     int word = 3 * number;
     uvec3 brick = uvec3(texelFetch(splatBricks, word).x, texelFetch(splatBricks, word + 1).x,
                         texelFetch(splatBricks, word + 2).x);
@@ -153,6 +155,9 @@ in vec3 eyeNormal;
 in vec2 coordinate;
 flat in uint color;
 flat in uint detail;
+#if defined(GRID_OCCLUSION)
+flat in int brickNumber;
+#endif
 #if defined(PARTIAL)
 flat in uint novelty;
 #define isNew (novelty != 0u)

@@ -39,6 +39,10 @@ out vec3 eyeNormal;
 out vec2 coordinate; // faces and disk: 0 to 1 across; wall: 0 to 1 around and up
 flat out uint color;  // see colorOf in brick_detail.glsl
 flat out uint detail; // see detailOf
+#if defined(GRID_OCCLUSION)
+flat in int vertexNumber[];
+flat out int brickNumber;
+#endif
 #endif
 
 // Directions around the stud, in a table, since the cosine is slow on some machines.
@@ -74,6 +78,9 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
     coordinate = where;
     color = colors;
     detail = details;
+#if defined(GRID_OCCLUSION)
+    brickNumber = vertexNumber[0];
+#endif
 #if defined(PARTIAL)
     novelty = vertexNovelty[0];
 #endif

@@ -17,6 +17,9 @@
 #endif
 #else
 #include "light/ambient_light.glsl"
+#if defined(GRID_OCCLUSION)
+#include "polygonization/near_occlusion.glsl"
+#endif
 #endif
 
 uniform bool usesMaterial; // use the specular reflection of osg::Material instead of plastic's
@@ -117,8 +120,17 @@ void main()
         vec3 albedo = toLight(surface.color);
         float environment;
         vec3 direct = directLight(surface, albedo, environment);
+        vec3 toEye = towardsEye(eyePosition);
+#if defined(GRID_OCCLUSION)
+        vec4 open = nearOcclusion(surface);
+        vec3 bent = normalize(open.xyz + surface.shading - surface.normal);
+        float mirrored = reflectionVisibility(max(dot(surface.shading, toEye), 0.0), open.w, surface.roughness);
+        vec3 ambient = environment * albedo * open.w * irradianceAt(bent) +
+                       mirrored * reflectionAt(surface.shading, toEye, surface.roughness);
+#else
         vec3 ambient = environment * albedo * irradianceAt(surface.shading) +
-                       reflectionAt(surface.shading, towardsEye(eyePosition), surface.roughness);
+                       reflectionAt(surface.shading, toEye, surface.roughness);
+#endif
         shown = toColor((direct + ambient) * surface.openness);
     }
     fragmentColor = vec4(mix(fogColor, shown, transmittance), 1.0);

@@ -69,8 +69,8 @@ TEST(LegolizeSettings, DescribesTheKeysOfBricksAndThenItsOwn)
 
 TEST(LegolizeSettings, SaysWhatWasExpected)
 {
-    EXPECT_EQ(errorOf("occlusion=best"), "bad value 'best' for occlusion; expected off, low, medium or high");
-    EXPECT_EQ(errorOf("occlusion="), "bad value '' for occlusion; expected off, low, medium or high");
+    EXPECT_EQ(errorOf("occlusion=best"), "bad value 'best' for occlusion; expected off, grid, low, medium or high");
+    EXPECT_EQ(errorOf("occlusion="), "bad value '' for occlusion; expected off, grid, low, medium or high");
     EXPECT_EQ(errorOf("64,probe="),
               "bad value '' for probe; expected the name of a high dynamic range picture, without commas");
     EXPECT_EQ(errorOf("distant=yes"), "bad value 'yes' for distant; expected off or on");

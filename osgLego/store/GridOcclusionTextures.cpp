@@ -1,0 +1,56 @@
+#include <osgLego/store/GridOcclusionTextures.h>
+
+#include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/data/OcclusionTable.h>
+#include <osgLego/data/SharedObjects.h>
+#include <osgLego/gl/SharedBetweenViewers.h>
+
+#include <osg/GLExtensions>
+
+namespace osgLego
+{
+
+namespace
+{
+
+osg::ref_ptr<osg::Texture2D> createTable(double height)
+{
+    const osg::ref_ptr<osg::Image> image = createOcclusionTable(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
+    // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
+    image->setDataVariance(osg::Object::DYNAMIC);
+    osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(image);
+    texture->setInternalFormat(GL_RGBA8);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    texture->reserveContexts();
+    return texture;
+}
+
+osg::ref_ptr<osg::Texture2D> getTable(const BrickGrid& grid)
+{
+    static SharedObjects<double, osg::Texture2D> tables;
+    const double height = grid.cellSize[grid.getUpIndex()] / grid.getPitch();
+    return tables.findOrCreate(height, [height] { return createTable(height); });
+}
+
+} // namespace
+
+GridOcclusionTextures::GridOcclusionTextures(const osg::State& state, const BrickGrid& grid,
+                                             std::span<const BrickNeighbors> neighbors) :
+    _buffer(state),
+    _neighbors(state), _count(static_cast<GLsizei>(neighbors.size())), _table(osgLego::getTable(grid))
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    extensions.glBindBuffer(GL_TEXTURE_BUFFER, _buffer.get());
+    extensions.glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(neighbors.size_bytes()), neighbors.data(),
+                            GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, _neighbors.get());
+    extensions.glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, _buffer.get());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    extensions.glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+} // namespace osgLego

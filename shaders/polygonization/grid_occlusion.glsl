@@ -1,0 +1,73 @@
+// Near occlusion of bricks by the cells around them (see createOcclusionTable and BrickNeighbors): exact but for the cells that are
+// left out, without noise, and independent of the view.
+
+uniform usamplerBuffer neighbors; // three texels for each brick
+uniform int numNeighbors;         // of bricks; others count as alone
+uniform sampler2D occlusionTable; // faces on top and below in its lower half, those at the sides in its upper half
+
+const float TABLE_SIDE = 8.0; // texels of a pattern
+const int PATTERNS_ACROSS = 64;
+// The values of an open quadrant: visibility, and the bent vector along the face and along its normal.
+const vec4 OPEN_QUADRANT = vec4(0.25, 0.106103295, 0.106103295, 0.166666667);
+
+// The words of BrickNeighbors that concern a face.
+struct FaceNeighbors
+{
+    uint near; // 20 bits: the cells beside the edges and at the corners of the brick
+    uint far;  // 18 bits: the second and third layer in front of the face
+};
+
+FaceNeighbors neighborsOf(int number, uint open, int side)
+{
+    int first = 3 * number;
+    uint numBefore = uint(bitCount(open & ((1u << side) - 1u)));
+    bool hasThird = bitCount(open) < 5;
+    int place = 20 + int(numBefore) * (hasThird ? 18 : 9);
+    int word = place >> 5;
+    int shift = place & 31;
+    uint lower = texelFetch(neighbors, first + word).x;
+    uint upper = texelFetch(neighbors, first + min(word + 1, 2)).x;
+    uint far = lower >> shift | (shift == 0 ? 0u : upper << (32 - shift));
+    return FaceNeighbors(texelFetch(neighbors, first).x & 0xfffffu, far & (hasThird ? 0x3ffffu : 0x1ffu));
+}
+
+// The place in BrickNeighbors of the cell beside an edge: the one on two sides.
+int edgeBit(int axis, int upper, int other, int otherUpper)
+{
+    int along = 3 - axis - other;
+    return 4 * along + (axis == (along + 1) % 3 ? upper + 2 * otherUpper : otherUpper + 2 * upper);
+}
+
+// The visibility and the bent vector of a quadrant. `sides` are 1 for the upper ends of the axes along the face.
+vec4 quadrantAt(FaceNeighbors cells, int axis, int upper, ivec2 axes, ivec2 sides, vec2 place, float firstLine)
+{
+    ivec2 strides = axes.x == (axis + 1) % 3 ? ivec2(1, 3) : ivec2(3, 1);
+    ivec2 steps = (2 * sides - 1) * strides;
+    int corner = 12 + (upper << axis) + (sides.x << axes.x) + (sides.y << axes.y);
+    uint pattern = (cells.near >> edgeBit(axis, upper, axes.x, sides.x) & 1u) |
+                   (cells.near >> edgeBit(axis, upper, axes.y, sides.y) & 1u) << 1 | (cells.near >> corner & 1u) << 2;
+    uvec4 second = uvec4(cells.far >> 4, cells.far >> (4 + steps.x), cells.far >> (4 + steps.y),
+                         cells.far >> (4 + steps.x + steps.y));
+    uvec4 bits = second & 1u;
+    pattern |= bits.x << 3 | bits.y << 4 | bits.z << 5 | bits.w << 6;
+    bits = second >> 9 & 1u;
+    pattern |= bits.x << 7 | bits.y << 8 | bits.z << 9 | bits.w << 10;
+    vec2 position = mix(1.0 - place, place, vec2(sides));
+    vec2 block = vec2(float(pattern & uint(PATTERNS_ACROSS - 1)), float(pattern / uint(PATTERNS_ACROSS)));
+    vec2 texel = block * TABLE_SIDE + 0.5 + clamp(position, 0.0, 1.0) * (TABLE_SIDE - 1.0) + vec2(0.0, firstLine);
+    vec4 entry = textureLod(occlusionTable, texel / vec2(textureSize(occlusionTable, 0)), 0.0) * OPEN_QUADRANT;
+    return vec4(entry.x, entry.yz * vec2(2 * sides - 1), entry.w);
+}
+
+// The sums of the quadrants' visibility and bent vectors, along both `axes` of a face and its outward normal. `weights` are
+// those of the quadrants: lower ends of both axes, upper end of the first, of the second, of both. `place` is the position along
+// the axes, 0 to 1; for a side of the brick, the first axis is horizontal.
+vec4 sumQuadrants(FaceNeighbors cells, int axis, bool isUpper, ivec2 axes, vec2 place, vec4 weights, bool isLevel)
+{
+    int upper = int(isUpper);
+    float firstLine = isLevel ? 0.0 : 0.5 * float(textureSize(occlusionTable, 0).y);
+    return weights.x * quadrantAt(cells, axis, upper, axes, ivec2(0, 0), place, firstLine) +
+           weights.y * quadrantAt(cells, axis, upper, axes, ivec2(1, 0), place, firstLine) +
+           weights.z * quadrantAt(cells, axis, upper, axes, ivec2(0, 1), place, firstLine) +
+           weights.w * quadrantAt(cells, axis, upper, axes, ivec2(1, 1), place, firstLine);
+}

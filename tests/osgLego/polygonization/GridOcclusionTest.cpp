@@ -1,0 +1,203 @@
+#include <common/BrickRayCaster.h>
+#include <common/RacingCar.h>
+
+#include <LookTest.h>
+#include <Probes.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <osg/PolygonOffset>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+const osg::Vec3d MIDDLE(0, 0, 0.5);
+
+glm::dvec3 toGlm(const osg::Vec3d& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+/** The normal of the side of a cell on which a point lies, in pitches; none on a stud. */
+std::optional<glm::dvec3> findNormal(const glm::dvec3& point, const glm::dvec3& direction, const glm::dvec3& cell)
+{
+    const glm::dvec3 offset = glm::abs(point / cell - glm::round(point / cell));
+    const int axis = offset.x < offset.y && offset.x < offset.z ? 0 : offset.y < offset.z ? 1 : 2;
+    if (offset[axis] > 1e-6) return std::nullopt;
+    glm::dvec3 normal(0.0);
+    normal[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
+    return normal;
+}
+
+/** Draws bricks in the light of a white sky alone. */
+class GridOcclusion : public LookTest
+{
+protected:
+    struct Error
+    {
+        double rootMeanSquare;
+        double spread; //!< that of a picture without occlusion
+        int numPixels;
+    };
+
+    static void light(LegoNode& lego)
+    {
+        osg::ref_ptr<LightProbe> sky = new LightProbe;
+        std::string error;
+        EXPECT_TRUE(
+            sky->setImage(createLatitudeLongitude(32, [](const osg::Vec3d&) { return osg::Vec3d(0.7, 0.7, 0.7); }),
+                          LightProbe::LATITUDE_LONGITUDE, error))
+            << error;
+        lego.setLightProbe(sky);
+        lego.setWaiting(true);
+        osg::StateSet& stateSet = *lego.getOrCreateStateSet();
+        stateSet.setMode(GL_LIGHT0, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
+    }
+
+    static void setOccluded(LegoNode& lego, bool isOccluded)
+    {
+        BrickAppearance appearance;
+        appearance.joints = false;
+        appearance.variation = 0.0;
+        appearance.reliefHeight = 0.0;
+        appearance.gridOcclusion = isOccluded;
+        EXPECT_TRUE(lego.setAppearance(appearance));
+    }
+
+    osg::ref_ptr<osg::Image> drawCar(const std::string& settings, const Viewpoint& viewpoint, bool isOccluded = true)
+    {
+        const osg::ref_ptr<LegoNode> lego = createCar(settings);
+        setOccluded(*lego, isOccluded);
+        return draw(*lego, viewpoint);
+    }
+
+    static osg::ref_ptr<LegoNode> createCar(const std::string& settings)
+    {
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        lego->addChild(createRacingCar());
+        light(*lego);
+        return lego;
+    }
+
+    /** The error of the light that faces show, as a fraction of that without occlusion. */
+    Error compareWithRays(LegoNode& lego, const Viewpoint& viewpoint)
+    {
+        setOccluded(lego, false);
+        const osg::ref_ptr<osg::Image> open = draw(lego, viewpoint);
+        setOccluded(lego, true);
+        const osg::ref_ptr<osg::Image> occluded = draw(lego, viewpoint);
+        const BrickRayCaster caster(*lego.getBricks());
+        const BrickGrid& grid = caster.getModel().getGrid();
+        double squares = 0.0;
+        double spread = 0.0;
+        int count = 0;
+        for (int row = 1; row < HEIGHT; row += 3)
+            for (int column = 1; column < WIDTH; column += 3)
+            {
+                const glm::dvec3 origin = caster.toCaster(unproject(column, row, 0.0));
+                const glm::dvec3 direction =
+                    glm::normalize(toGlm(unproject(column, row, 1.0) - unproject(column, row, 0.0)));
+                const auto distance = caster.findNearest(origin, direction, 1e9);
+                const double before = brightnessAt(*open, column, row);
+                if (!distance || before < 0.15) continue; // black bricks have nothing but reflections
+                const glm::dvec3 point = origin + *distance * direction;
+                const auto normal = findNormal(point, direction, grid.cellSize / grid.getPitch());
+                if (!normal) continue;
+                const double visibility = caster.sampleOcclusion(point, *normal, 2.5, 0.6, 256, 1).visibility;
+                // Colours are powers of light, with the exponent of a dim room (color_space.glsl).
+                const double shown = std::pow(brightnessAt(*occluded, column, row) / before, 2.2 / 1.2);
+                squares += (shown - visibility) * (shown - visibility);
+                spread += (1.0 - visibility) * (1.0 - visibility);
+                ++count;
+            }
+        return {std::sqrt(squares / count), std::sqrt(spread / count), count};
+    }
+
+private:
+    osg::Vec3d unproject(int column, int row, double depth) const
+    {
+        const osg::Camera& camera = *_viewer.getCamera();
+        return osg::Vec3d(column + 0.5, row + 0.5, depth) *
+               osg::Matrixd::inverse(camera.getViewMatrix() * camera.getProjectionMatrix() *
+                                     camera.getViewport()->computeWindowMatrix());
+    }
+};
+
+TEST_F(GridOcclusion, HidesTheLightThatRaysCastAtTheBricksDoNotFind)
+{
+    for (const char* settings : {"20", "20,proportions=brick", "20,up=y"})
+        for (const Viewpoint& viewpoint : {Viewpoint{{4, -8, -4}, MIDDLE}, Viewpoint{{-5, -7, 5}, MIDDLE}})
+        {
+            const osg::ref_ptr<LegoNode> lego = createCar(settings);
+            const Error error = compareWithRays(*lego, viewpoint);
+            ASSERT_GT(error.numPixels, 300) << settings;
+            EXPECT_GT(error.spread, 0.15) << settings << ": there is nothing to compare";
+            EXPECT_LT(error.rootMeanSquare, 0.065) << settings << ' ' << viewpoint.eye.z();
+        }
+}
+
+TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindBetweenScatteredBricks)
+{
+    // In the first layer, bricks hide most; without it, the others count.
+    BrickGrid grid;
+    grid.dimensions = glm::ivec3(9);
+    std::mt19937 random(5);
+    std::vector<Brick> bricks;
+    for (std::uint16_t z = 0; z < 9; ++z)
+        for (std::uint16_t y = 0; y < 9; ++y)
+            for (std::uint16_t x = 0; x < 9; ++x)
+                if (random() % 100 < 12) bricks.push_back({{x, y, z}, {200, 200, 200}, 0});
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("9"));
+    lego->setStoredBricks(BrickModel::create(grid, bricks));
+    light(*lego);
+    const osg::Vec3d middle = osg::Vec3d(lego->getBound().center());
+    for (const osg::Vec3d& direction :
+         {osg::Vec3d(2, 3, -4), osg::Vec3d(-4, 3, -2), osg::Vec3d(-3, -4, -2), osg::Vec3d(4, -2, -3)})
+    {
+        const Error error = compareWithRays(*lego, {middle + direction * (0.9 * lego->getBound().radius()), middle});
+        ASSERT_GT(error.numPixels, 300);
+        EXPECT_LT(error.rootMeanSquare, 0.034) << direction.x();
+    }
+}
+
+TEST_F(GridOcclusion, IsTheSameInBothDrawingsAndOnBothDevices)
+{
+    const Viewpoint viewpoint{{5, -9, 5}, MIDDLE};
+    for (const std::string settings : {"20", "24,up=y,proportions=plate", "20,parts=bricks,device=cpu"})
+    {
+        const osg::ref_ptr<osg::Image> splats = drawCar(settings + ",drawing=splats", viewpoint);
+        const osg::ref_ptr<osg::Image> triangles = drawCar(settings + ",drawing=triangles", viewpoint);
+        EXPECT_LE(countDifferent(*splats, *triangles, 3), WIDTH * HEIGHT / 400u) << settings;
+        EXPECT_GT(countDifferent(*splats, *drawCar(settings, viewpoint, false), 3), WIDTH * HEIGHT / 40u) << settings;
+        if (settings.find("parts") != std::string::npos) continue; // these are made on the CPU
+        EXPECT_LE(countDifferent(*drawCar(settings + ",device=gpu", viewpoint),
+                                 *drawCar(settings + ",device=cpu", viewpoint), 3),
+                  WIDTH * HEIGHT / 400u)
+            << settings;
+    }
+}
+
+TEST_F(GridOcclusion, LeavesABrickThatStandsAloneAsItIs)
+{
+    const Viewpoint front{{0.5, 0.5, -9}, {0.5, 0.5, 0}, {0, 1, 0}, 2.0};
+    osg::ref_ptr<LegoNode> brick = createBrickBox({1, 1, 1}, "1");
+    const osg::ref_ptr<osg::Image> open = draw(*brick, front);
+    BrickAppearance appearance;
+    appearance.gridOcclusion = true;
+    brick->setAppearance(appearance);
+    EXPECT_GT(countDrawn(*open), 1000u);
+    EXPECT_EQ(countDifferent(*draw(*brick, front), *open, 1), 0u);
+}
+
+} // namespace
+
+} // namespace osgLego::test
