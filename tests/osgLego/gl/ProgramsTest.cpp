@@ -47,16 +47,22 @@ protected:
         for (const osg::ref_ptr<LightProbe>& probe : probes)
             for (const char* look : {"plain", "full"})
                 drawLook(*probe, std::string("8,device=cpu,look=") + look, 0);
+        for (const osg::ref_ptr<LightProbe>& probe : probes)
+            drawLook(*probe, "8,device=cpu,look=full", 0, true);
         for (const char* look : {"plain", "full"})
             for (const std::size_t numNew : {std::size_t(0), std::size_t(3)})
                 drawLook(*probes.front(), std::string("8,device=cpu,progress=0.5,look=") + look, numNew);
     }
 
-    static void drawLook(const LightProbe& probe, const std::string& settings, std::size_t numNewParts)
+    static void drawLook(const LightProbe& probe, const std::string& settings, std::size_t numNewParts,
+                         bool hasGridOcclusion = false)
     {
         const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
         lego->setLightProbe(&probe);
         lego->setNumNewParts(numNewParts);
+        BrickAppearance appearance;
+        appearance.gridOcclusion = hasGridOcclusion;
+        lego->setAppearance(appearance);
         lego->setWaiting(true);
         lego->addChild(createSphere(4));
         const osg::ref_ptr<osgShadow::ShadowedScene> shadowed = new osgShadow::ShadowedScene;
