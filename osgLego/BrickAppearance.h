@@ -47,9 +47,11 @@ struct OSGLEGO_EXPORT BrickAppearance
     double outline = 0.0;
     /** Whether the cells around a brick occlude it where it is drawn without an AmbientOcclusionScene: exactly as far
      * as they are known, which is one cell to each side and three in front of a face, and without noise or a pass over
-     * the picture. Bricks of other nodes, and distant ones, occlude nothing. Without effect while a model is partly
-     * built. */
+     * the picture. Bricks of other nodes occlude nothing. Without effect while a model is partly built. */
     bool gridOcclusion = false;
+    /** Whether bricks farther away than 2.5 bricks occlude, too, if gridOcclusion is set; see
+     * AmbientOcclusionSettings::distant. */
+    bool distantOcclusion = true;
 
     /** The first error in these values, with the expected value, in one sentence; empty if there is none. */
     std::string check() const;

@@ -183,6 +183,7 @@ void CaptureScene::setOcclusion()
     {
         BrickAppearance appearance = lego->getAppearance();
         appearance.gridOcclusion = _options.hasGridOcclusion;
+        appearance.distantOcclusion = _options.occlusion.distant;
         lego->setAppearance(appearance);
     }
     const bool hasGroup = Finder<AmbientOcclusionScene>(*_shown).getFound() != nullptr;

@@ -60,6 +60,13 @@ osg::ref_ptr<const LightProbe> BrickDisplay::getLightProbe() const
     return _lightProbe;
 }
 
+bool BrickDisplay::showsDistantOcclusion(osgUtil::CullVisitor& visitor) const
+{
+    if (const BrickStage* stage = BrickStage::find(visitor)) return stage->hasDistantOcclusion();
+    const std::lock_guard lock(_mutex);
+    return _look == Look::FULL && _appearance.gridOcclusion && _appearance.distantOcclusion;
+}
+
 void BrickDisplay::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::ref_ptr<const BrickNodes> nodes = getNodes();

@@ -32,6 +32,8 @@ public:
     void setLightProbe(const LightProbe& probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 
+    /** Whether cull() draws the bricks with distant occlusion. */
+    bool showsDistantOcclusion(osgUtil::CullVisitor& visitor) const;
     /** Queue the bricks in the render stage that the visitor is filling. */
     void cull(osgUtil::CullVisitor& visitor);
 

@@ -1,7 +1,6 @@
 #include <osgLego/node/LegoPipeline.h>
 
 #include <osgLego/gl/GlRequirements.h>
-#include <osgLego/polygonization/BrickStage.h>
 
 #include <algorithm>
 #include <utility>
@@ -216,8 +215,7 @@ FrameNeeds LegoPipeline::findNeeds(Meanwhile meanwhile, const ContextBricks& bri
 {
     const bool isDraftEnough = !_waiting && meanwhile == Meanwhile::DRAFT;
     const bool mustWait = _waiting || ((isDraftEnough || meanwhile == Meanwhile::WAIT) && !hasBricks(bricks));
-    const BrickStage* const stage = BrickStage::find(visitor);
-    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough, stage && stage->hasDistantOcclusion()};
+    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough, _display.showsDistantOcclusion(visitor)};
 }
 
 /** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is

@@ -29,12 +29,14 @@ BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const Bric
     const auto create = [&](BrickStates::Target target)
     {
         BrickDrawable::Options options{&store, drawing, kind.isPartial, appearance.outline};
-        options.hasDistantOcclusion = look == Look::FULL && target == BrickStates::Target::BUFFER_WITH_DISTANT;
-        options.hasGridOcclusion =
+        BrickStates::Kind states{target, kind.isPartial, kind.hasLines};
+        states.hasGridOcclusion =
             appearance.gridOcclusion && look == Look::FULL && target == BrickStates::Target::FRAME && !kind.isPartial;
-        return createNode(options,
-                          *BrickStates::get(look, {target, kind.isPartial, kind.hasLines, options.hasGridOcclusion},
-                                            appearance, probe));
+        states.hasDistantOcclusion = states.hasGridOcclusion && appearance.distantOcclusion;
+        options.hasGridOcclusion = states.hasGridOcclusion;
+        options.hasDistantOcclusion =
+            states.hasDistantOcclusion || (look == Look::FULL && target == BrickStates::Target::BUFFER_WITH_DISTANT);
+        return createNode(options, *BrickStates::get(look, states, appearance, probe));
     };
     _frameNode = create(BrickStates::Target::FRAME);
     _bufferNode = look == Look::PLAIN ? _frameNode : create(BrickStates::Target::BUFFER);

@@ -48,7 +48,8 @@ public:
         bool isPartial = false; //!< whether the model is drawn partly built (BrickStore::getBuilding())
         bool hasLines = false;  //!< whether lines are drawn at the edges of parts, or parts are faded
 
-        bool hasGridOcclusion = false; //!< whether neighbours occlude bricks, in the full look
+        bool hasGridOcclusion = false;    //!< whether neighbours occlude bricks in a frame, in the full look
+        bool hasDistantOcclusion = false; //!< whether distant bricks occlude them there, too
 
         bool operator==(const Kind&) const = default;
     };

@@ -12,9 +12,9 @@ namespace osgLego
 class GridOcclusionView
 {
 public:
-    // Different from those of relief, splats and light probes; bricks with distant occlusion have no grid occlusion.
-    static constexpr unsigned int NEIGHBORS_UNIT = 2;
-    static constexpr unsigned int TABLE_UNIT = 3;
+    // After those of shadow maps.
+    static constexpr unsigned int NEIGHBORS_UNIT = 12;
+    static constexpr unsigned int TABLE_UNIT = 13;
 
     /** @param occlusion null if it is not known: nothing is occluded. */
     explicit GridOcclusionView(const GridOcclusionTextures* occlusion) : _occlusion(occlusion) {}

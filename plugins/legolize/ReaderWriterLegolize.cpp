@@ -134,6 +134,7 @@ private:
         lego.setLightProbe(&probe);
         osgLego::BrickAppearance appearance = lego.getAppearance();
         appearance.gridOcclusion = settings.occlusion == LegolizeSettings::Occlusion::GRID;
+        appearance.distantOcclusion = settings.distant;
         lego.setAppearance(appearance);
     }
 

@@ -75,19 +75,22 @@ static bool writeAppearance(osgDB::OutputStream& stream, const osgLego::LegoNode
 
 static bool checkGridOcclusion(const osgLego::LegoNode& node)
 {
-    return node.getAppearance().gridOcclusion != osgLego::BrickAppearance().gridOcclusion;
+    const osgLego::BrickAppearance appearance = node.getAppearance();
+    const osgLego::BrickAppearance usual;
+    return appearance.gridOcclusion != usual.gridOcclusion || appearance.distantOcclusion != usual.distantOcclusion;
 }
 
 static bool readGridOcclusion(osgDB::InputStream& stream, osgLego::LegoNode& node)
 {
     osgLego::BrickAppearance appearance = node.getAppearance();
-    stream >> appearance.gridOcclusion;
+    stream >> appearance.gridOcclusion >> appearance.distantOcclusion;
     return node.setAppearance(appearance);
 }
 
 static bool writeGridOcclusion(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
 {
-    stream << node.getAppearance().gridOcclusion << std::endl;
+    const osgLego::BrickAppearance appearance = node.getAppearance();
+    stream << appearance.gridOcclusion << appearance.distantOcclusion << std::endl;
     return true;
 }
 

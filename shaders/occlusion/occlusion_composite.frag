@@ -8,6 +8,9 @@
 #include "light/color_space.glsl"
 #include "light/ambient_light.glsl"
 #include "light/fog.glsl"
+#if defined(DISTANT_OCCLUSION)
+#include "light/distant_light.glsl"
+#endif
 
 uniform sampler2D lightBuffer;
 uniform sampler2D albedoBuffer;
@@ -22,24 +25,6 @@ flat in ivec4 tile; // its lowest pixel, and the pixel beyond its highest
 uniform ivec2 origin; // the viewport's lower left pixel
 uniform float radius; // in units of eye coordinates
 uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irradiance, 4: normals
-
-#if defined(DISTANT_OCCLUSION)
-// The mean open direction moves by this part of the vector b: for small occlusion, three halves (the second band of
-// harmonics) times pi / 4 (the integral of its cosine across the surface) divided by 2 pi / 3 (that of the normal).
-const float BEND = 0.5625;
-
-// Include the light that distant bricks hide (see distantOcclusionAt) in a bent normal and visibility. The two parts of
-// occlusion add up: the weight of a distant hit leaves out the part that near occlusion includes.
-void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
-{
-    // In eight bits, 0 is 128.
-    vec4 values = (distant * 255.0 - 128.0) / 127.0;
-    vec3 towards = values.xyz;
-    float facing = dot(towards, normal);
-    visibility = max(visibility - max(values.w + facing, 0.0), 0.0);
-    bent = normalize(bent - BEND * (towards - facing * normal));
-}
-#endif
 
 vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float visibility, vec3 toEye)
 {
@@ -75,7 +60,7 @@ void main()
         // The normals of bricks as small as pixels are noise; bent normals are averages.
         float distinct = distinctnessOf(radius, depth.r);
 #if defined(DISTANT_OCCLUSION)
-        occludeFromAfar(texelFetch(distantBuffer, pixel, 0), normalize(mix(bent, surface, distinct)), bent, visibility);
+        occludeFromAfar(unpackDistant(texelFetch(distantBuffer, pixel, 0)), normalize(mix(bent, surface, distinct)), bent, visibility);
 #endif
         color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
                        normalize(mix(bent, shading, distinct)), visibility, toEye);

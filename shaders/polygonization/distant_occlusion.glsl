@@ -10,11 +10,16 @@ uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + 
 
 // The distance from the surface at which occlusion is read, in voxels: voxels with bricks have none of their own.
 const float LIFT = 0.4;
-// The least width of a voxel, in pixels: smaller ones would flicker when the camera moves.
+// The least width of a voxel, in pixels: smaller ones would flicker when the camera moves. Near occlusion in the picture, which
+// changes from pixel to pixel, shows this earlier than that of the grid.
+#if defined(GRID_OCCLUSION)
+const float LEAST_WIDTH = 3.0;
+#else
 const float LEAST_WIDTH = 12.0;
+#endif
 
 // The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and
-// similar ones: b in eye coordinates, and a, both from -1 to 1 as 1 to 255.
+// similar ones: b in eye coordinates, and a.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 toEye)
 {
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
@@ -26,5 +31,5 @@ vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 toEye)
     vec3 upper = textureLod(hiddenFromUpper, place, level).rgb;
     float hidden = dot(normal * normal, mix(lower, upper, greaterThan(normal, vec3(0.0))));
     vec3 towards = 0.5 * (upper - lower);
-    return (128.0 + 127.0 * vec4(modelToEye * towards, hidden - dot(towards, normal))) / 255.0;
+    return vec4(modelToEye * towards, hidden - dot(towards, normal));
 }

@@ -12,14 +12,15 @@
 #include "light/color_space.glsl"
 #if defined(GEOMETRY_BUFFER)
 #include "polygonization/geometry_buffer.glsl"
-#if defined(DISTANT_OCCLUSION)
-#include "polygonization/distant_occlusion.glsl"
-#endif
 #else
 #include "light/ambient_light.glsl"
 #if defined(GRID_OCCLUSION)
 #include "polygonization/near_occlusion.glsl"
 #endif
+#endif
+#if defined(DISTANT_OCCLUSION)
+#include "polygonization/distant_occlusion.glsl"
+#include "light/distant_light.glsl"
 #endif
 
 uniform bool usesMaterial; // use the specular reflection of osg::Material instead of plastic's
@@ -103,7 +104,7 @@ void main()
     fragmentData[1] = vec4(surface.color * pow(environment * surface.openness, 1.0 / GAMMA), transmittance);
     fragmentData[2] = packNormals(surface.normal, surface.shading);
 #if defined(DISTANT_OCCLUSION)
-    fragmentData[3] = distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition));
+    fragmentData[3] = packDistant(distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition)));
 #endif
 }
 
@@ -123,6 +124,9 @@ void main()
         vec3 toEye = towardsEye(eyePosition);
 #if defined(GRID_OCCLUSION)
         vec4 open = nearOcclusion(surface);
+#if defined(DISTANT_OCCLUSION)
+        occludeFromAfar(distantOcclusionAt(eyePosition, surface.normal, toEye), surface.normal, open.xyz, open.w);
+#endif
         vec3 bent = normalize(open.xyz + surface.shading - surface.normal);
         float mirrored = reflectionVisibility(max(dot(surface.shading, toEye), 0.0), open.w, surface.roughness);
         vec3 ambient = environment * albedo * open.w * irradianceAt(bent) +

@@ -117,6 +117,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
     lego->addChild(createSphere(6));
     BrickAppearance appearance;
     appearance.gridOcclusion = true;
+    appearance.distantOcclusion = false;
     appearance.joints = false;
     appearance.variation = 0.5;
     appearance.outline = 1.5;
@@ -147,6 +148,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
         EXPECT_DOUBLE_EQ(backAppearance.variation, 0.5);
         EXPECT_DOUBLE_EQ(backAppearance.outline, 1.5);
         EXPECT_TRUE(backAppearance.gridOcclusion);
+        EXPECT_FALSE(backAppearance.distantOcclusion);
         EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text format rounds it
         const osg::ref_ptr<const LightProbe> backProbe = backLego->getLightProbe();
         EXPECT_NEAR(backProbe->getIrradiance(osg::Vec3d(0, 0, 1)).x(), 1.0, 0.01);

@@ -1,3 +1,6 @@
+#include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/data/DistantOcclusion.h>
+
 #include <common/BrickRayCaster.h>
 #include <common/RacingCar.h>
 
@@ -63,13 +66,14 @@ protected:
         stateSet.setMode(GL_LIGHT0, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     }
 
-    static void setOccluded(LegoNode& lego, bool isOccluded)
+    static void setOccluded(LegoNode& lego, bool isOccluded, bool isDistant = false)
     {
         BrickAppearance appearance;
         appearance.joints = false;
         appearance.variation = 0.0;
         appearance.reliefHeight = 0.0;
         appearance.gridOcclusion = isOccluded;
+        appearance.distantOcclusion = isDistant;
         EXPECT_TRUE(lego.setAppearance(appearance));
     }
 
@@ -88,15 +92,28 @@ protected:
         return lego;
     }
 
+    /** A car of white bricks, which reflect little light besides their colour. */
+    static osg::ref_ptr<LegoNode> createWhiteCar(const std::string& settings)
+    {
+        const osg::ref_ptr<LegoNode> lego = createCar(settings);
+        const osg::ref_ptr<const BrickModel> model = lego->getBricks();
+        std::vector<Brick> bricks = model->getBricks();
+        for (Brick& brick : bricks)
+            brick.color = {255, 255, 255};
+        lego->setStoredBricks(BrickModel::createComplete(model->getGrid(), bricks));
+        return lego;
+    }
+
     /** The error of the light that faces show, as a fraction of that without occlusion. */
-    Error compareWithRays(LegoNode& lego, const Viewpoint& viewpoint)
+    Error compareWithRays(LegoNode& lego, const Viewpoint& viewpoint, bool isDistant = false)
     {
         setOccluded(lego, false);
         const osg::ref_ptr<osg::Image> open = draw(lego, viewpoint);
-        setOccluded(lego, true);
+        setOccluded(lego, true, isDistant);
         const osg::ref_ptr<osg::Image> occluded = draw(lego, viewpoint);
         const BrickRayCaster caster(*lego.getBricks());
         const BrickGrid& grid = caster.getModel().getGrid();
+        const double radius = isDistant ? DistantOcclusion::getReach(grid) : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
         double squares = 0.0;
         double spread = 0.0;
         int count = 0;
@@ -108,11 +125,13 @@ protected:
                     glm::normalize(toGlm(unproject(column, row, 1.0) - unproject(column, row, 0.0)));
                 const auto distance = caster.findNearest(origin, direction, 1e9);
                 const double before = brightnessAt(*open, column, row);
-                if (!distance || before < 0.15) continue; // black bricks have nothing but reflections
+                if (!distance || before == 0.0) continue;
                 const glm::dvec3 point = origin + *distance * direction;
                 const auto normal = findNormal(point, direction, grid.cellSize / grid.getPitch());
                 if (!normal) continue;
-                const double visibility = caster.sampleOcclusion(point, *normal, 2.5, 0.6, 256, 1).visibility;
+                const double visibility =
+                    caster.sampleOcclusion(point, *normal, radius, AmbientOcclusionSettings::FALLOFF, 256, 1)
+                        .visibility;
                 // Colours are powers of light, with the exponent of a dim room (color_space.glsl).
                 const double shown = std::pow(brightnessAt(*occluded, column, row) / before, 2.2 / 1.2);
                 squares += (shown - visibility) * (shown - visibility);
@@ -137,12 +156,22 @@ TEST_F(GridOcclusion, HidesTheLightThatRaysCastAtTheBricksDoNotFind)
     for (const char* settings : {"20", "20,proportions=brick", "20,up=y"})
         for (const Viewpoint& viewpoint : {Viewpoint{{4, -8, -4}, MIDDLE}, Viewpoint{{-5, -7, 5}, MIDDLE}})
         {
-            const osg::ref_ptr<LegoNode> lego = createCar(settings);
+            const osg::ref_ptr<LegoNode> lego = createWhiteCar(settings);
             const Error error = compareWithRays(*lego, viewpoint);
             ASSERT_GT(error.numPixels, 300) << settings;
             EXPECT_GT(error.spread, 0.15) << settings << ": there is nothing to compare";
-            EXPECT_LT(error.rootMeanSquare, 0.065) << settings << ' ' << viewpoint.eye.z();
+            EXPECT_LT(error.rootMeanSquare, 0.055) << settings << ' ' << viewpoint.eye.z();
         }
+}
+
+TEST_F(GridOcclusion, IncludesDistantBricks)
+{
+    for (const Viewpoint& viewpoint : {Viewpoint{{4, -8, -4}, MIDDLE}, Viewpoint{{-5, -7, 5}, MIDDLE}})
+    {
+        const osg::ref_ptr<LegoNode> lego = createWhiteCar("32");
+        const Error error = compareWithRays(*lego, viewpoint, true);
+        EXPECT_LT(error.rootMeanSquare, 0.065) << viewpoint.eye.z();
+    }
 }
 
 TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindBetweenScatteredBricks)
