@@ -10,6 +10,15 @@
 namespace osgLego
 {
 
+/** The ambient occlusion of bricks in the full look. */
+enum class BrickOcclusion
+{
+    OFF,    //!< none
+    GRID,   //!< by the other bricks of their node: found in the grid, everywhere
+    SCREEN, //!< by everything in the picture, below an AmbientOcclusionScene; elsewhere none
+    BOTH    //!< GRID and, below an AmbientOcclusionScene, by other nodes in the picture
+};
+
 /** The appearance of bricks in the full look (Look::FULL): joints, relief, plastic and variation.
  *
  * A plain value: copy it, change members, pass it to LegoNode::setAppearance, which checks it. A change does not cause
@@ -45,12 +54,12 @@ struct OSGLEGO_EXPORT BrickAppearance
     /** The width of lines at the edges of parts and studs, in pixels, 0 (none) to 8: dark, or light on dark parts, as
      * in building instructions. Also in the plain look. */
     double outline = 0.0;
-    /** Whether the cells around a brick occlude it where it is drawn without an AmbientOcclusionScene: exactly as far
-     * as they are known, which is one cell to each side and three in front of a face, and without noise or a pass over
-     * the picture. Bricks of other nodes occlude nothing. Without effect while a model is partly built. */
-    bool gridOcclusion = false;
-    /** Whether bricks farther away than 2.5 bricks occlude, too, if gridOcclusion is set; see
-     * AmbientOcclusionSettings::distant. */
+    /** The occluders of bricks. The grid has no noise and takes no pass over the picture: near occlusion comes from one
+     * cell to each side of a face, and three in front of it. While a model is partly built, GRID and BOTH are SCREEN.
+     * Bricks occlude other nodes below an AmbientOcclusionScene with each of them. */
+    BrickOcclusion occlusion = BrickOcclusion::SCREEN;
+    /** Whether the grid also has the occlusion by bricks farther away than 2.5 bricks, for GRID and BOTH; see
+     * AmbientOcclusionSettings::distant, which leaves it out, too. */
     bool distantOcclusion = true;
 
     /** The first error in these values, with the expected value, in one sentence; empty if there is none. */

@@ -26,34 +26,41 @@ struct OcclusionOptions : BenchOptions
 };
 
 constexpr glm::ivec2 SIZE(1280, 720);
-constexpr std::array QUALITIES{"low", "medium", "high", "low,distant=off", "medium,distant=off", "high,distant=off"};
+constexpr const char* GRID = "grid";
+constexpr std::array QUALITIES{GRID, "low", "medium", "high"};
 
-AmbientOcclusionSettings createSettings(const char* quality)
+AmbientOcclusionSettings createSettings(const std::string& quality, bool isDistant)
 {
     AmbientOcclusionSettings settings;
     std::string error;
-    AmbientOcclusionSettings::parse(quality, settings, error);
+    if (quality != GRID) AmbientOcclusionSettings::parse(quality, settings, error);
+    settings.distant = isDistant;
     return settings;
 }
 
-JsonValue compareWithRays(const BenchScene& scene, const char* quality, const OcclusionOptions& options)
+BrickOcclusion getOcclusion(const std::string& quality)
+{
+    return quality == GRID ? BrickOcclusion::GRID : BrickOcclusion::SCREEN;
+}
+
+JsonValue compareWithRays(const BenchScene& scene, const std::string& quality, bool isDistant,
+                          const OcclusionOptions& options)
 {
     fmt::print(stderr, "casting rays at {}, {}\n", scene.mesh.name, quality);
-    JsonValue row{{"mesh", scene.mesh.name},
-                  {"resolution", scene.settings.grid.resolution},
-                  {"azimuth", scene.azimuth},
-                  {"elevation", scene.elevation},
-                  {"quality", quality}};
-    row.update(OcclusionView(scene, SIZE).compare(createSettings(quality), options.numRays, options.stride));
+    JsonValue row{{"mesh", scene.mesh.name},  {"resolution", scene.settings.grid.resolution},
+                  {"azimuth", scene.azimuth}, {"elevation", scene.elevation},
+                  {"quality", quality},       {"distant", isDistant}};
+    OcclusionView view(scene, getOcclusion(quality), SIZE);
+    row.update(view.compare(createSettings(quality, isDistant), options.numRays, options.stride));
     return row;
 }
 
 /** The median times of drawing bricks and of each following pass, in milliseconds. */
-JsonValue timePasses(BenchScene scene, const char* quality, int numFrames)
+JsonValue timePasses(BenchScene scene, const std::string& quality, int numFrames)
 {
     scene.settings.grid.resolution = 128;
-    OcclusionView view(scene, SIZE);
-    const AmbientOcclusionSettings settings = createSettings(quality);
+    OcclusionView view(scene, getOcclusion(quality), SIZE);
+    const AmbientOcclusionSettings settings = createSettings(quality, true);
     view.draw(settings); // legolizes and creates programs
     std::map<std::string, std::vector<double>> all;
     for (int frame = 0; frame < numFrames; ++frame)
@@ -119,7 +126,8 @@ void runOcclusion(const OcclusionOptions& options)
     document["frames"] = options.numFrames;
     for (const BenchScene& scene : scenes)
         for (const char* quality : QUALITIES)
-            document["errors"].append(compareWithRays(scene, quality, options));
+            for (const bool isDistant : {false, true})
+                document["errors"].append(compareWithRays(scene, quality, isDistant, options));
     for (const char* quality : QUALITIES)
         if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options.numFrames));
     if (options.numFrames > 0) document["frameRows"] = compareFrames(scenes.front(), options);

@@ -25,7 +25,9 @@ osg::ref_ptr<osg::Switch> createKinds(const BenchScene& scene, std::vector<osg::
     {
         const osg::ref_ptr<LegoNode> lego = scene.createLego();
         BrickAppearance appearance;
-        appearance.gridOcclusion = kind == 1;
+        appearance.occlusion = kind == 0   ? BrickOcclusion::OFF
+                               : kind == 1 ? BrickOcclusion::GRID
+                                           : BrickOcclusion::SCREEN;
         lego->setAppearance(appearance);
         nodes.push_back(lego);
         if (kind < 2)

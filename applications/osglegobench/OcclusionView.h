@@ -13,8 +13,8 @@ namespace osgLego
 class OcclusionView
 {
 public:
-    /** @param size the size of pictures, in pixels. */
-    OcclusionView(const BenchScene& scene, const glm::ivec2& size);
+    /** @param occlusion of the bricks. @param size the size of pictures, in pixels. */
+    OcclusionView(const BenchScene& scene, BrickOcclusion occlusion, const glm::ivec2& size);
 
     /** @return single-precision RGBA, bottom row first. */
     osg::ref_ptr<osg::Image> draw(const AmbientOcclusionSettings& settings);

@@ -64,11 +64,23 @@ std::string readSettings(const std::string& text, CaptureOptions& options)
 std::string readOcclusion(const std::string& text, CaptureOptions& options)
 {
     options.isOcclusionGiven = true;
-    options.hasGridOcclusion = text == "grid";
-    options.hasOcclusion = text != "off" && !options.hasGridOcclusion;
+    static const std::map<std::string, BrickOcclusion, std::less<>> KINDS{{"off", BrickOcclusion::OFF},
+                                                                          {"grid", BrickOcclusion::GRID},
+                                                                          {"screen", BrickOcclusion::SCREEN},
+                                                                          {"both", BrickOcclusion::BOTH}};
+    const std::size_t comma = text.find(',');
+    const auto kind = KINDS.find(text.substr(0, comma));
+    options.brickOcclusion = kind == KINDS.end() ? BrickOcclusion::SCREEN : kind->second;
+    const std::string settings = kind == KINDS.end()          ? text
+                                 : comma == std::string::npos ? std::string()
+                                                              : text.substr(comma + 1);
     std::string error;
-    if (!options.hasOcclusion || AmbientOcclusionSettings::parse(text, options.occlusion, error)) return {};
-    return "--occlusion: " + error + " (or off or grid alone)";
+    if (!settings.empty() && !AmbientOcclusionSettings::parse(settings, options.occlusion, error))
+        return "--occlusion: " + error + " (or off, grid, screen or both first)";
+    options.hasOcclusion = options.brickOcclusion == BrickOcclusion::SCREEN ||
+                           options.brickOcclusion == BrickOcclusion::BOTH ||
+                           options.occlusion.output != AmbientOcclusionOutput::PICTURE;
+    return {};
 }
 
 /** The valid range of an option's number, and its description in messages. */
@@ -220,7 +232,8 @@ void addCamera(CLI::App& app, CaptureOptions& options)
 void addLight(CLI::App& app, CaptureOptions& options)
 {
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
-                   "Ambient occlusion, as below, or grid: by the neighbours of each brick, or off (medium)")
+                   "Ambient occlusion: off, grid (by the bricks of the grid), screen (by everything in the picture) "
+                   "or both; then settings, as below (medium)")
         ->type_name("OCCLUSION");
     app.add_option(
            "--probe", options.probe.file,
@@ -309,7 +322,8 @@ std::string createFooter()
 {
     return "SETTINGS: a list of key=value; a number alone is the resolution\n" +
            describeKeys(LegoSettings::describe()) +
-           "\nOCCLUSION, in the full look: a list of key=value; a quality alone needs no key\n" +
+           "\nOCCLUSION, in the full look: one of these words, and a list of key=value; a quality alone needs no "
+           "key\n" +
            describeKeys(AmbientOcclusionSettings::describe()) +
            "\nExit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be "
            "written,\n5 no GL that can make bricks, 130 and 143 cancelled by SIGINT or SIGTERM.";

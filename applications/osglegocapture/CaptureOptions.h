@@ -3,6 +3,7 @@
 #include "Comparison.h"
 
 #include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/BrickAppearance.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/Stability.h>
 
@@ -54,8 +55,8 @@ struct CaptureOptions
     int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
     CaptureProbe probe;
-    bool hasOcclusion = true;      //!< whether there is an AmbientOcclusionScene
-    bool hasGridOcclusion = false; //!< BrickAppearance::gridOcclusion
+    bool hasOcclusion = true; //!< whether there is an AmbientOcclusionScene
+    BrickOcclusion brickOcclusion = BrickOcclusion::SCREEN;
     bool isOcclusionGiven = false; //!< whether the command line has the option, and not its default
     AmbientOcclusionSettings occlusion;
     bool original = false;

@@ -182,7 +182,7 @@ void CaptureScene::setOcclusion()
     for (LegoNode* lego : Finder<LegoNode>(*_shown).getAll())
     {
         BrickAppearance appearance = lego->getAppearance();
-        appearance.gridOcclusion = _options.hasGridOcclusion;
+        appearance.occlusion = _options.brickOcclusion;
         appearance.distantOcclusion = _options.occlusion.distant;
         lego->setAppearance(appearance);
     }

@@ -46,9 +46,9 @@ public:
     /** The neighbours of each point of a set that hasPoints(), computed by the first call. */
     const std::vector<BrickNeighbors>& getNeighbors() const { return _points->getNeighbors(); }
     /** The distant occlusion of a set that hasPoints(), computed by the first call. */
-    const DistantOcclusion& getDistantOcclusion() const { return _points->getDistantOcclusion(); }
+    const DistantOcclusion& getDistantOcclusion(NearOcclusion near) const { return _points->getDistantOcclusion(near); }
     /** Whether it has been computed. */
-    bool hasDistantOcclusion() const { return _points && _points->hasDistantOcclusion(); }
+    bool hasDistantOcclusion(NearOcclusion near) const { return _points && _points->hasDistantOcclusion(near); }
     /** Every covered cell. The first call may take as long as legolizeOnCpu(). */
     osg::ref_ptr<const BrickModel> getModel() const;
     /** Statistics of a set made on the CPU; for one made on the GPU, see ContextBricks::getStatistics(). */

@@ -83,14 +83,24 @@ struct Path
     struct Step
     {
         std::ptrdiff_t offset; // from the first voxel
-        float weight;          // of a hit
+        glm::vec3 weights;     // of a hit, for faces across each axis
     };
 
     glm::vec3 direction;
     std::vector<Step> steps;
 };
 
-Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
+/** Whether a voxel is known to the near occlusion of the grid, or may be.
+ * @param voxel relative to the one in front of a face across an axis. */
+bool isInFront(const VoxelGrid& grid, const glm::ivec3& voxel, int axis)
+{
+    constexpr int NUM_LAYERS = 3;
+    const glm::ivec3 away = glm::abs(voxel);
+    return grid.cellsPerVoxel != glm::ivec3(1) ||
+           (away[axis] < NUM_LAYERS && away[(axis + 1) % 3] <= 1 && away[(axis + 2) % 3] <= 1);
+}
+
+Path createPath(const VoxelGrid& grid, const glm::dvec3& direction, NearOcclusion near)
 {
     Path path{glm::vec3(direction), {}};
     // Steps of a surface of voxels must not occlude each other, so voxels of several cells need a larger radius.
@@ -106,13 +116,16 @@ Path createPath(const VoxelGrid& grid, const glm::dvec3& direction)
         voxel[axis] += direction[axis] < 0.0 ? -1 : 1;
         next[axis] += steps[axis];
         const std::ptrdiff_t offset = voxel.x * grid.strides.x + voxel.y * grid.strides.y + voxel.z * grid.strides.z;
-        path.steps.push_back(
-            {offset, static_cast<float>(fadeOcclusion(distance, grid.reach) - fadeOcclusion(distance, nearest))});
+        glm::vec3 weights(static_cast<float>(fadeOcclusion(distance, grid.reach)));
+        for (int side = 0; side < 3; ++side)
+            if (near == NearOcclusion::PICTURE || isInFront(grid, voxel, side))
+                weights[side] -= static_cast<float>(fadeOcclusion(distance, nearest));
+        path.steps.push_back({offset, weights});
     }
 }
 
 /** Paths in directions that are evenly distributed over the sphere, by Fibonacci's lattice. */
-std::vector<Path> createPaths(const VoxelGrid& grid)
+std::vector<Path> createPaths(const VoxelGrid& grid, NearOcclusion near)
 {
     std::vector<Path> paths;
     for (int index = 0; index < NUM_DIRECTIONS; ++index)
@@ -120,7 +133,7 @@ std::vector<Path> createPaths(const VoxelGrid& grid)
         const double z = 1.0 - (2.0 * index + 1.0) / NUM_DIRECTIONS;
         const double angle = 2.0 * std::numbers::pi * std::numbers::phi * index;
         const double radius = std::sqrt(1.0 - z * z);
-        paths.push_back(createPath(grid, {radius * std::cos(angle), radius * std::sin(angle), z}));
+        paths.push_back(createPath(grid, {radius * std::cos(angle), radius * std::sin(angle), z}, near));
     }
     return paths;
 }
@@ -130,7 +143,7 @@ struct Cube
 {
     std::array<glm::vec3, 2> sides{glm::vec3(0.0f), glm::vec3(0.0f)}; // lower ends, upper ends
 
-    void add(const glm::vec3& direction, float weight)
+    void add(const glm::vec3& direction, const glm::vec3& weight)
     {
         sides[0] += weight * glm::max(-direction, 0.0f);
         sides[1] += weight * glm::max(direction, 0.0f);
@@ -152,7 +165,7 @@ Cube sumDirections(const std::vector<Path>& paths)
 {
     Cube sum;
     for (const Path& path : paths)
-        sum.add(path.direction, 1.0f);
+        sum.add(path.direction, glm::vec3(1.0f));
     return sum;
 }
 
@@ -165,7 +178,7 @@ Cube castRays(const VoxelGrid& grid, const std::vector<Path>& paths, const Cube&
     {
         const auto hit = std::find_if(path.steps.begin(), path.steps.end(),
                                       [&](const Path::Step& step) { return voxel[step.offset] != 0; });
-        if (hit != path.steps.end()) hidden.add(path.direction, std::max(hit->weight, 0.0f));
+        if (hit != path.steps.end()) hidden.add(path.direction, glm::max(hit->weights, 0.0f));
     }
     hidden.divideBy(all);
     return hidden;
@@ -253,11 +266,12 @@ double DistantOcclusion::getReach(const BrickGrid& grid)
     return 0.25 * longestSide(grid);
 }
 
-osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& grid, std::span<const BrickPoint> points)
+osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& grid, std::span<const BrickPoint> points,
+                                                              NearOcclusion near)
 {
     VoxelGrid voxels(grid);
     voxels.add(points);
-    const std::vector<Path> paths = createPaths(voxels);
+    const std::vector<Path> paths = createPaths(voxels, near);
     const Cube all = sumDirections(paths);
     Cubes cubes(voxels.size);
     forEachVoxel(voxels.size,

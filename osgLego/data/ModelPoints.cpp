@@ -21,11 +21,12 @@ const std::vector<BrickNeighbors>& ModelPoints::getNeighbors() const
     return _neighbors;
 }
 
-const DistantOcclusion& ModelPoints::getDistantOcclusion() const
+const DistantOcclusion& ModelPoints::getDistantOcclusion(NearOcclusion near) const
 {
-    std::call_once(_occlusionFlag, [this] { _distantOcclusion = DistantOcclusion::create(_grid, _points.points); });
-    _hasDistantOcclusion = true;
-    return *_distantOcclusion;
+    Occlusion& occlusion = _occlusion[static_cast<std::size_t>(near)];
+    std::call_once(occlusion.flag, [&] { occlusion.distant = DistantOcclusion::create(_grid, _points.points, near); });
+    occlusion.isComputed = true;
+    return *occlusion.distant;
 }
 
 } // namespace osgLego

@@ -5,7 +5,9 @@
 #include <osgLego/data/BrickPoints.h>
 #include <osgLego/data/DistantOcclusion.h>
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <mutex>
 #include <vector>
 
@@ -31,20 +33,25 @@ public:
     /** The neighbours of each point, computed by the first call. */
     const std::vector<BrickNeighbors>& getNeighbors() const;
     /** The distant occlusion, computed by the first call. */
-    const DistantOcclusion& getDistantOcclusion() const;
+    const DistantOcclusion& getDistantOcclusion(NearOcclusion near) const;
     /** Whether getDistantOcclusion() has been called. */
-    bool hasDistantOcclusion() const { return _hasDistantOcclusion; }
+    bool hasDistantOcclusion(NearOcclusion near) const { return _occlusion[static_cast<std::size_t>(near)].isComputed; }
 
 private:
     ~ModelPoints() override = default;
+
+    struct Occlusion
+    {
+        std::once_flag flag;
+        osg::ref_ptr<const DistantOcclusion> distant;
+        std::atomic<bool> isComputed{false};
+    };
 
     BrickGrid _grid;
     BrickPoints _points;
     mutable std::once_flag _neighborsFlag;
     mutable std::vector<BrickNeighbors> _neighbors;
-    mutable std::once_flag _occlusionFlag;
-    mutable osg::ref_ptr<const DistantOcclusion> _distantOcclusion;
-    mutable std::atomic<bool> _hasDistantOcclusion{false};
+    mutable std::array<Occlusion, 2> _occlusion; // by NearOcclusion
 };
 
 } // namespace osgLego

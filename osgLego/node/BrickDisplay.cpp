@@ -60,11 +60,15 @@ osg::ref_ptr<const LightProbe> BrickDisplay::getLightProbe() const
     return _lightProbe;
 }
 
-bool BrickDisplay::showsDistantOcclusion(osgUtil::CullVisitor& visitor) const
+void BrickDisplay::addOcclusion(osgUtil::CullVisitor& visitor, FrameNeeds& needs) const
 {
-    if (const BrickStage* stage = BrickStage::find(visitor)) return stage->hasDistantOcclusion();
+    const BrickStage* stage = BrickStage::find(visitor);
+    const bool mayBeDistant = !stage || stage->hasDistantOcclusion();
     const std::lock_guard lock(_mutex);
-    return _look == Look::FULL && _appearance.gridOcclusion && _appearance.distantOcclusion;
+    if (_look == Look::PLAIN || _appearance.occlusion == BrickOcclusion::OFF) return;
+    needs.neighbors = _appearance.occlusion != BrickOcclusion::SCREEN;
+    if (needs.neighbors && mayBeDistant && _appearance.distantOcclusion) needs.distantOcclusion = NearOcclusion::GRID;
+    if (!needs.neighbors && mayBeDistant && stage) needs.distantOcclusion = NearOcclusion::PICTURE;
 }
 
 void BrickDisplay::cull(osgUtil::CullVisitor& visitor)

@@ -4,6 +4,7 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/LightProbe.h>
 #include <osgLego/polygonization/BrickNodes.h>
+#include <osgLego/producer/BrickProducer.h>
 #include <osgLego/store/BrickStore.h>
 
 #include <array>
@@ -32,8 +33,8 @@ public:
     void setLightProbe(const LightProbe& probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 
-    /** Whether cull() draws the bricks with distant occlusion. */
-    bool showsDistantOcclusion(osgUtil::CullVisitor& visitor) const;
+    /** Add the occlusion with which cull() draws the bricks. */
+    void addOcclusion(osgUtil::CullVisitor& visitor, FrameNeeds& needs) const;
     /** Queue the bricks in the render stage that the visitor is filling. */
     void cull(osgUtil::CullVisitor& visitor);
 

@@ -215,7 +215,9 @@ FrameNeeds LegoPipeline::findNeeds(Meanwhile meanwhile, const ContextBricks& bri
 {
     const bool isDraftEnough = !_waiting && meanwhile == Meanwhile::DRAFT;
     const bool mustWait = _waiting || ((isDraftEnough || meanwhile == Meanwhile::WAIT) && !hasBricks(bricks));
-    return {mustWait ? _waitingLimit.load() : 0.0, isDraftEnough, _display.showsDistantOcclusion(visitor)};
+    FrameNeeds needs{mustWait ? _waitingLimit.load() : 0.0, isDraftEnough};
+    _display.addOcclusion(visitor, needs);
+    return needs;
 }
 
 /** Choose the device that makes the bricks. With Device::AUTO, this is the CPU while the renderer of a context is

@@ -191,7 +191,6 @@ AmbientOcclusionPrograms::AmbientOcclusionPrograms(const OcclusionFormat& format
     const Effort effort = effortOf(format.quality);
     std::string definitions = define("SAMPLES", format.samples) + define("SLICES", effort.slices) +
                               define("STEPS", effort.steps) + define("TILE", PictureTiles::SIDE);
-    if (format.hasDistant) definitions += "#define DISTANT_OCCLUSION\n";
     constexpr const char* SCREEN = "occlusion/screen.vert";
     constexpr const char* TILES = "occlusion/screen_tiles.vert";
     resolve = getProgram("occlusion_resolve", SCREEN, definitions);
@@ -226,9 +225,8 @@ void AmbientOcclusionView::createGeometryBuffer()
     attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER1, *_albedo);
     attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER2, *_normals);
     attach(*_geometryBuffer, osg::Camera::DEPTH_BUFFER, *_depth);
-    if (!_format.hasDistant) return;
-    _distant = createTarget(_format, GL_RGBA8, GL_RGBA);
-    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER3, *_distant);
+    _brickOcclusion = createTarget(_format, GL_RGBA8, GL_RGBA);
+    attach(*_geometryBuffer, osg::Camera::COLOR_BUFFER3, *_brickOcclusion);
 }
 
 AmbientOcclusionView::~AmbientOcclusionView()
@@ -244,32 +242,32 @@ void AmbientOcclusionView::createPasses()
     osg::ref_ptr<osg::Texture> light = _light;
     osg::ref_ptr<osg::Texture> albedo = _albedo;
     osg::ref_ptr<osg::Texture> normals = _normals;
-    osg::ref_ptr<osg::Texture> distant = _distant;
+    osg::ref_ptr<osg::Texture> brickOcclusion = _brickOcclusion;
     osg::ref_ptr<osg::Texture2D> depthImage;
     if (_format.samples == 1)
     {
-        depthImage = create(GL_R32F);
-        _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light}, {"depthBuffer", _depth}});
+        depthImage = create(GL_RG32F);
+        _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light},
+                                                        {"normalBuffer", _normals},
+                                                        {"depthBuffer", _depth},
+                                                        {"brickOcclusion", _brickOcclusion}});
         _resolve->setTargets({depthImage}, nothing);
     }
     else
     {
         std::vector<osg::ref_ptr<osg::Texture2D>> targets{create(GL_RG32F), create(GL_RGBA16F_ARB), create(GL_RGBA8),
-                                                          create(GL_RGBA16F_ARB)};
-        std::vector<ScreenPass::Input> inputs{
-            {"lightBuffer", _light}, {"albedoBuffer", _albedo}, {"normalBuffer", _normals}, {"depthBuffer", _depth}};
-        if (_distant)
-        {
-            targets.push_back(create(GL_RGBA8));
-            inputs.push_back({"distantBuffer", _distant});
-            distant = targets.back();
-        }
-        _resolve = new ScreenPass(*_programs->resolve, inputs);
+                                                          create(GL_RGBA16F_ARB), create(GL_RGBA8)};
+        _resolve = new ScreenPass(*_programs->resolve, {{"lightBuffer", _light},
+                                                        {"albedoBuffer", _albedo},
+                                                        {"normalBuffer", _normals},
+                                                        {"depthBuffer", _depth},
+                                                        {"brickOcclusion", _brickOcclusion}});
         _resolve->setTargets(targets, nothing);
         depthImage = targets[0];
         light = targets[1];
         albedo = targets[2];
         normals = targets[3];
+        brickOcclusion = targets[4];
     }
 
     const osg::ref_ptr<osg::Texture2D> tiles =
@@ -292,13 +290,12 @@ void AmbientOcclusionView::createPasses()
     _denoise->getStateSet()->addUniform(new osg::Uniform("power", effort.power));
     _denoise->getStateSet()->addUniform(_radius);
 
-    std::vector<ScreenPass::Input> inputs{{"lightBuffer", light},
-                                          {"albedoBuffer", albedo},
-                                          {"normalBuffer", normals},
-                                          {"depthImage", depthImage},
-                                          {"occlusion", smooth}};
-    if (distant) inputs.push_back({"distantBuffer", distant});
-    _composite = new ScreenPass(*_programs->composite, inputs);
+    _composite = new ScreenPass(*_programs->composite, {{"lightBuffer", light},
+                                                        {"albedoBuffer", albedo},
+                                                        {"normalBuffer", normals},
+                                                        {"depthImage", depthImage},
+                                                        {"occlusion", smooth},
+                                                        {"brickOcclusion", brickOcclusion}});
     osg::StateSet& state = *_composite->getStateSet();
     state.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), osg::StateAttribute::ON |
                                                                                        osg::StateAttribute::OVERRIDE |

@@ -90,7 +90,7 @@ private:
     osg::ref_ptr<osg::Texture> _albedo;
     osg::ref_ptr<osg::Texture> _normals;
     osg::ref_ptr<osg::Texture> _depth;
-    osg::ref_ptr<osg::Texture> _distant; // null without distant occlusion
+    osg::ref_ptr<osg::Texture> _brickOcclusion; // see geometry_buffer.glsl
     // They distinguish the children's state graphs from those of other nodes.
     osg::ref_ptr<osg::StateSet> _childState;
     osg::ref_ptr<osg::StateSet> _transparentState;

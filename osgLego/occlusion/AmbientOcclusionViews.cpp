@@ -77,8 +77,7 @@ osg::ref_ptr<AmbientOcclusionView> AmbientOcclusionViews::find(osgUtil::CullVisi
 const AmbientOcclusionPrograms& AmbientOcclusionViews::getPrograms(const OcclusionFormat& format,
                                                                    const LightProbe& probe)
 {
-    osg::ref_ptr<const AmbientOcclusionPrograms>& programs =
-        _programs[{format.samples, format.quality, format.hasDistant}];
+    osg::ref_ptr<const AmbientOcclusionPrograms>& programs = _programs[{format.samples, format.quality}];
     if (!programs) programs = new AmbientOcclusionPrograms(format, probe);
     return *programs;
 }

@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <osg/ref_ptr>
@@ -41,7 +41,7 @@ private:
 
     mutable std::mutex _mutex;
     PerVisit<osg::ref_ptr<AmbientOcclusionView>> _views;
-    using Variant = std::tuple<int, AmbientOcclusionQuality, bool>;
+    using Variant = std::pair<int, AmbientOcclusionQuality>;
     std::map<Variant, osg::ref_ptr<const AmbientOcclusionPrograms>> _programs;
     std::vector<unsigned int> _warned; // IDs of contexts with a warning
 };

@@ -35,7 +35,7 @@ bool isOf(const SplatJob& job, const DrawnBricks& bricks)
 
 BrickDrawable::BrickDrawable(const Options& options, const BrickStates& states) :
     _store(options.store), _drawing(options.drawing), _isPartial(options.isPartial), _outline(options.outline),
-    _hasGridOcclusion(options.hasGridOcclusion),
+    _hasGridOcclusion(options.hasGridOcclusion), _occluder(options.occluder),
     _noOcclusion(options.hasDistantOcclusion ? new DistantOcclusionTexture : nullptr), _states(&states), _splats(states)
 {
     setSupportsDisplayList(false);
@@ -106,11 +106,12 @@ BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& 
                                     const osg::Matrixd& cellsToEye) const
 {
     const osg::State& state = *renderInfo.getState();
-    BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, cellsToEye.getTrans()), {}, {}};
+    BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, cellsToEye.getTrans()), {}, {}, _occluder};
     if (_hasGridOcclusion) light.near.emplace(bricks.findGridOcclusion(state));
     if (!_noOcclusion) return light;
     // The distant occlusion is that of all bricks.
-    DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks.findDistantOcclusion(state);
+    const NearOcclusion near = _hasGridOcclusion ? NearOcclusion::GRID : NearOcclusion::PICTURE;
+    DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks.findDistantOcclusion(state, near);
     light.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
                           getPictureWidth(state));
     return light;

@@ -37,6 +37,7 @@ public:
         double outline = 0.0;          //!< see BrickAppearance
         bool hasGridOcclusion = false; //!< whether the programs use grid occlusion
         bool hasDistantOcclusion = false; //!< whether the programs use distant occlusion
+        int occluder = 0; //!< the number of the node in a geometry buffer (geometry_buffer.glsl), 1 to 255; 0: none
     };
 
     BrickDrawable(const Options& options, const BrickStates& states);
@@ -114,6 +115,7 @@ private:
     bool _isPartial;
     double _outline;
     bool _hasGridOcclusion;
+    int _occluder;
     /** Shown until there is distant occlusion; null if the programs don't use it. */
     osg::ref_ptr<DistantOcclusionTexture> _noOcclusion;
     osg::ref_ptr<const BrickStates> _states;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/gl/ProgramUniforms.h>
 #include <osgLego/polygonization/CoreLights.h>
 #include <osgLego/polygonization/DistantOcclusionView.h>
 #include <osgLego/polygonization/GridOcclusionView.h>
@@ -19,6 +20,7 @@ struct BrickLight
     ShadowMaps shadows;
     std::optional<GridOcclusionView> near;       //!< nothing if the programs use no grid occlusion
     std::optional<DistantOcclusionView> distant; //!< nothing if the programs use no distant occlusion
+    int occluder = 0;                            //!< the number of the node in a geometry buffer, 1 to 255; 0: none
 
     /** Set textures and uniforms of the program that a state has applied. Needs its context current. */
     void apply(osg::State& state) const
@@ -27,6 +29,8 @@ struct BrickLight
         if (!shadows.isEmpty()) shadows.apply(state);
         if (near) near->apply(state);
         if (distant) distant->apply(state);
+        static const UniformName OCCLUDER("occluder");
+        if (occluder > 0) ProgramUniforms(state).set(OCCLUDER, occluder);
     }
 };
 

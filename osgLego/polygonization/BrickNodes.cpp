@@ -2,11 +2,31 @@
 
 #include <osgLego/polygonization/BrickStates.h>
 
+#include <atomic>
+
 namespace osgLego
 {
 
 namespace
 {
+
+// Of bricks that nothing in the picture occludes (geometry_buffer.glsl).
+constexpr int ALONE = 255;
+
+/** A number that few other nodes have. */
+int createOccluder()
+{
+    static std::atomic<unsigned int> numOccluders{0};
+    return 1 + static_cast<int>(numOccluders++ % (ALONE - 1));
+}
+
+BrickOcclusion chooseOcclusion(Look look, const BrickAppearance& appearance, const BrickNodes::Kind& kind)
+{
+    if (look == Look::PLAIN) return BrickOcclusion::OFF;
+    // The bits of BrickNeighbors are those of all parts.
+    if (kind.isPartial && appearance.occlusion != BrickOcclusion::OFF) return BrickOcclusion::SCREEN;
+    return appearance.occlusion;
+}
 
 osg::ref_ptr<osg::Geode> createNode(const BrickDrawable::Options& options, const BrickStates& states)
 {
@@ -26,21 +46,29 @@ const BrickDrawable& getDrawable(const osg::Geode& node)
 BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
                        const LightProbe& probe, const Kind& kind)
 {
-    const auto create = [&](BrickStates::Target target)
+    const BrickOcclusion occlusion = chooseOcclusion(look, appearance, kind);
+    const bool hasGrid = occlusion == BrickOcclusion::GRID || occlusion == BrickOcclusion::BOTH;
+    const auto create = [&](BrickStates::Target target, bool isDistant)
     {
-        BrickDrawable::Options options{&store, drawing, kind.isPartial, appearance.outline};
         BrickStates::Kind states{target, kind.isPartial, kind.hasLines};
-        states.hasGridOcclusion =
-            appearance.gridOcclusion && look == Look::FULL && target == BrickStates::Target::FRAME && !kind.isPartial;
-        states.hasDistantOcclusion = states.hasGridOcclusion && appearance.distantOcclusion;
+        states.hasGridOcclusion = hasGrid;
+        states.hasDistantOcclusion = isDistant;
+        states.hasOwnOcclusion = target == BrickStates::Target::BUFFER && occlusion != BrickOcclusion::SCREEN;
+        BrickDrawable::Options options{&store, drawing, kind.isPartial, appearance.outline};
         options.hasGridOcclusion = states.hasGridOcclusion;
-        options.hasDistantOcclusion =
-            states.hasDistantOcclusion || (look == Look::FULL && target == BrickStates::Target::BUFFER_WITH_DISTANT);
+        options.hasDistantOcclusion = states.hasDistantOcclusion;
+        if (states.hasOwnOcclusion) options.occluder = occlusion == BrickOcclusion::BOTH ? createOccluder() : ALONE;
         return createNode(options, *BrickStates::get(look, states, appearance, probe));
     };
-    _frameNode = create(BrickStates::Target::FRAME);
-    _bufferNode = look == Look::PLAIN ? _frameNode : create(BrickStates::Target::BUFFER);
-    _distantNode = look == Look::PLAIN ? _frameNode : create(BrickStates::Target::BUFFER_WITH_DISTANT);
+    const bool hasDistant = hasGrid && appearance.distantOcclusion;
+    _frameNode = create(BrickStates::Target::FRAME, hasDistant);
+    if (look == Look::PLAIN)
+    {
+        _bufferNode = _distantNode = _frameNode;
+        return;
+    }
+    _bufferNode = create(BrickStates::Target::BUFFER, false);
+    _distantNode = create(BrickStates::Target::BUFFER, hasDistant || occlusion == BrickOcclusion::SCREEN);
 }
 
 void BrickNodes::cull(osg::Geode& node, osgUtil::CullVisitor& visitor)

@@ -33,7 +33,7 @@ public:
     /** Cull the node that draws into a frame without AmbientOcclusionScene. */
     void cullForFrame(osgUtil::CullVisitor& visitor) const { cull(*_frameNode, visitor); }
     /** Cull the node that draws into the geometry buffer of an AmbientOcclusionScene.
-     * @param distant whether the buffer includes distant occlusion. */
+     * @param distant whether distant bricks may occlude. */
     void cullForBuffer(bool distant, osgUtil::CullVisitor& visitor) const
     {
         cull(distant ? *_distantNode : *_bufferNode, visitor);

@@ -19,7 +19,7 @@ public:
         return dynamic_cast<BrickStage*>(visitor.getCurrentRenderBin()->getStage());
     }
 
-    /** Whether bricks write their distant occlusion, too. */
+    /** Whether distant bricks may occlude bricks. */
     virtual bool hasDistantOcclusion() const = 0;
 
     /** Record that bricks are drawn in this frame.

@@ -86,11 +86,6 @@ void applyBufferModes(osg::StateSet& stateSet)
         stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
 }
 
-bool hasDistantOcclusion(const BrickStates::Kind& kind)
-{
-    return kind.target == BrickStates::Target::BUFFER_WITH_DISTANT || kind.hasDistantOcclusion;
-}
-
 std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& probe)
 {
     std::string definitions;
@@ -98,7 +93,8 @@ std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& p
     if (kind.hasLines) definitions += "#define LINES\n";
     if (look == Look::PLAIN) return definitions;
     if (kind.hasGridOcclusion) definitions += "#define GRID_OCCLUSION\n";
-    if (hasDistantOcclusion(kind)) definitions += "#define DISTANT_OCCLUSION\n";
+    if (kind.hasOwnOcclusion) definitions += "#define OWN_OCCLUSION\n";
+    if (kind.hasDistantOcclusion) definitions += "#define DISTANT_OCCLUSION\n";
     if (kind.target == BrickStates::Target::FRAME) return definitions + defineLightProbe(probe);
     return definitions + "#define GEOMETRY_BUFFER\n";
 }
@@ -126,8 +122,9 @@ osg::ref_ptr<osg::StateSet> createCommonState(Look look, const BrickStates::Kind
     {
         stateSet->addUniform(new osg::Uniform("neighbors", static_cast<int>(GridOcclusionView::NEIGHBORS_UNIT)));
         stateSet->addUniform(new osg::Uniform("occlusionTable", static_cast<int>(GridOcclusionView::TABLE_UNIT)));
+        stateSet->addUniform(new osg::Uniform("studTable", static_cast<int>(GridOcclusionView::STUDS_UNIT)));
     }
-    if (!hasDistantOcclusion(kind)) return stateSet;
+    if (!kind.hasDistantOcclusion) return stateSet;
     stateSet->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
     stateSet->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
     return stateSet;
@@ -206,12 +203,13 @@ BrickStates::Key::Key(Look ofLook, const Kind& ofKind, const BrickAppearance& of
         kind.target = Target::FRAME;
         kind.hasGridOcclusion = false;
         kind.hasDistantOcclusion = false;
+        kind.hasOwnOcclusion = false;
         return;
     }
     appearance = ofAppearance;
     // Properties of each node.
     appearance.outline = 0.0;
-    appearance.gridOcclusion = false;
+    appearance.occlusion = BrickOcclusion::BOTH;
     appearance.distantOcclusion = true;
     const osg::ref_ptr<const osg::Image> image = std::exchange(appearance.reliefImage, nullptr);
     relief = image;

@@ -36,9 +36,8 @@ public:
     /** The targets that bricks are drawn into. */
     enum class Target
     {
-        FRAME,              //!< a frame without AmbientOcclusionScene
-        BUFFER,             //!< the geometry buffer of an AmbientOcclusionScene
-        BUFFER_WITH_DISTANT //!< likewise, with distant occlusion
+        FRAME, //!< a frame without AmbientOcclusionScene
+        BUFFER //!< the geometry buffer of an AmbientOcclusionScene
     };
 
     /** What programs are for; they differ in these properties. */
@@ -48,8 +47,10 @@ public:
         bool isPartial = false; //!< whether the model is drawn partly built (BrickStore::getBuilding())
         bool hasLines = false;  //!< whether lines are drawn at the edges of parts, or parts are faded
 
-        bool hasGridOcclusion = false;    //!< whether neighbours occlude bricks in a frame, in the full look
-        bool hasDistantOcclusion = false; //!< whether distant bricks occlude them there, too
+        // In the full look:
+        bool hasGridOcclusion = false;    //!< whether the cells around bricks occlude them
+        bool hasDistantOcclusion = false; //!< whether distant bricks occlude them
+        bool hasOwnOcclusion = false;     //!< whether no brick of the node occludes them in the picture of the buffer
 
         bool operator==(const Kind&) const = default;
     };

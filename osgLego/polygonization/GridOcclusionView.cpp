@@ -9,7 +9,11 @@ void GridOcclusionView::apply(osg::State& state) const
 {
     static const UniformName COUNT("numNeighbors");
     ProgramUniforms(state).set(COUNT, _occlusion ? static_cast<int>(_occlusion->getCount()) : 0);
-    if (_occlusion) state.applyTextureAttribute(TABLE_UNIT, &_occlusion->getTable());
+    if (_occlusion)
+    {
+        state.applyTextureAttribute(TABLE_UNIT, &_occlusion->getTable());
+        state.applyTextureAttribute(STUDS_UNIT, &_occlusion->getStuds());
+    }
     state.setActiveTextureUnit(NEIGHBORS_UNIT);
     glBindTexture(GL_TEXTURE_BUFFER, _occlusion ? _occlusion->getNeighbors() : 0);
     // If the unit of a buffer texture is the active one, Mesa 22.3.6 may read zeros from it after a change of programs.

@@ -15,6 +15,7 @@ public:
     // After those of shadow maps.
     static constexpr unsigned int NEIGHBORS_UNIT = 12;
     static constexpr unsigned int TABLE_UNIT = 13;
+    static constexpr unsigned int STUDS_UNIT = 14;
 
     /** @param occlusion null if it is not known: nothing is occluded. */
     explicit GridOcclusionView(const GridOcclusionTextures* occlusion) : _occlusion(occlusion) {}

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <osgLego/data/DistantOcclusion.h>
 #include <osgLego/flattening/LegoSource.h>
+
+#include <optional>
 
 #include <osg/Referenced>
 #include <osg/State>
@@ -12,9 +15,10 @@ namespace osgLego
 /** The bricks that a frame needs. */
 struct FrameNeeds
 {
-    double seconds = 0.0;          //!< the longest time that it waits for them
-    bool onlyDraft = false;        //!< whether it waits no longer than for a draft
-    bool distantOcclusion = false; //!< whether it shows their distant occlusion
+    double seconds = 0.0;                            //!< the longest time that it waits for them
+    bool onlyDraft = false;                          //!< whether it waits no longer than for a draft
+    bool neighbors = false;                          //!< whether it shows the occlusion by their neighbours
+    std::optional<NearOcclusion> distantOcclusion{}; //!< the kind that it shows, if any
 };
 
 /** Makes an immutable brick set (BrickSet) from a source, and delivers it to the BrickStore given to its constructor.

@@ -62,7 +62,8 @@ CpuProducer::CpuProducer(BrickStore& store, std::function<void()> announce) :
 
 void CpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs)
 {
-    if (needs.distantOcclusion) _computesDistantOcclusion = true;
+    if (needs.neighbors) _computesNeighbors = true;
+    if (needs.distantOcclusion) _computesDistantOcclusion[static_cast<std::size_t>(*needs.distantOcclusion)] = true;
     // Within a limit, bricks of a source that changes in every frame might never be made.
     const bool isUrgent = needs.seconds == BackgroundTask::FOREVER;
     const auto [run, isNew] = request(source, isUrgent, isUrgent && !needs.onlyDraft);
@@ -158,7 +159,9 @@ osg::ref_ptr<const MadeBricks> CpuProducer::makeOrFind(const LegoSource& source,
 /** Compute everything that drawing a set needs, so that the frame which shows it first takes no longer than others. */
 void CpuProducer::complete(const BrickSet& bricks) const
 {
-    if (_computesDistantOcclusion) bricks.getDistantOcclusion();
+    if (_computesNeighbors) bricks.getNeighbors();
+    for (const NearOcclusion near : {NearOcclusion::PICTURE, NearOcclusion::GRID})
+        if (_computesDistantOcclusion[static_cast<std::size_t>(near)]) bricks.getDistantOcclusion(near);
 }
 
 /** Whether a source needs other bricks than the last one even if its triangles are the same. */

@@ -102,7 +102,9 @@ private:
     osg::ref_ptr<const MadeBricks> _bricks = new MadeBricks;
     osg::ref_ptr<const MadeBricks> _shownBricks = _bricks;
     MotionPace _pace;
-    std::atomic<bool> _computesDistantOcclusion{false}; // since a frame has needed it
+    // Since a frame has needed them.
+    std::atomic<bool> _computesNeighbors{false};
+    std::array<std::atomic<bool>, 2> _computesDistantOcclusion{}; // by NearOcclusion
     Job _job;
 };
 

@@ -2,6 +2,7 @@
 
 #include <osgLego/gl/GlMemory.h>
 
+#include <cstddef>
 #include <map>
 #include <span>
 #include <utility>
@@ -84,7 +85,7 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     numBricks = made.numBricks;
     blocks.clear();
     _gridOcclusion = nullptr;
-    _distantOcclusion = nullptr;
+    _distantOcclusion = {};
     _blockReader.start(state, buffer.get(), numBricks);
     _model = made.model;
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -114,7 +115,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
     _gridOcclusion = nullptr;
-    _distantOcclusion = nullptr;
+    _distantOcclusion = {};
     _blockReader.stop();
     _model = wanted.getModel();
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -169,21 +170,27 @@ void ContextBricks::usePoints(const osg::State& state, std::span<const BrickPoin
 {
     blocks = findBlocks(points);
     if (_wantsGridOcclusion) uploadNeighbors(state, createBrickNeighbors(points));
-    if (_wantsDistantOcclusion)
-        _distantOcclusion = new DistantOcclusionTexture(*DistantOcclusion::create(bricks->getGrid(), points));
+    for (const NearOcclusion near : {NearOcclusion::PICTURE, NearOcclusion::GRID})
+    {
+        const auto place = static_cast<std::size_t>(near);
+        if (!_wantsDistantOcclusion[place]) continue;
+        const osg::ref_ptr<const DistantOcclusion> occlusion =
+            DistantOcclusion::create(bricks->getGrid(), points, near);
+        _distantOcclusion[place] = new DistantOcclusionTexture(*occlusion);
+    }
 }
 
-DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& state)
+DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& state, NearOcclusion near)
 {
-    _wantsDistantOcclusion = true;
-    if (_distantOcclusion || numBricks == 0) return _distantOcclusion;
+    const auto place = static_cast<std::size_t>(near);
+    _wantsDistantOcclusion[place] = true;
+    osg::ref_ptr<DistantOcclusionTexture>& texture = _distantOcclusion[place];
+    if (texture || numBricks == 0) return texture;
     if (bricks->hasPoints())
-    {
-        _distantOcclusion = new DistantOcclusionTexture(bricks->getDistantOcclusion());
-        return _distantOcclusion;
-    }
-    readPoints(state);
-    return _distantOcclusion;
+        texture = new DistantOcclusionTexture(bricks->getDistantOcclusion(near));
+    else
+        readPoints(state);
+    return texture;
 }
 
 const GridOcclusionTextures* ContextBricks::findGridOcclusion(const osg::State& state)
@@ -251,7 +258,7 @@ void ContextBricks::clear()
     numBricks = 0;
     blocks.clear();
     _gridOcclusion = nullptr;
-    _distantOcclusion = nullptr;
+    _distantOcclusion = {};
     _blockReader.stop();
     _model = nullptr;
     const unsigned int numLegolizations = _statistics.numLegolizations;

@@ -11,6 +11,7 @@
 #include <osgLego/store/DistantOcclusionTexture.h>
 #include <osgLego/store/GridOcclusionTextures.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
@@ -74,7 +75,7 @@ public:
      * made on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is
      * current.
      * @return null if there are no bricks, or no memory for reading them. */
-    DistantOcclusionTexture* findDistantOcclusion(const osg::State& state);
+    DistantOcclusionTexture* findDistantOcclusion(const osg::State& state, NearOcclusion near);
 
     /** The grid occlusion of the bricks as textures, created by the first call after they were shown. For bricks made
      * on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is current.
@@ -116,8 +117,9 @@ private:
     osg::ref_ptr<const PartHighlight> _buildingHighlight; // in those of the model partly built
     bool _wantsGridOcclusion = false;
     osg::ref_ptr<GridOcclusionTextures> _gridOcclusion;
-    bool _wantsDistantOcclusion = false;
-    osg::ref_ptr<DistantOcclusionTexture> _distantOcclusion;
+    // By NearOcclusion.
+    std::array<bool, 2> _wantsDistantOcclusion{};
+    std::array<osg::ref_ptr<DistantOcclusionTexture>, 2> _distantOcclusion;
     osg::ref_ptr<const BrickModel> _model;
     LegoStatistics _statistics;
     std::string _failure;

@@ -3,7 +3,10 @@
 #include <osgLego/AmbientOcclusionSettings.h>
 #include <osgLego/data/OcclusionTable.h>
 #include <osgLego/data/SharedObjects.h>
+#include <osgLego/data/StudOcclusion.h>
 #include <osgLego/gl/SharedBetweenViewers.h>
+
+#include <utility>
 
 #include <osg/GLExtensions>
 
@@ -13,9 +16,12 @@ namespace osgLego
 namespace
 {
 
-osg::ref_ptr<osg::Texture2D> createTable(double height)
+/** Creates the image of a table for cells of a height and a radius, in pitches. */
+using CreateImage = osg::ref_ptr<osg::Image> (*)(double height, double radius);
+
+osg::ref_ptr<osg::Texture2D> createTable(CreateImage create, double height)
 {
-    const osg::ref_ptr<osg::Image> image = createOcclusionTable(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
+    const osg::ref_ptr<osg::Image> image = create(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
     // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
     image->setDataVariance(osg::Object::DYNAMIC);
     osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(image);
@@ -29,11 +35,11 @@ osg::ref_ptr<osg::Texture2D> createTable(double height)
     return texture;
 }
 
-osg::ref_ptr<osg::Texture2D> getTable(const BrickGrid& grid)
+osg::ref_ptr<osg::Texture2D> getTable(CreateImage create, const BrickGrid& grid)
 {
-    static SharedObjects<double, osg::Texture2D> tables;
+    static SharedObjects<std::pair<CreateImage, double>, osg::Texture2D> tables;
     const double height = grid.cellSize[grid.getUpIndex()] / grid.getPitch();
-    return tables.findOrCreate(height, [height] { return createTable(height); });
+    return tables.findOrCreate({create, height}, [=] { return createTable(create, height); });
 }
 
 } // namespace
@@ -41,7 +47,8 @@ osg::ref_ptr<osg::Texture2D> getTable(const BrickGrid& grid)
 GridOcclusionTextures::GridOcclusionTextures(const osg::State& state, const BrickGrid& grid,
                                              std::span<const BrickNeighbors> neighbors) :
     _buffer(state),
-    _neighbors(state), _count(static_cast<GLsizei>(neighbors.size())), _table(osgLego::getTable(grid))
+    _neighbors(state), _count(static_cast<GLsizei>(neighbors.size())),
+    _table(osgLego::getTable(createOcclusionTable, grid)), _studs(osgLego::getTable(createStudOcclusion, grid))
 {
     const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
     extensions.glBindBuffer(GL_TEXTURE_BUFFER, _buffer.get());

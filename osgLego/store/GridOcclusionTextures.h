@@ -14,8 +14,8 @@
 namespace osgLego
 {
 
-/** The neighbours of bricks in a buffer of a context, and the table of the light that they hide (createOcclusionTable),
- * as textures for shaders/polygonization/grid_occlusion.glsl. */
+/** The neighbours of bricks in a buffer of a context, and the tables of the light that they and studs hide
+ * (createOcclusionTable, createStudOcclusion), as textures for shaders/polygonization/grid_occlusion.glsl. */
 class GridOcclusionTextures : public osg::Referenced
 {
 public:
@@ -27,6 +27,8 @@ public:
     GLsizei getCount() const { return _count; }
     /** The table, which all nodes share whose cells have the same proportions. */
     osg::Texture2D& getTable() const { return *_table; }
+    /** The table of createStudOcclusion, which they share, too. */
+    osg::Texture2D& getStuds() const { return *_studs; }
 
 private:
     ~GridOcclusionTextures() override = default;
@@ -35,6 +37,7 @@ private:
     GlTexture _neighbors;
     GLsizei _count;
     osg::ref_ptr<osg::Texture2D> _table;
+    osg::ref_ptr<osg::Texture2D> _studs;
 };
 
 } // namespace osgLego

@@ -37,10 +37,13 @@ const osgLego::SettingsTable<LegolizeSettings>& getTable()
         created.add("occlusion", &LegolizeSettings::occlusion,
                     osgLego::Choice<Occlusion>{{"off", Occlusion::OFF},
                                                {"grid", Occlusion::GRID},
+                                               {"screen", Occlusion::SCREEN},
+                                               {"both", Occlusion::BOTH},
                                                {"low", Occlusion::LOW},
                                                {"medium", Occlusion::MEDIUM},
                                                {"high", Occlusion::HIGH}},
-                    "ambient occlusion: by the neighbours of each brick, or in the picture, of a quality",
+                    "ambient occlusion in the full look: by the bricks of the grid, by everything in the picture (low, "
+                    "medium or high quality), or both",
                     "medium; off with look=plain");
         created.add("distant", &LegolizeSettings::distant, osgLego::Switch(), "occlusion by distant bricks, too");
         created.add("probe", &LegolizeSettings::probe, PictureName(), "environment light", "a built-in sky");
@@ -51,7 +54,26 @@ const osgLego::SettingsTable<LegolizeSettings>& getTable()
 
 } // namespace
 
-std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion() const
+osgLego::BrickOcclusion LegolizeSettings::getOcclusion() const
+{
+    switch (occlusion.value_or(Occlusion::MEDIUM))
+    {
+    case Occlusion::OFF:
+        return osgLego::BrickOcclusion::OFF;
+    case Occlusion::GRID:
+        return osgLego::BrickOcclusion::GRID;
+    case Occlusion::BOTH:
+        return osgLego::BrickOcclusion::BOTH;
+    case Occlusion::SCREEN:
+    case Occlusion::LOW:
+    case Occlusion::MEDIUM:
+    case Occlusion::HIGH:
+        break;
+    }
+    return osgLego::BrickOcclusion::SCREEN;
+}
+
+std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getScene() const
 {
     using Quality = osgLego::AmbientOcclusionQuality;
     osgLego::AmbientOcclusionSettings result;
@@ -65,6 +87,8 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getOcclusion(
     case Occlusion::LOW:
         result.quality = Quality::LOW;
         break;
+    case Occlusion::SCREEN:
+    case Occlusion::BOTH:
     case Occlusion::MEDIUM:
         result.quality = Quality::MEDIUM;
         break;

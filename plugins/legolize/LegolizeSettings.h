@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/BrickAppearance.h>
 #include <osgLego/LegoSettings.h>
 
 #include <optional>
@@ -13,8 +14,10 @@ struct LegolizeSettings
     enum class Occlusion
     {
         OFF,
-        GRID, //!< BrickAppearance::gridOcclusion, without AmbientOcclusionScene
-        LOW,
+        GRID,
+        SCREEN,
+        BOTH,
+        LOW, // SCREEN with this quality
         MEDIUM,
         HIGH
     };
@@ -25,7 +28,9 @@ struct LegolizeSettings
     std::optional<std::string> probe;   //!< the file name of a picture; unset: the built-in sky
 
     /** The settings of the AmbientOcclusionScene; unset: none. */
-    std::optional<osgLego::AmbientOcclusionSettings> getOcclusion() const;
+    std::optional<osgLego::AmbientOcclusionSettings> getScene() const;
+    /** The occlusion of the bricks. */
+    osgLego::BrickOcclusion getOcclusion() const;
 
     /** Read `key=value` separated by commas. Settings whose keys are not given keep their values.
      * @return false, with one sentence in `error` and `settings` unchanged, if there is an error. */

@@ -133,7 +133,7 @@ private:
     {
         lego.setLightProbe(&probe);
         osgLego::BrickAppearance appearance = lego.getAppearance();
-        appearance.gridOcclusion = settings.occlusion == LegolizeSettings::Occlusion::GRID;
+        appearance.occlusion = settings.getOcclusion();
         appearance.distantOcclusion = settings.distant;
         lego.setAppearance(appearance);
     }
@@ -173,7 +173,7 @@ private:
     static ReadResult addOcclusion(const osg::ref_ptr<osg::Node>& bricks, const LegolizeSettings& settings,
                                    const osgLego::LightProbe& probe, const std::string& name)
     {
-        const std::optional<osgLego::AmbientOcclusionSettings> occlusion = settings.getOcclusion();
+        const std::optional<osgLego::AmbientOcclusionSettings> occlusion = settings.getScene();
         if (!occlusion) return bricks.get();
         osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
         scene->setSettings(*occlusion);

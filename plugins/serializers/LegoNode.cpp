@@ -73,24 +73,27 @@ static bool writeAppearance(osgDB::OutputStream& stream, const osgLego::LegoNode
     return true;
 }
 
-static bool checkGridOcclusion(const osgLego::LegoNode& node)
+static bool checkOcclusion(const osgLego::LegoNode& node)
 {
     const osgLego::BrickAppearance appearance = node.getAppearance();
     const osgLego::BrickAppearance usual;
-    return appearance.gridOcclusion != usual.gridOcclusion || appearance.distantOcclusion != usual.distantOcclusion;
+    return appearance.occlusion != usual.occlusion || appearance.distantOcclusion != usual.distantOcclusion;
 }
 
-static bool readGridOcclusion(osgDB::InputStream& stream, osgLego::LegoNode& node)
+static bool readOcclusion(osgDB::InputStream& stream, osgLego::LegoNode& node)
 {
     osgLego::BrickAppearance appearance = node.getAppearance();
-    stream >> appearance.gridOcclusion >> appearance.distantOcclusion;
+    unsigned int number = 0;
+    stream >> number >> appearance.distantOcclusion;
+    if (number > static_cast<unsigned int>(osgLego::BrickOcclusion::BOTH)) return false;
+    appearance.occlusion = static_cast<osgLego::BrickOcclusion>(number);
     return node.setAppearance(appearance);
 }
 
-static bool writeGridOcclusion(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
+static bool writeOcclusion(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
 {
     const osgLego::BrickAppearance appearance = node.getAppearance();
-    stream << appearance.gridOcclusion << appearance.distantOcclusion << std::endl;
+    stream << static_cast<unsigned int>(appearance.occlusion) << appearance.distantOcclusion << std::endl;
     return true;
 }
 
@@ -167,7 +170,7 @@ REGISTER_OBJECT_WRAPPER(osgLego_LegoNode, new osgLego::LegoNode, osgLego::LegoNo
 {
     ADD_USER_SERIALIZER(Settings);
     ADD_USER_SERIALIZER(Appearance);
-    ADD_USER_SERIALIZER(GridOcclusion);
+    ADD_USER_SERIALIZER(Occlusion);
     ADD_USER_SERIALIZER(Light);
     ADD_USER_SERIALIZER(StoredBricks);
     wrapper->addFinishedObjectReadCallback(new StoredBricksCheck);

@@ -3,11 +3,12 @@
 // Accurate Indirect Occlusion"), and the light between them is integrated in closed form.
 
 #include "gl/fragment_outputs.glsl"
+#include "occlusion/pixel_contents.glsl"
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 
 uniform sampler2D normalBuffer;
-uniform sampler2D depthImage; // z in eye coordinates
+uniform sampler2D depthImage; // z in eye coordinates, and pixel_contents.glsl
 uniform sampler2D noise;      // two evenly distributed numbers per pixel, from 0 to 1
 uniform float radius;         // greatest distance of occluders, in units of eye coordinates
 uniform float falloff;        // the outer part of the radius, over which occlusion fades out
@@ -42,9 +43,22 @@ vec3 unproject(Unprojection unprojection, ivec2 pixel, float depth)
                 depth);
 }
 
+// A surface that may occlude: its position in eye coordinates, and the number of its node.
+struct Occluder
+{
+    vec3 position;
+    int number;
+};
+
+Occluder occluderAt(Unprojection unprojection, ivec2 pixel)
+{
+    vec2 texel = texelFetch(depthImage, clamp(pixel, area.xy, area.zw), 0).rg;
+    return Occluder(unproject(unprojection, pixel, texel.r), unpackContents(texel.g).number);
+}
+
 vec3 positionAt(Unprojection unprojection, ivec2 pixel)
 {
-    return unproject(unprojection, pixel, texelFetch(depthImage, clamp(pixel, area.xy, area.zw), 0).r);
+    return occluderAt(unprojection, pixel).position;
 }
 
 // The normal of a surface that wrote none. In each direction it uses the neighbour that is nearer in depth.
@@ -129,6 +143,14 @@ void main()
     float depth = texelFetch(depthImage, pixel, 0).r;
     if (depth < NOTHING) discard;
     vec4 normals = texelFetch(normalBuffer, pixel, 0);
+    int number = unpackContents(texelFetch(depthImage, pixel, 0).g).number;
+    if (number == ALONE)
+    {
+        fragmentColor = vec4(surfaceNormalOf(normals), 1.0);
+        return;
+    }
+
+    int own = number > 0 ? number : -1;
 
     Unprojection unprojection = createUnprojection();
     vec3 here = unproject(unprojection, pixel, depth);
@@ -163,8 +185,11 @@ void main()
             float along = (float(place) + fract(random.y + 0.618034 * float(index))) / float(STEPS);
             vec2 distances = max(along * sqrt(along) * abs(reach), vec2(1.0));
             ivec2 offset = ivec2(round(direction.xy * distances * sign(reach)));
-            raise(ahead, 1.0, positionAt(unprojection, pixel + offset) - here, toEye, slice, fade);
-            raise(behind, -1.0, positionAt(unprojection, pixel - offset) - here, toEye, slice, fade);
+            Occluder first = occluderAt(unprojection, pixel + offset);
+            Occluder second = occluderAt(unprojection, pixel - offset);
+            // The occlusion by bricks of the same node is known.
+            if (first.number != own) raise(ahead, 1.0, first.position - here, toEye, slice, fade);
+            if (second.number != own) raise(behind, -1.0, second.position - here, toEye, slice, fade);
         }
         vec3 light = size * (ahead.light + behind.light);
         visibility += light.x;

@@ -3,23 +3,20 @@
 // drawn outside the group intersect the bricks.
 
 #include "gl/fragment_outputs.glsl"
+#include "occlusion/pixel_contents.glsl"
 #include "occlusion/view_position.glsl"
 #include "polygonization/geometry_buffer.glsl"
 #include "light/color_space.glsl"
 #include "light/ambient_light.glsl"
 #include "light/fog.glsl"
-#if defined(DISTANT_OCCLUSION)
 #include "light/distant_light.glsl"
-#endif
 
 uniform sampler2D lightBuffer;
 uniform sampler2D albedoBuffer;
 uniform sampler2D normalBuffer;
-uniform sampler2D depthImage; // z in eye coordinates and, with several samples per pixel, coverage
+uniform sampler2D depthImage; // z in eye coordinates, and pixel_contents.glsl
 uniform sampler2D occlusion;
-#if defined(DISTANT_OCCLUSION)
-uniform sampler2D distantBuffer; // see distantOcclusionAt
-#endif
+uniform sampler2D brickOcclusion; // OwnOcclusion or, of other bricks, distant occlusion
 flat in ivec4 tile; // its lowest pixel, and the pixel beyond its highest
 
 uniform ivec2 origin; // the viewport's lower left pixel
@@ -29,8 +26,9 @@ uniform int shown;    // 0: the picture, 1: occlusion, 2: bent normals, 3: irrad
 vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float visibility, vec3 toEye)
 {
     vec3 diffuse = irradianceAt(normalize(bent + bend)) * visibility * toLight(albedo.rgb);
-    vec3 mirrored = reflectionAt(shading, toEye, light.a) *
-                    reflectionVisibility(max(dot(shading, toEye), 0.0), visibility, light.a);
+    float roughness = abs(light.a);
+    vec3 mirrored = reflectionAt(shading, toEye, roughness) *
+                    reflectionVisibility(max(dot(shading, toEye), 0.0), visibility, roughness);
     return mix(fogParameters.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
 }
 
@@ -39,9 +37,6 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
     vec2 depth = texelFetch(depthImage, pixel, 0).rg;
     if (depth.r < NOTHING || any(lessThan(pixel, tile.xy)) || any(greaterThanEqual(pixel, tile.zw))) discard;
-#if SAMPLES == 1
-    depth.g = 1.0;
-#endif
     vec4 light = texelFetch(lightBuffer, pixel, 0);
     vec4 normals = texelFetch(normalBuffer, pixel, 0);
     vec4 bentAndVisibility = texelFetch(occlusion, pixel, 0);
@@ -59,9 +54,16 @@ void main()
         vec3 shading = shadingNormalOf(normals);
         // The normals of bricks as small as pixels are noise; bent normals are averages.
         float distinct = distinctnessOf(radius, depth.r);
-#if defined(DISTANT_OCCLUSION)
-        occludeFromAfar(unpackDistant(texelFetch(distantBuffer, pixel, 0)), normalize(mix(bent, surface, distinct)), bent, visibility);
-#endif
+        vec4 occluding = texelFetch(brickOcclusion, pixel, 0);
+        if (hasOwnOcclusion(normals, light.a))
+        {
+            distinct = 1.0;
+            OwnOcclusion own = unpackOcclusion(occluding);
+            bent = own.number == ALONE ? own.bent : normalize(own.bent + bent - surface);
+            visibility = own.visibility * (own.number == ALONE ? 1.0 : visibility);
+        }
+        else
+            occludeFromAfar(unpackDistant(occluding), normalize(mix(bent, surface, distinct)), bent, visibility);
         color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
                        normalize(mix(bent, shading, distinct)), visibility, toEye);
     }
@@ -70,7 +72,7 @@ void main()
     if (shown == 3) color = irradianceAt(bent);
     if (shown == 4) color = 0.5 + 0.5 * surface;
     // The pixel may be partly covered.
-    fragmentColor = vec4(color, 1.0) * depth.g;
+    fragmentColor = vec4(color, 1.0) * (float(unpackContents(depth.g).count) / float(SAMPLES));
     // Even the farthest surface must be nearer than the cleared depth.
     gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
 }

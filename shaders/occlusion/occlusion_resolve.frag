@@ -1,24 +1,23 @@
-// Ambient occlusion, the first pass: resolves the geometry buffer to one depth per pixel, in eye coordinates, and the
-// covered fraction of the pixel. With several samples (SAMPLES above 1), depth and normals come from the first covered
+// Ambient occlusion, the first pass: resolves the geometry buffer to one depth per pixel, in eye coordinates, and its node and
+// coverage (pixel_contents.glsl). With several samples (SAMPLES above 1), depth and normals come from the first covered
 // sample, which is at nearly the same position in each pixel, so that neighbours are consistent; light is averaged over
 // all covered samples.
 
 #define NUM_OUTPUTS 5
 #include "gl/fragment_outputs.glsl"
+#include "occlusion/pixel_contents.glsl"
 #include "occlusion/view_position.glsl"
+#include "polygonization/geometry_buffer.glsl"
 
 #if SAMPLES > 1
 
 #include "light/color_space.glsl"
-#include "polygonization/geometry_buffer.glsl"
 
 uniform sampler2DMS lightBuffer;
 uniform sampler2DMS albedoBuffer;
 uniform sampler2DMS normalBuffer;
 uniform sampler2DMS depthBuffer;
-#if defined(DISTANT_OCCLUSION)
-uniform sampler2DMS distantBuffer;
-#endif
+uniform sampler2DMS brickOcclusion;
 
 // Children that write no depth, such as skies, are recognized by their colour.
 bool isCovered(ivec2 pixel, int index)
@@ -58,27 +57,32 @@ void main()
         // Only bricks write an albedo; other children write their colour instead.
         albedo += isLight ? texelFetch(albedoBuffer, pixel, index) : vec4(0.0, 0.0, 0.0, 1.0);
     }
-    fragmentData[0] = vec4(eyeDepthOf(depth), float(count) / float(SAMPLES), 0.0, 0.0);
-    fragmentData[1] = vec4(light / float(count), texelFetch(lightBuffer, pixel, chosen).a);
+    vec4 own = texelFetch(brickOcclusion, pixel, chosen);
+    float roughness = texelFetch(lightBuffer, pixel, chosen).a;
+    PixelContents contents = PixelContents(numberOf(normals, roughness, own), count);
+    fragmentData[0] = vec4(eyeDepthOf(depth), packContents(contents), 0.0, 0.0);
+    fragmentData[1] = vec4(light / float(count), roughness);
     fragmentData[2] = albedo / float(count);
     fragmentData[3] = normals;
-#if defined(DISTANT_OCCLUSION)
-    fragmentData[4] = texelFetch(distantBuffer, pixel, chosen);
-#endif
+    fragmentData[4] = own;
 }
 
 #else
 
 uniform sampler2D lightBuffer;
+uniform sampler2D normalBuffer;
 uniform sampler2D depthBuffer;
+uniform sampler2D brickOcclusion;
 
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthBuffer, pixel, 0).r;
+    float alpha = texelFetch(lightBuffer, pixel, 0).a;
     // Children that write no depth, such as skies, are recognized by their colour.
-    if (depth >= 1.0 && texelFetch(lightBuffer, pixel, 0).a == 0.0) discard;
-    fragmentData[0] = vec4(eyeDepthOf(depth));
+    if (depth >= 1.0 && alpha == 0.0) discard;
+    int number = numberOf(texelFetch(normalBuffer, pixel, 0), alpha, texelFetch(brickOcclusion, pixel, 0));
+    fragmentData[0] = vec4(eyeDepthOf(depth), packContents(PixelContents(number, 1)), 0.0, 0.0);
 }
 
 #endif

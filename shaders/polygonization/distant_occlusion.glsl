@@ -19,14 +19,16 @@ const float LEAST_WIDTH = 12.0;
 #endif
 
 // The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and
-// similar ones: b in eye coordinates, and a.
-vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 toEye)
+// similar ones: b in eye coordinates, and a. `lift` is the direction of voxels without bricks.
+vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 lift, vec3 toEye)
 {
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
     float level = round(smallness);
     // The normals of bricks as small as pixels are noise.
-    vec3 normal = normalize(mix(eyeNormal, toEye, clamp(smallness - 1.0, 0.0, 1.0)) * modelToEye);
-    vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + LIFT * exp2(level) * voxel * normal;
+    float averaged = clamp(smallness - 1.0, 0.0, 1.0);
+    vec3 normal = normalize(mix(eyeNormal, toEye, averaged) * modelToEye);
+    vec3 away = normalize(mix(lift, toEye, averaged) * modelToEye);
+    vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + LIFT * exp2(level) * voxel * away;
     vec3 lower = textureLod(hiddenFromLower, place, level).rgb;
     vec3 upper = textureLod(hiddenFromUpper, place, level).rgb;
     float hidden = dot(normal * normal, mix(lower, upper, greaterThan(normal, vec3(0.0))));

@@ -59,15 +59,24 @@ vec4 quadrantAt(FaceNeighbors cells, int axis, int upper, ivec2 axes, ivec2 side
     return vec4(entry.x, entry.yz * vec2(2 * sides - 1), entry.w);
 }
 
-// The sums of the quadrants' visibility and bent vectors, along both `axes` of a face and its outward normal. `weights` are
-// those of the quadrants: lower ends of both axes, upper end of the first, of the second, of both. `place` is the position along
-// the axes, 0 to 1; for a side of the brick, the first axis is horizontal.
-vec4 sumQuadrants(FaceNeighbors cells, int axis, bool isUpper, ivec2 axes, vec2 place, vec4 weights, bool isLevel)
+// The light that four quadrants receive: those at the lower ends of both axes of a face, at the upper end of the first, of the
+// second, of both.
+struct Quadrants
+{
+    vec4 sum;        // visibility and bent vector, along both axes and the outward normal
+    vec4 visibility; // of each quadrant, as a fraction of that without cells
+};
+
+// The light of all quadrants, with weights. `place` is the position along the axes, 0 to 1; for a side of the brick, the first
+// axis is horizontal.
+Quadrants findQuadrants(FaceNeighbors cells, int axis, bool isUpper, ivec2 axes, vec2 place, vec4 weights, bool isLevel)
 {
     int upper = int(isUpper);
     float firstLine = isLevel ? 0.0 : 0.5 * float(textureSize(occlusionTable, 0).y);
-    return weights.x * quadrantAt(cells, axis, upper, axes, ivec2(0, 0), place, firstLine) +
-           weights.y * quadrantAt(cells, axis, upper, axes, ivec2(1, 0), place, firstLine) +
-           weights.z * quadrantAt(cells, axis, upper, axes, ivec2(0, 1), place, firstLine) +
-           weights.w * quadrantAt(cells, axis, upper, axes, ivec2(1, 1), place, firstLine);
+    vec4 first = quadrantAt(cells, axis, upper, axes, ivec2(0, 0), place, firstLine);
+    vec4 second = quadrantAt(cells, axis, upper, axes, ivec2(1, 0), place, firstLine);
+    vec4 third = quadrantAt(cells, axis, upper, axes, ivec2(0, 1), place, firstLine);
+    vec4 last = quadrantAt(cells, axis, upper, axes, ivec2(1, 1), place, firstLine);
+    return Quadrants(weights.x * first + weights.y * second + weights.z * third + weights.w * last,
+                     vec4(first.x, second.x, third.x, last.x) / OPEN_QUADRANT.x);
 }

@@ -2,7 +2,7 @@
 // follows (#define GEOMETRY_BUFFER), it adds the light of the probe.
 
 #if defined(GEOMETRY_BUFFER)
-#define NUM_OUTPUTS 4
+#define NUM_OUTPUTS 4 // light and roughness, albedo and transmittance, and those of geometry_buffer.glsl
 #endif
 #include "gl/fragment_outputs.glsl"
 #include "polygonization/brick_surface.glsl"
@@ -14,14 +14,14 @@
 #include "polygonization/geometry_buffer.glsl"
 #else
 #include "light/ambient_light.glsl"
+#endif
 #if defined(GRID_OCCLUSION)
 #include "polygonization/near_occlusion.glsl"
 #endif
-#endif
 #if defined(DISTANT_OCCLUSION)
 #include "polygonization/distant_occlusion.glsl"
-#include "light/distant_light.glsl"
 #endif
+#include "light/distant_light.glsl"
 
 uniform bool usesMaterial; // use the specular reflection of osg::Material instead of plastic's
 
@@ -79,7 +79,44 @@ vec3 unlitColor()
     return own;
 }
 
+#if defined(DISTANT_OCCLUSION)
+
+vec4 distantOcclusionOf(Surface surface)
+{
+    vec3 toEye = towardsEye(eyePosition);
+    if ((detail & 3u) != STUD_WALL) return distantOcclusionAt(eyePosition, surface.normal, surface.normal, toEye);
+    // The wall of a stud sees the upper half of its sky.
+    vec3 upward = axisOf(upAxis);
+    vec3 middle = normalize(surface.normal + upward);
+    vec4 hidden = distantOcclusionAt(eyePosition, middle, upward, toEye);
+    return 0.5 * vec4(hidden.xyz, hidden.w + dot(hidden.xyz, middle - surface.normal));
+}
+
+#endif
+
+#if defined(GRID_OCCLUSION) || defined(OWN_OCCLUSION)
+
+// The mean open direction, and the visible fraction of the sky.
+vec4 openSky(Surface surface)
+{
+#if defined(GRID_OCCLUSION)
+    vec4 open = nearOcclusion(surface);
+#if defined(DISTANT_OCCLUSION)
+    occludeFromAfar(distantOcclusionOf(surface), surface.normal, open.xyz, open.w);
+#endif
+    return open;
+#else
+    return vec4(surface.normal, 1.0);
+#endif
+}
+
+#endif
+
 #if defined(GEOMETRY_BUFFER)
+
+#if defined(OWN_OCCLUSION)
+uniform int occluder; // the number of the node
+#endif
 
 void main()
 {
@@ -93,18 +130,24 @@ void main()
         fragmentData[0] = vec4(shown, 1.0);
         fragmentData[1] = vec4(0.0);
         fragmentData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
-#if defined(DISTANT_OCCLUSION)
-        fragmentData[3] = vec4(128.0 / 255.0);
-#endif
+        fragmentData[3] = packDistant(vec4(0.0));
         return;
     }
     float environment;
     vec3 light = directLight(surface, albedo, environment) * surface.openness;
-    fragmentData[0] = vec4(light, surface.roughness);
     fragmentData[1] = vec4(surface.color * pow(environment * surface.openness, 1.0 / GAMMA), transmittance);
     fragmentData[2] = packNormals(surface.normal, surface.shading);
+#if defined(OWN_OCCLUSION)
+    vec4 open = openSky(surface);
+    fragmentData[0] = vec4(light, -surface.roughness);
+    fragmentData[3] = packOcclusion(OwnOcclusion(open.xyz, open.w, occluder));
+#else
+    fragmentData[0] = vec4(light, surface.roughness);
 #if defined(DISTANT_OCCLUSION)
-    fragmentData[3] = packDistant(distantOcclusionAt(eyePosition, surface.normal, towardsEye(eyePosition)));
+    fragmentData[3] = packDistant(distantOcclusionOf(surface));
+#else
+    fragmentData[3] = packDistant(vec4(0.0));
+#endif
 #endif
 }
 
@@ -123,10 +166,7 @@ void main()
         vec3 direct = directLight(surface, albedo, environment);
         vec3 toEye = towardsEye(eyePosition);
 #if defined(GRID_OCCLUSION)
-        vec4 open = nearOcclusion(surface);
-#if defined(DISTANT_OCCLUSION)
-        occludeFromAfar(distantOcclusionAt(eyePosition, surface.normal, toEye), surface.normal, open.xyz, open.w);
-#endif
+        vec4 open = openSky(surface);
         vec3 bent = normalize(open.xyz + surface.shading - surface.normal);
         float mirrored = reflectionVisibility(max(dot(surface.shading, toEye), 0.0), open.w, surface.roughness);
         vec3 ambient = environment * albedo * open.w * irradianceAt(bent) +

@@ -36,7 +36,7 @@ TEST(LegolizeSettings, OcclusionAndProbeMayStandAnywhereAmongTheBricksSettings)
     {
         const LegolizeSettings settings = parsed(text);
         EXPECT_EQ(settings.lego.toString(), "32,up=y") << text;
-        EXPECT_EQ(settings.getOcclusion()->quality, AmbientOcclusionQuality::LOW) << text;
+        EXPECT_EQ(settings.getScene()->quality, AmbientOcclusionQuality::LOW) << text;
         EXPECT_EQ(settings.probe, "a/my.park.exr") << text;
     }
 }
@@ -46,16 +46,27 @@ TEST(LegolizeSettings, OcclusionAloneKeepsTheBricksSettings)
     const LegolizeSettings settings = parsed("occlusion=high", parsed("48,probe=sky.hdr"));
     EXPECT_EQ(settings.lego.toString(), "48");
     EXPECT_EQ(settings.probe, "sky.hdr");
-    EXPECT_EQ(settings.getOcclusion()->quality, AmbientOcclusionQuality::HIGH);
+    EXPECT_EQ(settings.getScene()->quality, AmbientOcclusionQuality::HIGH);
 }
 
-TEST(LegolizeSettings, OcclusionIsMediumInTheFullLookAndOffInThePlainOneUnlessItIsAskedFor)
+TEST(LegolizeSettings, OcclusionIsOneOfFourKinds)
 {
-    EXPECT_EQ(parsed("64").getOcclusion()->quality, AmbientOcclusionQuality::MEDIUM);
-    EXPECT_EQ(parsed("occlusion=medium").getOcclusion()->quality, AmbientOcclusionQuality::MEDIUM);
-    EXPECT_FALSE(parsed("look=plain").getOcclusion());
-    EXPECT_FALSE(parsed("occlusion=off").getOcclusion());
-    EXPECT_EQ(parsed("look=plain,occlusion=low").getOcclusion()->quality, AmbientOcclusionQuality::LOW);
+    using osgLego::BrickOcclusion;
+    EXPECT_EQ(parsed("64").getOcclusion(), BrickOcclusion::SCREEN);
+    EXPECT_EQ(parsed("occlusion=grid").getOcclusion(), BrickOcclusion::GRID);
+    EXPECT_EQ(parsed("occlusion=both").getOcclusion(), BrickOcclusion::BOTH);
+    EXPECT_EQ(parsed("occlusion=off").getOcclusion(), BrickOcclusion::OFF);
+    for (const char* quality : {"screen", "low", "medium", "high"})
+        EXPECT_EQ(parsed(std::string("occlusion=") + quality).getOcclusion(), BrickOcclusion::SCREEN) << quality;
+}
+
+TEST(LegolizeSettings, OnlyOcclusionInThePictureTakesAScene)
+{
+    for (const char* without : {"look=plain", "occlusion=grid", "occlusion=off"})
+        EXPECT_FALSE(parsed(without).getScene()) << without;
+    for (const char* medium : {"64", "occlusion=screen", "occlusion=both", "occlusion=medium"})
+        EXPECT_EQ(parsed(medium).getScene()->quality, AmbientOcclusionQuality::MEDIUM) << medium;
+    EXPECT_EQ(parsed("look=plain,occlusion=low").getScene()->quality, AmbientOcclusionQuality::LOW);
 }
 
 TEST(LegolizeSettings, DescribesTheKeysOfBricksAndThenItsOwn)
@@ -69,8 +80,10 @@ TEST(LegolizeSettings, DescribesTheKeysOfBricksAndThenItsOwn)
 
 TEST(LegolizeSettings, SaysWhatWasExpected)
 {
-    EXPECT_EQ(errorOf("occlusion=best"), "bad value 'best' for occlusion; expected off, grid, low, medium or high");
-    EXPECT_EQ(errorOf("occlusion="), "bad value '' for occlusion; expected off, grid, low, medium or high");
+    EXPECT_EQ(errorOf("occlusion=best"),
+              "bad value 'best' for occlusion; expected off, grid, screen, both, low, medium or high");
+    EXPECT_EQ(errorOf("occlusion="),
+              "bad value '' for occlusion; expected off, grid, screen, both, low, medium or high");
     EXPECT_EQ(errorOf("64,probe="),
               "bad value '' for probe; expected the name of a high dynamic range picture, without commas");
     EXPECT_EQ(errorOf("distant=yes"), "bad value 'yes' for distant; expected off or on");

@@ -207,8 +207,9 @@ TEST_F(PseudoLoader, SaysWhatIsWrong)
     EXPECT_NE(errorOf(pathOf("ball.osgt.(64,colour=red).legolize")).find("unknown key 'colour'"), std::string::npos);
     EXPECT_NE(errorOf(pathOf("ball.osgt.legolize"), "proportions=tile").find("bad value 'tile'"), std::string::npos);
     EXPECT_NE(errorOf("sample.(cell=1e-3).legolize").find("the model reaches into"), std::string::npos);
-    EXPECT_NE(errorOf("sample.(8,occlusion=best).legolize").find("expected off, grid, low, medium or high"),
-              std::string::npos);
+    EXPECT_NE(
+        errorOf("sample.(8,occlusion=best).legolize").find("expected off, grid, screen, both, low, medium or high"),
+        std::string::npos);
     EXPECT_NE(errorOf("sample.(8,probe=" + pathOf("ball.osgt") + ").legolize").find("can't be"), std::string::npos);
     std::ofstream(pathOf("strange.xyzzy")) << "?";
     EXPECT_NE(errorOf(pathOf("strange.xyzzy.64.legolize")).find("there is no reader for"), std::string::npos);

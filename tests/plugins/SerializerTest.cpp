@@ -116,7 +116,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
     osg::ref_ptr<LegoNode> lego = new LegoNode;
     lego->addChild(createSphere(6));
     BrickAppearance appearance;
-    appearance.gridOcclusion = true;
+    appearance.occlusion = BrickOcclusion::SCREEN;
     appearance.distantOcclusion = false;
     appearance.joints = false;
     appearance.variation = 0.5;
@@ -147,7 +147,7 @@ TEST_F(Serializer, AppearanceAndLightSurvive)
         EXPECT_FALSE(backAppearance.joints);
         EXPECT_DOUBLE_EQ(backAppearance.variation, 0.5);
         EXPECT_DOUBLE_EQ(backAppearance.outline, 1.5);
-        EXPECT_TRUE(backAppearance.gridOcclusion);
+        EXPECT_EQ(backAppearance.occlusion, BrickOcclusion::SCREEN);
         EXPECT_FALSE(backAppearance.distantOcclusion);
         EXPECT_NEAR(backAppearance.reliefHeight, appearance.reliefHeight, 1e-9); // the text format rounds it
         const osg::ref_ptr<const LightProbe> backProbe = backLego->getLightProbe();

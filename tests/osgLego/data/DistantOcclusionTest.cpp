@@ -37,8 +37,8 @@ osg::ref_ptr<const BrickModel> createModel(const glm::ivec3& dimensions,
 class DistantOcclusionOf
 {
 public:
-    explicit DistantOcclusionOf(const BrickModel& model) :
-        _occlusion(DistantOcclusion::create(model.getGrid(), createBrickPoints(model).points))
+    explicit DistantOcclusionOf(const BrickModel& model, NearOcclusion near = NearOcclusion::PICTURE) :
+        _occlusion(DistantOcclusion::create(model.getGrid(), createBrickPoints(model).points, near))
     {
     }
 
@@ -117,7 +117,7 @@ TEST(DistantOcclusion, LargeGridsHaveLargeVoxels)
     BrickGrid grid;
     grid.dimensions = {1024, 1024, 2560};
     grid.cellSize = {1.0, 1.0, 0.4};
-    const osg::ref_ptr<const DistantOcclusion> occlusion = DistantOcclusion::create(grid, {});
+    const osg::ref_ptr<const DistantOcclusion> occlusion = DistantOcclusion::create(grid, {}, NearOcclusion::PICTURE);
     EXPECT_LE(occlusion->getImage(true).s(), DistantOcclusion::MAXIMUM_SIZE + 2 * DistantOcclusion::BORDER);
     EXPECT_LE(occlusion->getImage(true).r(), DistantOcclusion::MAXIMUM_SIZE + 2 * DistantOcclusion::BORDER);
     EXPECT_EQ(occlusion->getCellsPerVoxel(), glm::ivec3(16, 16, 40));

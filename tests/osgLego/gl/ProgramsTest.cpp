@@ -61,7 +61,7 @@ protected:
         lego->setLightProbe(&probe);
         lego->setNumNewParts(numNewParts);
         BrickAppearance appearance;
-        appearance.gridOcclusion = hasGridOcclusion;
+        appearance.occlusion = hasGridOcclusion ? BrickOcclusion::BOTH : BrickOcclusion::SCREEN;
         lego->setAppearance(appearance);
         lego->setWaiting(true);
         lego->addChild(createSphere(4));

@@ -38,7 +38,7 @@ using LegoPipelineTest = GlTest;
 
 TEST_F(LegoPipelineTest, DistantOcclusionIsComputedBeforeTheFrameThatShowsIt)
 {
-    for (const bool hasScene : {true, false})
+    for (const BrickOcclusion occlusion : {BrickOcclusion::OFF, BrickOcclusion::GRID, BrickOcclusion::SCREEN})
     {
         const osg::ref_ptr<osg::GraphicsContext> context = createContext();
         const osg::ref_ptr<LegoPipeline> pipeline =
@@ -46,7 +46,10 @@ TEST_F(LegoPipelineTest, DistantOcclusionIsComputedBeforeTheFrameThatShowsIt)
         std::promise<void> announced;
         pipeline->setAnnouncement([&] { announced.set_value(); });
         pipeline->refresh(*createSphere(12));
-        const osg::ref_ptr<osg::Group> scene = hasScene ? new AmbientOcclusionScene : new osg::Group;
+        BrickAppearance appearance;
+        appearance.occlusion = occlusion;
+        pipeline->getDisplay().setAppearance(appearance);
+        const osg::ref_ptr<osg::Group> scene = new AmbientOcclusionScene;
         scene->addChild(new PipelineNode(*pipeline));
         osgViewer::Viewer viewer;
         setUpViewer(viewer, *context, *scene);
@@ -55,7 +58,9 @@ TEST_F(LegoPipelineTest, DistantOcclusionIsComputedBeforeTheFrameThatShowsIt)
         ASSERT_FALSE(pipeline->getStore().getBricks());
         pipeline->update(osgUtil::UpdateVisitor());
         ASSERT_TRUE(pipeline->getStore().getBricks());
-        EXPECT_EQ(pipeline->getStore().getBricks()->hasDistantOcclusion(), hasScene);
+        const BrickSet& bricks = *pipeline->getStore().getBricks();
+        EXPECT_EQ(bricks.hasDistantOcclusion(NearOcclusion::PICTURE), occlusion == BrickOcclusion::SCREEN);
+        EXPECT_EQ(bricks.hasDistantOcclusion(NearOcclusion::GRID), occlusion == BrickOcclusion::GRID);
     }
 }
 

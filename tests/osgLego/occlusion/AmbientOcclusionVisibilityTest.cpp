@@ -88,17 +88,32 @@ TEST_F(AmbientOcclusionVisibility, BricksOccludeAndAreOccluded)
     EXPECT_GT(colorAt(*image, {6, -5, 0}).x(), 0.95);
 }
 
-/** Whether distant bricks occlude. */
-class AmbientOcclusionReach : public AmbientOcclusionVisibility, public testing::WithParamInterface<bool>
+struct Reach
+{
+    const char* name;
+    BrickOcclusion occlusion;
+    bool isDistant;
+    double error; //!< the greatest root mean square
+};
+
+class AmbientOcclusionReach : public AmbientOcclusionVisibility, public testing::WithParamInterface<Reach>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Reaches, AmbientOcclusionReach, testing::Bool(),
-                         [](const auto& reach) { return reach.param ? "distant" : "near"; });
+INSTANTIATE_TEST_SUITE_P(Reaches, AmbientOcclusionReach,
+                         testing::Values(Reach{"near", BrickOcclusion::SCREEN, false, 0.08},
+                                         Reach{"distant", BrickOcclusion::SCREEN, true, 0.1},
+                                         Reach{"nearInTheGrid", BrickOcclusion::GRID, false, 0.029},
+                                         Reach{"distantInTheGrid", BrickOcclusion::GRID, true, 0.05}),
+                         [](const auto& reach) { return reach.param.name; });
 
 TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
 {
-    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(GetParam() ? "24" : "14"));
+    const Reach& wanted = GetParam();
+    osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(wanted.isDistant ? "24" : "14"));
+    BrickAppearance appearance;
+    appearance.occlusion = wanted.occlusion;
+    lego->setAppearance(appearance);
     lego->addChild(createRacingCar());
     const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", lego);
     const osg::BoundingSphere bound = lego->getBound();
@@ -107,7 +122,7 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
     const auto drawOutput = [&](const char* show)
     {
         group->setSettings(
-            parseOcclusion(std::string("high,distant=") + (GetParam() ? "on" : "off") + ",show=" + show));
+            parseOcclusion(std::string("high,distant=") + (wanted.isDistant ? "on" : "off") + ",show=" + show));
         return draw(*group, viewpoint);
     };
     const osg::ref_ptr<osg::Image> visibility = drawOutput("occlusion");
@@ -119,8 +134,8 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
     const auto toGlm = [](const osg::Vec3d& vector) { return glm::dvec3(vector.x(), vector.y(), vector.z()); };
 
     const BrickRayCaster caster(*lego->getBricks());
-    const double reach = GetParam() ? DistantOcclusion::getReach(caster.getModel().getGrid())
-                                    : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
+    const double reach = wanted.isDistant ? DistantOcclusion::getReach(caster.getModel().getGrid())
+                                          : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
     double squares = 0.0;
     int count = 0;
     for (int row = 3; row < HEIGHT; row += 5)
@@ -137,7 +152,7 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
                 osg::Matrixd::transform3x3(readColor(*normals, column, row) * 2.0 - osg::Vec3d(1, 1, 1), viewToWorld);
             normal.normalize();
             const BrickRayCaster::Occlusion rays = caster.sampleOcclusion(
-                start + *distance * toGlm(direction), toGlm(normal), reach, AmbientOcclusionSettings::FALLOFF, 64,
+                start + *distance * toGlm(direction), toGlm(normal), reach, AmbientOcclusionSettings::FALLOFF, 256,
                 static_cast<std::uint32_t>(row * WIDTH + column));
             squares += (shown.x() - rays.visibility) * (shown.x() - rays.visibility);
             ++count;
@@ -145,7 +160,7 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
     ASSERT_GT(count, 150);
     const double error = std::sqrt(squares / count);
     RecordProperty("rootMeanSquare", std::to_string(error));
-    EXPECT_LE(error, GetParam() ? 0.1 : 0.08) << count << " pixels";
+    EXPECT_LE(error, wanted.error) << count << " pixels";
 }
 
 TEST_F(AmbientOcclusionVisibility, NormalsAreShownInTheEyesCoordinates)

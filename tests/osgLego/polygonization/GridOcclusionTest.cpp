@@ -11,11 +11,13 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <osg/PolygonOffset>
+#include <osg/Geode>
+#include <osg/MatrixTransform>
 
 namespace osgLego::test
 {
@@ -72,7 +74,7 @@ protected:
         appearance.joints = false;
         appearance.variation = 0.0;
         appearance.reliefHeight = 0.0;
-        appearance.gridOcclusion = isOccluded;
+        appearance.occlusion = isOccluded ? BrickOcclusion::GRID : BrickOcclusion::OFF;
         appearance.distantOcclusion = isDistant;
         EXPECT_TRUE(lego.setAppearance(appearance));
     }
@@ -101,6 +103,25 @@ protected:
         for (Brick& brick : bricks)
             brick.color = {255, 255, 255};
         lego->setStoredBricks(BrickModel::createComplete(model->getGrid(), bricks));
+        return lego;
+    }
+
+    /** Bricks with a stair, beside the plane x = 4. */
+    static osg::ref_ptr<LegoNode> createStair(BrickOcclusion occlusion)
+    {
+        BrickGrid grid;
+        grid.dimensions = {4, 8, 4};
+        std::vector<Brick> bricks;
+        for (std::uint16_t z = 0; z < 4; ++z)
+            for (std::uint16_t y = 0; y < 8; ++y)
+                for (std::uint16_t x = 0; x < 4 - z; ++x)
+                    bricks.push_back({{x, y, z}, {200, 200, 200}, 0});
+        const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("8"));
+        lego->setStoredBricks(BrickModel::create(grid, bricks));
+        lego->setWaiting(true);
+        BrickAppearance appearance;
+        appearance.occlusion = occlusion;
+        lego->setAppearance(appearance);
         return lego;
     }
 
@@ -198,6 +219,24 @@ TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindBetweenScatteredBricks)
     }
 }
 
+TEST_F(GridOcclusion, ComesFromBricksBeyondTwoEmptyLayers)
+{
+    BrickGrid grid;
+    grid.dimensions = {9, 9, 4};
+    std::vector<Brick> bricks;
+    for (std::uint16_t y = 0; y < 9; ++y)
+        for (std::uint16_t x = 0; x < 9; ++x)
+            for (const std::uint16_t z : {std::uint16_t(0), std::uint16_t(3)})
+                bricks.push_back({{x, y, z}, {200, 200, 200}, 0});
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("9"));
+    lego->setStoredBricks(BrickModel::create(grid, bricks));
+    light(*lego);
+    const Error error = compareWithRays(*lego, {{4.5, -9, 2.6}, {4.5, 4.5, 1.6}});
+    ASSERT_GT(error.numPixels, 300);
+    EXPECT_GT(error.spread, 0.06);
+    EXPECT_LT(error.rootMeanSquare, 0.015);
+}
+
 TEST_F(GridOcclusion, IsTheSameInBothDrawingsAndOnBothDevices)
 {
     const Viewpoint viewpoint{{5, -9, 5}, MIDDLE};
@@ -215,13 +254,53 @@ TEST_F(GridOcclusion, IsTheSameInBothDrawingsAndOnBothDevices)
     }
 }
 
+TEST_F(GridOcclusion, OfANodeIsTheSameInAnAmbientOcclusionScene)
+{
+    const Viewpoint viewpoint{{12, -8, 9}, {3, 4, 1}};
+    const osg::ref_ptr<osg::Image> alone = draw(*createStair(BrickOcclusion::GRID), viewpoint);
+    const osg::ref_ptr<osg::Image> open = draw(*createStair(BrickOcclusion::OFF), viewpoint);
+    EXPECT_GT(meanDifference(*alone, *open), 2.0) << "there is nothing to compare";
+    for (const BrickOcclusion occlusion : {BrickOcclusion::GRID, BrickOcclusion::BOTH})
+        EXPECT_LT(meanDifference(*draw(*createGroup("medium", createStair(occlusion)), viewpoint), *alone), 0.4);
+    EXPECT_LT(meanDifference(*draw(*createGroup("medium", createStair(BrickOcclusion::OFF)), viewpoint), *open), 0.2);
+}
+
+TEST_F(GridOcclusion, LeavesTheOcclusionByOtherNodesToThePictureIfBothAreWanted)
+{
+    const Viewpoint viewpoint{{2, -10, 8}, {3, 4, 1}};
+    const osg::ref_ptr<LegoNode> otherBricks = createBrickBox({8, 8, 8}, "8");
+    const osg::ref_ptr<osg::MatrixTransform> beside = new osg::MatrixTransform(osg::Matrixd::translate(4, 0, -3));
+    beside->addChild(otherBricks);
+    const osg::ref_ptr<osg::Geode> wall = new osg::Geode;
+    wall->addDrawable(createQuad({4, 8, -3}, {0, -8, 0}, {0, 0, 8}, {0.8f, 0.8f, 0.8f, 1.0f}));
+    for (const osg::ref_ptr<osg::Node>& other : {osg::ref_ptr<osg::Node>(beside), osg::ref_ptr<osg::Node>(wall)})
+        for (const auto& [occlusion, isOccluded] :
+             {std::pair{BrickOcclusion::GRID, false}, {BrickOcclusion::OFF, false}, {BrickOcclusion::BOTH, true}})
+        {
+            const osg::ref_ptr<osg::Group> both = new osg::Group;
+            both->addChild(createStair(occlusion));
+            const osg::ref_ptr<osg::Image> alone = draw(*createGroup("medium", both), viewpoint);
+            const double before = colorAt(*alone, {3.9, 4.0, 1.0}).length();
+            both->addChild(other);
+            const osg::ref_ptr<osg::Image> image = draw(*createGroup("medium", both), viewpoint);
+            const double after = colorAt(*image, {3.9, 4.0, 1.0}).length();
+            ASSERT_GT(before, 0.2);
+            if (isOccluded)
+                EXPECT_LT(after, 0.93 * before) << other->className();
+            else
+                EXPECT_NEAR(after, before, 0.01) << other->className();
+        }
+}
+
 TEST_F(GridOcclusion, LeavesABrickThatStandsAloneAsItIs)
 {
     const Viewpoint front{{0.5, 0.5, -9}, {0.5, 0.5, 0}, {0, 1, 0}, 2.0};
     osg::ref_ptr<LegoNode> brick = createBrickBox({1, 1, 1}, "1");
-    const osg::ref_ptr<osg::Image> open = draw(*brick, front);
     BrickAppearance appearance;
-    appearance.gridOcclusion = true;
+    appearance.occlusion = BrickOcclusion::OFF;
+    brick->setAppearance(appearance);
+    const osg::ref_ptr<osg::Image> open = draw(*brick, front);
+    appearance.occlusion = BrickOcclusion::GRID;
     brick->setAppearance(appearance);
     EXPECT_GT(countDrawn(*open), 1000u);
     EXPECT_EQ(countDifferent(*draw(*brick, front), *open, 1), 0u);

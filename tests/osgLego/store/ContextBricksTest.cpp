@@ -182,15 +182,15 @@ TEST_F(ContextBricksTest, DistantOcclusionWaitsForBricksMadeOnTheGpu)
 {
     {
         const std::lock_guard lock(_bricks->getMutex());
-        EXPECT_FALSE(_bricks->findDistantOcclusion(getState())) << "there are no bricks";
+        EXPECT_FALSE(_bricks->findDistantOcclusion(getState(), NearOcclusion::PICTURE)) << "there are no bricks";
     }
     const osg::ref_ptr<const BrickModel> model = createRow(20);
     const osg::ref_ptr<const BrickSet> set = new BrickSet(7, model->getGrid(), [model] { return model; });
     _bricks->show(getState(), createGpuBricks(*set, createBrickPoints(*model).points));
     const std::lock_guard lock(_bricks->getMutex());
-    const DistantOcclusionTexture* occlusion = _bricks->findDistantOcclusion(getState());
+    const DistantOcclusionTexture* occlusion = _bricks->findDistantOcclusion(getState(), NearOcclusion::PICTURE);
     ASSERT_TRUE(occlusion);
-    EXPECT_EQ(_bricks->findDistantOcclusion(getState()), occlusion) << "created once";
+    EXPECT_EQ(_bricks->findDistantOcclusion(getState(), NearOcclusion::PICTURE), occlusion) << "created once";
     EXPECT_EQ(_bricks->blocks.size(), 3u) << "read on the way";
 }
 
