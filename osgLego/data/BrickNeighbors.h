@@ -21,7 +21,8 @@ namespace osgLego
  *   side. The first layer consists of cells beside edges and at corners. Bricks with five or six open sides have 9 bits
  *   for each, the second layer.
  *
- * Cells outside the grid, and bricks without open sides, count as empty: no ray reaches these. */
+ * Cells outside the grid count as empty. Bricks without open sides may count as either: no ray reaches them before
+ * another brick. */
 using BrickNeighbors = std::array<std::uint32_t, 3>;
 
 /** The neighbours of each point. Its memory grows with the number of points, and not with the size of the grid. May be

@@ -1,5 +1,6 @@
 #include <osgLego/extraction/BrickExtractionPass.h>
 
+#include <osgLego/data/BrickNeighbors.h>
 #include <osgLego/data/BrickPoints.h>
 #include <osgLego/gl/GlMemory.h>
 #include <osgLego/gl/ProgramUniforms.h>
@@ -162,7 +163,31 @@ std::string BrickExtractionPass::run(osg::State& state, Legolization& work) cons
         if (std::string failure = capture(state, work, words); !failure.empty()) return failure;
     }
     wordBuffer.deleteNow(state); // else those of all slabs would exist until the end of the frame
-    if (_slab + 1 == _plan.numSlabs) work.isComplete = true;
+    if (_slab + 1 < _plan.numSlabs) return {};
+    if (_plan.numSlabs == 1 && getWorkspace().areNeighborsWanted())
+        if (std::string failure = findNeighbors(state, work, slab); !failure.empty()) return failure;
+    work.isComplete = true;
+    return {};
+}
+
+/** Capture the neighbours of all bricks, with the occupancy bound. Without memory for them, none are captured.
+ * @return the reason for a failure; empty on success. */
+std::string BrickExtractionPass::findNeighbors(osg::State& state, Legolization& work, const Slab& slab) const
+{
+    if (work.numBricks == 0) return {};
+    if (!apply(state, _states->getNeighbors(), work.source->triangles->getGrid(), slab)) return NO_SHADERS;
+    ProgramUniforms(state).set("occupancy", OCCUPANCY_UNIT);
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    const auto size = static_cast<GLsizeiptr>(work.numBricks * sizeof(BrickNeighbors));
+    work.neighbors = GlBuffer(state);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, work.neighbors.get());
+    extensions.glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STATIC_DRAW);
+    const NumberArrays arrays(extensions, work.buffer.get(), BRICK_BYTES, 3, 1);
+    TransformFeedback feedback(extensions);
+    feedback.begin(GL_POINTS, work.neighbors.get(), 0, size);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(work.numBricks));
+    feedback.end();
+    if (takeOutOfMemoryError()) work.neighbors.deleteNow(state);
     return {};
 }
 

@@ -15,7 +15,8 @@ namespace osgLego
  * its covered cells. So the bricks of a block are consecutive. The CPU never reads back the number of words.
  *
  * If the buffer is too small, it is enlarged and the bricks are captured again. The pass of the last slab completes the
- * legolization.
+ * legolization. If the grid is one slab, it also finds the neighbours of bricks (BrickNeighbors) if they are wanted;
+ * the bricks of more slabs are read for that, after the legolization.
  */
 class BrickExtractionPass : public LegolizationPass
 {
@@ -39,6 +40,7 @@ protected:
 private:
     bool apply(osg::State& state, const osg::StateSet& stateSet, const BrickGrid& grid, const Slab& slab) const;
     std::string capture(osg::State& state, Legolization& work, const TransformFeedback& words) const;
+    std::string findNeighbors(osg::State& state, Legolization& work, const Slab& slab) const;
 
     PassPlan _plan;
     std::size_t _slab;

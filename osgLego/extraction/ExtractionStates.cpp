@@ -35,19 +35,20 @@ ExtractionStates::ExtractionStates(osg::Texture2D& voxelImage, const PassPlan& p
     _words(createState("extraction words", {"extraction/extraction_words.vert", "extraction/extraction_words.geom"},
                        "word", voxelImage)),
     _bricks(createState("extraction", {"extraction/extraction.vert", "extraction/extraction.geom"}, "brick", voxelImage,
-                        definitionsOf(plan)))
+                        definitionsOf(plan))),
+    _neighbors(createState("extraction neighbours", {"extraction/extraction_neighbors.vert"}, "neighbors", voxelImage))
 {
 }
 
 void ExtractionStates::releaseGLObjects(osg::State* state) const
 {
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks})
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks, _neighbors})
         stateSet->releaseGLObjects(state);
 }
 
 void ExtractionStates::resizeGLObjectBuffers(unsigned int maxSize) const
 {
-    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks})
+    for (const osg::ref_ptr<osg::StateSet>& stateSet : {_occupancy, _words, _bricks, _neighbors})
         stateSet->resizeGLObjectBuffers(maxSize);
 }
 

@@ -28,6 +28,8 @@ public:
     osg::StateSet& getWords() const { return *_words; }
     /** Captures the bricks of these words. */
     osg::StateSet& getBricks() const { return *_bricks; }
+    /** Captures the neighbours of bricks. */
+    osg::StateSet& getNeighbors() const { return *_neighbors; }
 
     void releaseGLObjects(osg::State* state) const;
     void resizeGLObjectBuffers(unsigned int maxSize) const;
@@ -38,6 +40,7 @@ private:
     osg::ref_ptr<osg::StateSet> _occupancy;
     osg::ref_ptr<osg::StateSet> _words;
     osg::ref_ptr<osg::StateSet> _bricks;
+    osg::ref_ptr<osg::StateSet> _neighbors;
 };
 
 } // namespace osgLego

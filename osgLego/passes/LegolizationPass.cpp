@@ -78,6 +78,7 @@ void LegolizationPass::deliver(const osg::State& state, Legolization& work) cons
     GpuBricks made;
     made.bricks = work.bricks;
     made.buffer = std::move(work.buffer);
+    made.neighbors = std::move(work.neighbors);
     made.numBricks = static_cast<GLsizei>(work.numBricks);
     if (work.source->readBack)
         made.model = BrickModel::create(work.source->triangles->getGrid(), std::move(work.readBack));

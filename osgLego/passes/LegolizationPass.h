@@ -41,6 +41,7 @@ protected:
     LegolizationPass(PassWorkspace& workspace, unsigned int step);
     ~LegolizationPass() override = default;
 
+    const PassWorkspace& getWorkspace() const { return *_workspace; }
     void setCamera(PassCamera* camera) { _camera = camera; }
     /** Start the legolization of the wanted source, unless the context has its bricks or has failed to make them, or
      * another context is making them. For begin() of the first pass. @return whether it was started. */

@@ -9,6 +9,7 @@
 #include <osgLego/passes/PaletteTextures.h>
 #include <osgLego/store/BrickStore.h>
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -64,6 +65,7 @@ struct Legolization
     std::vector<WorkingBatch> batches;
     Occupancy occupancy; //!< of the last slab voxelized
     GlBuffer buffer;     //!< of BrickPoint
+    GlBuffer neighbors;  //!< of BrickNeighbors, of the same bricks; empty if they are not known
     std::size_t brickCapacity = 0;
     std::size_t numBricks = 0;
     std::vector<Brick> readBack;
@@ -104,6 +106,10 @@ public:
     /** The wanted source and its brick set, read together. */
     WantedBricks getWanted() const;
 
+    /** Find the neighbours of bricks from now on. */
+    void wantNeighbors() { _areNeighborsWanted = true; }
+    bool areNeighborsWanted() const { return _areNeighborsWanted; }
+
     /** The work of a context ID; initially none. */
     osg::ref_ptr<PassContext> getContext(unsigned int contextID) const;
 
@@ -124,6 +130,7 @@ private:
     osg::ref_ptr<BrickStore> _store;
     mutable std::mutex _mutex;
     WantedBricks _wanted;
+    std::atomic<bool> _areNeighborsWanted{false};
     mutable std::map<unsigned int, osg::ref_ptr<PassContext>> _contexts;
     mutable std::map<const SurfaceTexture*, osg::ref_ptr<osg::Texture2D>> _textures;
     mutable osg::ref_ptr<const PaletteTextures> _paletteTextures;

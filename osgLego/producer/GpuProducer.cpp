@@ -33,8 +33,9 @@ GpuProducer::~GpuProducer()
     SharedGlObjects::get().removeUser(this);
 }
 
-void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds&)
+void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visitor, const FrameNeeds& needs)
 {
+    if (needs.neighbors) _workspace->wantNeighbors();
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;
     if (_workspace->getWanted().source != &source) _workspace->setSource(source, *createGpuBrickSet(source));

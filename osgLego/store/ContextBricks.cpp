@@ -85,6 +85,8 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     numBricks = made.numBricks;
     blocks.clear();
     _gridOcclusion = nullptr;
+    if (made.neighbors.get() != 0)
+        _gridOcclusion = new GridOcclusionTextures(state, bricks->getGrid(), std::move(made.neighbors), numBricks);
     _distantOcclusion = {};
     _blockReader.start(state, buffer.get(), numBricks);
     _model = made.model;
@@ -169,7 +171,7 @@ void ContextBricks::readPoints(const osg::State& state)
 void ContextBricks::usePoints(const osg::State& state, std::span<const BrickPoint> points)
 {
     blocks = findBlocks(points);
-    if (_wantsGridOcclusion) uploadNeighbors(state, createBrickNeighbors(points));
+    if (_wantsGridOcclusion && !_gridOcclusion) uploadNeighbors(state, createBrickNeighbors(points));
     for (const NearOcclusion near : {NearOcclusion::PICTURE, NearOcclusion::GRID})
     {
         const auto place = static_cast<std::size_t>(near);

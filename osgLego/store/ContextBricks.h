@@ -30,7 +30,8 @@ namespace osgLego
 struct GpuBricks
 {
     osg::ref_ptr<const BrickSet> bricks;
-    GlBuffer buffer; //!< of BrickPoint; the bricks of a block are consecutive
+    GlBuffer buffer;    //!< of BrickPoint; the bricks of a block are consecutive
+    GlBuffer neighbors; //!< of BrickNeighbors; empty if they are not known
     GLsizei numBricks = 0;
     osg::ref_ptr<const BrickModel> model; //!< every covered cell, if a read-back was requested
     LegoStatistics statistics;
@@ -78,7 +79,8 @@ public:
     DistantOcclusionTexture* findDistantOcclusion(const osg::State& state, NearOcclusion near);
 
     /** The grid occlusion of the bricks as textures, created by the first call after they were shown. For bricks made
-     * on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is current.
+     * on the GPU without neighbours, this call waits until they have been read. The caller holds the mutex, and the
+     * context is current.
      * @return null if there are no bricks, or no memory. */
     const GridOcclusionTextures* findGridOcclusion(const osg::State& state);
 

@@ -42,22 +42,34 @@ osg::ref_ptr<osg::Texture2D> getTable(CreateImage create, const BrickGrid& grid)
     return tables.findOrCreate({create, height}, [=] { return createTable(create, height); });
 }
 
+GlBuffer uploadBuffer(const osg::State& state, std::span<const BrickNeighbors> neighbors)
+{
+    GlBuffer buffer(state);
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    extensions.glBindBuffer(GL_TEXTURE_BUFFER, buffer.get());
+    extensions.glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(neighbors.size_bytes()), neighbors.data(),
+                            GL_STATIC_DRAW);
+    extensions.glBindBuffer(GL_TEXTURE_BUFFER, 0);
+    return buffer;
+}
+
 } // namespace
+
+GridOcclusionTextures::GridOcclusionTextures(const osg::State& state, const BrickGrid& grid, GlBuffer&& neighbors,
+                                             GLsizei count) :
+    _buffer(std::move(neighbors)),
+    _neighbors(state), _count(count), _table(osgLego::getTable(createOcclusionTable, grid)),
+    _studs(osgLego::getTable(createStudOcclusion, grid))
+{
+    glBindTexture(GL_TEXTURE_BUFFER, _neighbors.get());
+    state.get<osg::GLExtensions>()->glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, _buffer.get());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+}
 
 GridOcclusionTextures::GridOcclusionTextures(const osg::State& state, const BrickGrid& grid,
                                              std::span<const BrickNeighbors> neighbors) :
-    _buffer(state),
-    _neighbors(state), _count(static_cast<GLsizei>(neighbors.size())),
-    _table(osgLego::getTable(createOcclusionTable, grid)), _studs(osgLego::getTable(createStudOcclusion, grid))
+    GridOcclusionTextures(state, grid, uploadBuffer(state, neighbors), static_cast<GLsizei>(neighbors.size()))
 {
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    extensions.glBindBuffer(GL_TEXTURE_BUFFER, _buffer.get());
-    extensions.glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(neighbors.size_bytes()), neighbors.data(),
-                            GL_STATIC_DRAW);
-    glBindTexture(GL_TEXTURE_BUFFER, _neighbors.get());
-    extensions.glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, _buffer.get());
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-    extensions.glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 
 } // namespace osgLego

@@ -19,10 +19,14 @@ namespace osgLego
 class GridOcclusionTextures : public osg::Referenced
 {
 public:
+    /** Use neighbours that are in a buffer. Needs the context of the state current. */
+    GridOcclusionTextures(const osg::State& state, const BrickGrid& grid, GlBuffer&& neighbors, GLsizei count);
     /** Upload neighbours. Needs the context of the state current; the caller checks for lack of memory. */
     GridOcclusionTextures(const osg::State& state, const BrickGrid& grid, std::span<const BrickNeighbors> neighbors);
 
     GLuint getNeighbors() const { return _neighbors.get(); }
+    /** The buffer of this texture, of BrickNeighbors. */
+    GLuint getBuffer() const { return _buffer.get(); }
     /** The number of bricks whose neighbours are known. */
     GLsizei getCount() const { return _count; }
     /** The table, which all nodes share whose cells have the same proportions. */
