@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,11 +26,11 @@ namespace
 constexpr int NUM_COLUMNS = 32;
 constexpr int BAND = 8; // lines
 constexpr double GREATEST = 0.5;
-constexpr double FARTHEST = 1.5; // of the columns of a side, in pitches
+constexpr double FARTHEST = 1.5; // of the columns that are distances, in pitches
 constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-/** Cosine-weighted directions around the first axis, all with the same weight. */
-std::vector<glm::dvec3> createHemisphere()
+/** Cosine-weighted directions around the first axis or the last one, all with the same weight. */
+std::vector<glm::dvec3> createHemisphere(bool isUp)
 {
     constexpr int ROWS = 40;
     constexpr int COLUMNS = 160;
@@ -40,7 +41,10 @@ std::vector<glm::dvec3> createHemisphere()
             const double angle = 2.0 * std::numbers::pi * (column + 0.5) / COLUMNS;
             const double square = (row + 0.5) / ROWS; // of the distance from the normal
             const double radius = std::sqrt(square);
-            directions.emplace_back(std::sqrt(1.0 - square), radius * std::cos(angle), radius * std::sin(angle));
+            const double across = radius * std::cos(angle);
+            const double along = radius * std::sin(angle);
+            const double normal = std::sqrt(1.0 - square);
+            directions.push_back(isUp ? glm::dvec3(across, along, normal) : glm::dvec3(normal, across, along));
         }
     return directions;
 }
@@ -64,10 +68,11 @@ double findStud(const glm::dvec3& origin, const glm::dvec3& direction, const glm
     return disk > 0.0 && glm::dot(place, place) < RADIUS * RADIUS ? disk : NEVER;
 }
 
-/** The light that a stud hides from a point whose normal is the first axis: its weight and the sum of directions. */
-glm::dvec4 sumHidden(const glm::dvec3& point, const glm::dvec2& axis, double radius)
+/** The light that a stud hides from a point: its weight and the sum of directions.
+ * @param directions the result of createHemisphere(). */
+glm::dvec4 sumHidden(const std::vector<glm::dvec3>& directions, const glm::dvec3& point, const glm::dvec2& axis,
+                     double radius)
 {
-    static const std::vector<glm::dvec3> directions = createHemisphere();
     glm::dvec4 sum(0.0);
     for (const glm::dvec3& direction : directions)
     {
@@ -85,13 +90,22 @@ glm::dvec4 sumHidden(const glm::dvec3& point, const glm::dvec2& axis, double rad
 glm::dvec4 findHidden(int column, int line, double height, double radius)
 {
     constexpr double STUD_RADIUS = BrickDimensions::STUD_RADIUS;
+    static const std::vector<glm::dvec3> ahead = createHemisphere(false);
+    static const std::vector<glm::dvec3> upward = createHemisphere(true);
     const double across = static_cast<double>(column) / (NUM_COLUMNS - 1);
     const double up = static_cast<double>(line % BAND) / (BAND - 1);
-    if (line < BAND) return sumHidden({0.0, 0.0, up * height}, {0.5, FARTHEST * across}, radius);
+    if (line >= 3 * BAND)
+    {
+        const glm::dvec4 sum =
+            sumHidden(upward, glm::dvec3(0.0), {glm::mix(STUD_RADIUS, FARTHEST, across), 0.0}, radius);
+        return {sum.x, 0.0, sum.y, sum.w};
+    }
+    if (line < BAND) return sumHidden(ahead, {0.0, 0.0, up * height}, {0.5, FARTHEST * across}, radius);
     const double distance = line < 2 * BAND ? 1.0 : std::numbers::sqrt2;
-    const double angle = std::numbers::pi * across;
-    const glm::dvec2 axis = distance * glm::dvec2(std::cos(angle), std::sin(angle)) - glm::dvec2(STUD_RADIUS, 0.0);
-    return sumHidden({0.0, 0.0, up * BrickDimensions::STUD_HEIGHT}, axis, radius);
+    const double cosine = 1.0 - 2.0 * across;
+    const glm::dvec2 axis =
+        distance * glm::dvec2(cosine, std::sqrt(1.0 - cosine * cosine)) - glm::dvec2(STUD_RADIUS, 0.0);
+    return sumHidden(ahead, {0.0, 0.0, up * BrickDimensions::STUD_HEIGHT}, axis, radius);
 }
 
 void writeHidden(const glm::dvec4& hidden, unsigned char* bytes)
@@ -107,7 +121,7 @@ void writeHidden(const glm::dvec4& hidden, unsigned char* bytes)
 osg::ref_ptr<osg::Image> createStudOcclusion(double height, double radius)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(NUM_COLUMNS, 3 * BAND, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    image->allocateImage(NUM_COLUMNS, 4 * BAND, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     const auto fillLine = [&](int line)
     {
         for (int column = 0; column < NUM_COLUMNS; ++column)
@@ -115,7 +129,7 @@ osg::ref_ptr<osg::Image> createStudOcclusion(double height, double radius)
                         image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(line)));
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(0, 3 * BAND, fillLine); });
+    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(0, 4 * BAND, fillLine); });
     return image;
 }
 

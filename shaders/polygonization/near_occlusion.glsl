@@ -49,86 +49,72 @@ bool hasStudAtCorner(OccludedPoint point, ivec2 sides)
     return isBesideEdge(point, point.axes.x, sides.x, point.axes.y, sides.y) && !isAtCorner(point, 1, sides);
 }
 
-// The light that a stud hides from a level surface: fitted to rays, with an error of at most 0.02. The bent vector of this
-// light, towards the stud and up, and its fraction of the sky. `distance` is that from the stud's axis, in cells.
-vec3 hiddenByStud(float distance)
-{
-    float inner = distance - 0.9 * STUD_RADIUS;
-    float width = min(STUD_RADIUS / distance, 1.0);
-    float sine = STUD_HEIGHT * inversesqrt(STUD_HEIGHT * STUD_HEIGHT + inner * inner);
-    float fraction = (width + 0.41 * pow(width, 5.0)) / 3.14159265 * sine * sine;
-    return fraction * vec3(0.97 - 1.1 * fraction, 0.66 * sine, 1.0);
-}
-
-// Likewise for a stud that may be missing, with the fraction, and the vector along both axes and up; less where cells already hide
-// the light from there.
-vec4 hiddenByStudAt(vec2 toStud, bool isThere, vec4 visibility)
-{
-    if (!isThere) return vec4(0.0);
-    float distance = max(length(toStud), STUD_RADIUS);
-    vec3 hidden = hiddenByStud(distance);
-    return dot(quadrantsTowards(toStud), visibility) * vec4(hidden.z, hidden.x * toStud / distance, hidden.y);
-}
-
-// The light that the studs around a point on top of a brick hide: its own, and those on the bricks beside it.
-vec4 hiddenByStuds(OccludedPoint point, vec4 visibility)
-{
-    ivec2 sides = ivec2(greaterThan(point.place, vec2(0.5)));
-    vec2 step = vec2(2 * sides - 1);
-    vec2 toOwn = 0.5 - point.place;
-    return hiddenByStudAt(toOwn, true, visibility) +
-           hiddenByStudAt(toOwn + vec2(step.x, 0.0), hasStudBeside(point, point.axes.x, sides.x), visibility) +
-           hiddenByStudAt(toOwn + vec2(0.0, step.y), hasStudBeside(point, point.axes.y, sides.y), visibility) +
-           hiddenByStudAt(toOwn + step, hasStudAtCorner(point, sides), visibility);
-}
-
 // Light in a band of the table, at a column and a line from 0 to 1: its fraction, and the vector along the surface, up, and along
 // the normal.
 vec4 studEntry(float band, float column, float line)
 {
     vec2 texel = vec2(0.5 + 31.0 * clamp(column, 0.0, 1.0), 8.0 * band + 0.5 + 7.0 * clamp(line, 0.0, 1.0));
-    vec4 entry = textureLod(studTable, texel / vec2(32.0, 24.0), 0.0);
+    vec4 entry = textureLod(studTable, texel / 32.0, 0.0);
     return 0.5 * vec4(entry.xy, 2.0 * entry.z - 1.0, entry.w);
 }
 
-// The light that studs at the foot of a side hide from it: on the brick in front and below, and on those beside that one. The
-// vector is along both axes and the normal.
-vec4 hiddenByStudsAtFoot(OccludedPoint point, vec4 visibility)
+// A surface from which studs hide light.
+struct Receiver
 {
-    int upper = int(point.isUpper);
-    vec4 sum = vec4(0.0);
-    for (int side = -1; side <= 1; ++side)
-    {
-        ivec2 corner = ivec2((side + 1) >> 1, 0);
-        bool isThere = side == 0 ? isBesideEdge(point, point.axis, upper, point.axes.y, 0)
-                                 : isAtCorner(point, upper, corner) &&
-                                       !isBesideEdge(point, point.axis, upper, point.axes.x, corner.x);
-        if (!isThere) continue;
-        float across = 0.5 + float(side) - point.place.x;
-        vec4 hidden = studEntry(0.0, abs(across) / 1.5, point.place.y);
-        sum += dot(quadrantsTowards(vec2(across, 1.0)), visibility) * vec4(hidden.x, sign(across) * hidden.y, hidden.zw);
-    }
-    return sum;
-}
+    bool isWall;  // of a stud, with a horizontal normal
+    bool isTop;   // of a brick
+    bool isSide;  // of a brick
+    vec2 outward; // the normal of a wall
+    float height; // on a wall, 0 to 1
+};
 
-// The light that studs on the bricks around a stud hide from its wall: its fraction, and the vector along both axes and up.
-vec4 hiddenFromWall(OccludedPoint point, vec2 outward, float height)
+// The light that studs hide: its fraction, and the vector along both axes of a face and its normal; less where cells already hide
+// the light from there. `visibility` is that of quadrants. The studs are, for the top of a brick, its own and three beside it; for the
+// wall of a stud, five beside it; for a side, three at its foot. One loop finds them all, since software renderers run
+// all branches for every pixel, but loops only as often as some pixel of a group needs.
+vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
 {
-    vec2 across = vec2(-outward.y, outward.x);
+    vec2 side = to.isWall ? to.outward : point.place - 0.5;
+    ivec2 sides = ivec2(greaterThan(side, vec2(0.0)));
+    int upper = int(point.isUpper);
+    int last = to.isWall ? 5 : to.isTop || to.isSide ? 3 : -1;
+    vec2 across = vec2(-to.outward.y, to.outward.x);
     vec4 sum = vec4(0.0);
-    for (int number = 0; number < 9; ++number)
+    for (int number = to.isTop ? 0 : 1; number <= last; ++number)
     {
-        ivec2 to = ivec2(number % 3, number / 3) - 1;
-        vec2 direction = normalize(vec2(to) + vec2(1e-6));
-        float cosine = dot(direction, outward);
-        if (to == ivec2(0) || cosine < -0.2) continue;
-        ivec2 sides = to + 1 >> 1;
-        bool isThere = to.y == 0   ? hasStudBeside(point, point.axes.x, sides.x)
-                       : to.x == 0 ? hasStudBeside(point, point.axes.y, sides.y)
-                                   : hasStudAtCorner(point, sides);
-        if (!isThere) continue;
-        vec4 hidden = studEntry(to.x * to.y == 0 ? 1.0 : 2.0, acos(clamp(cosine, -1.0, 1.0)) / 3.14159265, height);
-        sum += vec4(hidden.x, sign(dot(direction, across)) * hidden.y * across + hidden.w * outward, hidden.z);
+        bool isThere;
+        vec2 direction; // to the stud, along the axes
+        vec3 place;     // in the table
+        vec3 along;
+        if (to.isSide)
+        {
+            ivec2 corner = ivec2(number >> 1, 0);
+            isThere = number == 2
+                          ? isBesideEdge(point, point.axis, upper, point.axes.y, 0)
+                          : isAtCorner(point, upper, corner) && !isBesideEdge(point, point.axis, upper, point.axes.x, corner.x);
+            direction = vec2(float(number) - 1.5 - point.place.x, 1.0);
+            place = vec3(0.0, abs(direction.x) / 1.5, point.place.y);
+            along = vec3(sign(direction.x), 0.0, 0.0);
+        }
+        else
+        {
+            bvec2 beside = bvec2((number & 1) != 0 || number == 4, number >= 2);
+            ivec2 other = ivec2(number == 5 ? 1 - sides.x : sides.x, number == 4 ? 1 - sides.y : sides.y);
+            isThere = !beside.y  ? number == 0 || hasStudBeside(point, point.axes.x, other.x)
+                      : beside.x ? hasStudAtCorner(point, other)
+                                 : hasStudBeside(point, point.axes.y, other.y);
+            vec2 step = vec2(2 * other - 1) * vec2(beside);
+            direction = to.isWall ? step : 0.5 - point.place + step;
+            float distance = max(length(direction), STUD_RADIUS);
+            place = to.isWall ? vec3(beside == bvec2(true) ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
+                              : vec3(3.0, (distance - STUD_RADIUS) / (1.5 - STUD_RADIUS), 0.5);
+            along = vec3(to.isWall ? sign(dot(direction, across)) * across : direction / distance, 0.0);
+        }
+        vec4 hidden = studEntry(place.x, place.y, place.z);
+        vec3 up = to.isSide ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+        vec3 normal = to.isSide ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
+        float share = to.isWall ? 1.0 : dot(quadrantsTowards(direction), visibility);
+        if (isThere) sum += share * vec4(hidden.x, hidden.y * along + hidden.z * up + hidden.w * normal);
     }
     return sum;
 }
@@ -138,11 +124,8 @@ vec4 hiddenFromWall(OccludedPoint point, vec2 outward, float height)
 const float OPEN_BELOW = 0.6;                // of an infinitely high wall, if no brick is beside its own; fitted to rays
 const float LEDGE = 0.5 - STUD_RADIUS; // from the wall to the end of the brick
 
-vec4 wallOcclusion(OccludedPoint point, vec2 outward, float height)
+vec4 wallOcclusion(OccludedPoint point, Quadrants light, vec4 weights, vec2 outward, float height)
 {
-    vec4 weights = 2.0 * quadrantsTowards(outward);
-    Quadrants light =
-        findQuadrants(point.cells, point.axis, point.isUpper, point.axes, 0.5 + STUD_RADIUS * outward, weights, true);
     vec4 sides = vec4(max(-outward, 0.0), max(outward, 0.0));
     uvec4 open = uvec4(point.open) >> uvec4(2 * point.axes, 2 * point.axes + 1) & 1u;
     float above = height * STUD_HEIGHT;
@@ -153,7 +136,7 @@ vec4 wallOcclusion(OccludedPoint point, vec2 outward, float height)
     vec2 across = towards - dot(towards, outward) * outward;
     float all = dot(seen, vec4(1.0));
     vec2 bent = (all / 6.0 + 0.8 * below) * outward + 0.106 * across;
-    return vec4(light.sum.x + below, bent, 0.106 * all - 0.5 * below) - hiddenFromWall(point, outward, height);
+    return vec4(light.sum.x + below, bent, 0.106 * all - 0.5 * below);
 }
 
 // The mean open direction in eye coordinates, and the visible fraction of the sky.
@@ -176,16 +159,17 @@ vec4 nearOcclusion(Surface surface)
     }
     vec3 first = axisOf(point.axes.x);
     vec3 second = axisOf(point.axes.y);
-    vec4 open;
-    if (part == STUD_WALL)
-        open = wallOcclusion(point, normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))), coordinate.y);
-    else
-    {
-        Quadrants light = findQuadrants(point.cells, point.axis, point.isUpper, point.axes, point.place, vec4(1.0), isLevel);
-        open = light.sum;
-        if (part == FACE && isLevel && point.isUpper) open -= hiddenByStuds(point, light.visibility);
-        if (!isLevel) open -= hiddenByStudsAtFoot(point, light.visibility).xyzw;
-    }
+    Receiver to;
+    to.isWall = part == STUD_WALL;
+    to.isTop = part == FACE && isLevel && point.isUpper;
+    to.isSide = !isLevel;
+    to.outward = to.isWall ? normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))) : vec2(0.0);
+    to.height = coordinate.y;
+    if (to.isWall) point.place = 0.5 + STUD_RADIUS * to.outward;
+    vec4 weights = to.isWall ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
+    Quadrants light = findQuadrants(point.cells, point.axis, point.isUpper, point.axes, point.place, weights, isLevel);
+    vec4 open = to.isWall ? wallOcclusion(point, light, weights, to.outward, to.height) : light.sum;
+    open -= hiddenByStuds(point, to, light.visibility);
     vec3 bent = open.y * first + open.z * second + (point.isUpper ? open.w : -open.w) * axisOf(point.axis);
     return vec4(normalize(bent + 1e-4 * surface.normal), max(open.x, 0.0));
 }
