@@ -32,20 +32,19 @@ vec3 bricks(vec4 light, vec4 albedo, vec3 bent, vec3 bend, vec3 shading, float v
     return mix(fogParameters.color.rgb, toColor(light.rgb + diffuse + mirrored), albedo.a);
 }
 
-void main()
+// The colour of a pixel's surface.
+vec3 colorAt(ivec2 pixel)
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
-    vec2 depth = texelFetch(depthImage, pixel, 0).rg;
-    if (depth.r < NOTHING || any(lessThan(pixel, tile.xy)) || any(greaterThanEqual(pixel, tile.zw))) discard;
+    float depth = texelFetch(depthImage, pixel, 0).r;
     vec4 light = texelFetch(lightBuffer, pixel, 0);
     vec4 normals = texelFetch(normalBuffer, pixel, 0);
     vec4 bentAndVisibility = texelFetch(occlusion, pixel, 0);
     vec3 bent = bentAndVisibility.xyz;
     float visibility = bentAndVisibility.w;
-    vec3 toEye = towardsEyeFrom(eyePositionOf(vec2(pixel) + 0.5, depth.r));
+    vec3 toEye = towardsEyeFrom(eyePositionOf(vec2(pixel) + 0.5, depth));
 
     // The colours of other children already include fog, which must not be occluded.
-    float hidden = isUnlit(normals) ? 0.0 : (1.0 - visibility) * transmittanceAt(depth.r);
+    float hidden = isUnlit(normals) ? 0.0 : (1.0 - visibility) * transmittanceAt(depth);
     vec3 color = light.rgb * (1.0 - hidden);
     vec3 surface = bent;
     if (isBrick(normals))
@@ -53,7 +52,7 @@ void main()
         surface = surfaceNormalOf(normals);
         vec3 shading = shadingNormalOf(normals);
         // The normals of bricks as small as pixels are noise; bent normals are averages.
-        float distinct = distinctnessOf(radius, depth.r);
+        float distinct = distinctnessOf(radius, depth);
         vec4 occluding = texelFetch(brickOcclusion, pixel, 0);
         if (hasOwnOcclusion(normals, light.a))
         {
@@ -71,8 +70,23 @@ void main()
     if (shown == 2) color = 0.5 + 0.5 * bent;
     if (shown == 3) color = irradianceAt(bent);
     if (shown == 4) color = 0.5 + 0.5 * surface;
+    return color;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
+    vec2 depth = texelFetch(depthImage, pixel, 0).rg;
+    if (depth.r < NOTHING || any(lessThan(pixel, tile.xy)) || any(greaterThanEqual(pixel, tile.zw))) discard;
+    PixelContents contents = unpackContents(depth.g);
     // The pixel may be partly covered.
-    fragmentColor = vec4(color, 1.0) * (float(unpackContents(depth.g).count) / float(SAMPLES));
+    vec4 color = vec4(colorAt(pixel), 1.0) * (float(contents.covered) / float(SAMPLES));
+#if SAMPLES > 1
+    // A loop, since software renderers run both branches of a condition.
+    for (int other = min(contents.other, 1); other > 0; --other)
+        color += vec4(colorAt(pixel + NEIGHBORS[contents.neighbor]), 1.0) * (float(contents.other) / float(SAMPLES));
+#endif
+    fragmentColor = color;
     // Even the farthest surface must be nearer than the cleared depth.
     gl_FragDepth = min(bufferDepthOf(depth.r), 0.9999999);
 }

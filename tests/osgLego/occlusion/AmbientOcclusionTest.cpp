@@ -29,16 +29,17 @@ osg::ref_ptr<osg::Group> createMixedScene()
 }
 
 osg::ref_ptr<osg::Image> AmbientOcclusionTest::drawToTexture(osg::Node& scene, const Viewpoint& viewpoint,
-                                                             unsigned int samples, osg::Transform::ReferenceFrame frame)
+                                                             unsigned int samples, osg::Transform::ReferenceFrame frame,
+                                                             int scale)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(WIDTH, HEIGHT, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    image->allocateImage(scale * WIDTH, scale * HEIGHT, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setRenderOrder(osg::Camera::PRE_RENDER);
     camera->setReferenceFrame(frame);
     camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     camera->attach(osg::Camera::COLOR_BUFFER, image, samples, samples);
-    camera->setViewport(0, 0, WIDTH, HEIGHT);
+    camera->setViewport(0, 0, scale * WIDTH, scale * HEIGHT);
     camera->setClearColor(_viewer.getCamera()->getClearColor());
     if (frame == osg::Transform::ABSOLUTE_RF) viewpoint.apply(*camera);
     camera->addChild(&scene);

@@ -34,9 +34,10 @@ protected:
         osg::ref_ptr<osg::Image> without;
     };
 
-    /** The picture of a scene below a camera that renders to a texture. */
+    /** The picture of a scene below a camera that renders to a texture, `scale` times as large as the window. */
     osg::ref_ptr<osg::Image> drawToTexture(osg::Node& scene, const Viewpoint& viewpoint, unsigned int samples,
-                                           osg::Transform::ReferenceFrame frame = osg::Transform::ABSOLUTE_RF);
+                                           osg::Transform::ReferenceFrame frame = osg::Transform::ABSOLUTE_RF,
+                                           int scale = 1);
 
     Pair drawBoth(osg::Node& root, AmbientOcclusionScene& group, const Viewpoint& viewpoint);
 };

@@ -1,5 +1,9 @@
 #include "AmbientOcclusionTest.h"
 
+#include <common/RacingCar.h>
+
+#include <algorithm>
+
 #include <osg/BlendFunc>
 #include <osg/MatrixTransform>
 #include <osgViewer/CompositeViewer>
@@ -133,6 +137,44 @@ TEST_F(AmbientOcclusionView, APictureInATextureIsThatOfTheFrame)
     const osg::ref_ptr<osg::Image> smooth = drawToTexture(*group, MIXED_VIEW, 4);
     EXPECT_LT(meanDifference(*frame, *smooth), 4.0);
     EXPECT_GT(countDrawn(*smooth), countDrawn(*frame)) << "pixels of which a part is covered";
+}
+
+constexpr int FINE = 4;
+
+/** The number of pixels that are brighter, by more than 24 of 255, than the same pixels and those around them in a
+ * picture that is FINE times as large. */
+unsigned int countSpecks(const osg::Image& image, const osg::Image& fine)
+{
+    unsigned int count = 0;
+    for (int row = 1; row + 1 < image.t(); ++row)
+        for (int column = 1; column + 1 < image.s(); ++column)
+        {
+            double brightest = 0.0;
+            for (int y = (row - 1) * FINE; y < (row + 2) * FINE; ++y)
+                for (int x = (column - 1) * FINE; x < (column + 2) * FINE; ++x)
+                    brightest = std::max(brightest, brightnessAt(fine, x, y));
+            count += brightnessAt(image, column, row) > brightest + 24.0 / 255.0;
+        }
+    return count;
+}
+
+TEST_F(AmbientOcclusionView, ADarkCornerBehindASilhouetteDoesNotShine)
+{
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("48,parts=bricks"));
+    lego->addChild(createRacingCar());
+    lego->setWaiting(true);
+    const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", lego);
+    const osg::Vec3d middle = osg::Vec3d(lego->getBound().center());
+    unsigned int count = 0;
+    for (const osg::Vec3d direction : {osg::Vec3d(-2, -3, 1), {3, -2, 1}, {2, 3, 1}, {-3, 2, 1}})
+    {
+        const Viewpoint view{middle + direction * (0.25 * lego->getBound().radius()), middle};
+        const osg::ref_ptr<osg::Image> picture = drawToTexture(*group, view, 4);
+        EXPECT_GT(countDrawn(*picture), 3000u);
+        count += countSpecks(*picture, *drawToTexture(*group, view, 0, osg::Transform::ABSOLUTE_RF, FINE));
+    }
+    // Those left are on studs in the distance, which no neighbouring pixel shows. Mean light of all samples makes 87.
+    EXPECT_LT(count, 20u);
 }
 
 TEST_F(AmbientOcclusionView, ACameraForDepthsAloneGetsThem)
