@@ -3,6 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>
 #include <osgLego/data/BuildingPoints.h>
+#include <osgLego/data/RankBlocks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,9 @@ public:
     const BrickModel& getModel() const { return *_model; }
     const BuildingPlan* getPlan() const { return _plan; }
     const BuildingPoints& getPoints() const { return _points; }
+
+    /** The ranks of all cells (see osgLego::createRankBlocks). */
+    std::vector<std::uint32_t> createRankBlocks() const { return osgLego::createRankBlocks(*_model, _ranks); }
 
     /** The number of parts. */
     std::size_t getNumParts() const { return _ranks.size(); }

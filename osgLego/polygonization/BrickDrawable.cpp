@@ -4,8 +4,10 @@
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 #include <osgLego/polygonization/DepthPass.h>
+#include <osgLego/polygonization/PartialNeighbors.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include <osg/RenderInfo>
 #include <osg/Viewport>
@@ -96,24 +98,31 @@ void BrickDrawable::drawColors(osg::RenderInfo& renderInfo, const SplatDestinati
 {
     osg::State& state = *renderInfo.getState();
     Workspace& workspace = _workspaces[state.getContextID()];
-    const BrickLight light = findLight(renderInfo, bricks, *workspace.cellsToEye);
+    const BrickLight light = findLight(renderInfo, bricks, drawn, *workspace.cellsToEye);
     if (!job || !drawSplats(state, destination, drawn, *job, light))
         drawTriangles(state, drawn, workspace, light, CoreClipPlanes(renderInfo));
 }
 
 /** The caller holds the mutex of `bricks`. */
-BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks,
+BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const DrawnBricks& drawn,
                                     const osg::Matrixd& cellsToEye) const
 {
-    const osg::State& state = *renderInfo.getState();
+    osg::State& state = *renderInfo.getState();
     BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, cellsToEye.getTrans()), {}, {}, _occluder};
-    if (_hasGridOcclusion) light.near.emplace(bricks.findGridOcclusion(state));
+    if (_hasGridOcclusion)
+        light.near.emplace(_isPartial ? findPartialNeighbors(state, bricks, drawn, *_states)
+                                      : bricks.findGridOcclusion(state));
     if (!_noOcclusion) return light;
-    // The distant occlusion is that of all bricks.
+    // The distant occlusion is that of all bricks. Of a partly built model, surfaces that stay visible get the share of
+    // the parts in place; others are inside the complete model, where no distant bricks occlude.
     const NearOcclusion near = _hasGridOcclusion ? NearOcclusion::GRID : NearOcclusion::PICTURE;
-    DistantOcclusionTexture* texture = _isPartial ? nullptr : bricks.findDistantOcclusion(state, near);
+    DistantOcclusionTexture* texture =
+        _isPartial && !_hasGridOcclusion ? nullptr : bricks.findDistantOcclusion(state, near);
+    const double share = _isPartial ? static_cast<double>(drawn.numPlaced) /
+                                          static_cast<double>(std::max<std::size_t>(bricks.building->getNumParts(), 1))
+                                    : 1.0;
     light.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
-                          getPictureWidth(state));
+                          getPictureWidth(state), share);
     return light;
 }
 

@@ -96,7 +96,8 @@ private:
     osg::Matrixd getCellsToEye(const ContextBricks& bricks, const osg::Matrixd& modelView) const;
     DrawnBricks getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
                          const osg::Matrixd& cellsToEye) const;
-    BrickLight findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const osg::Matrixd& cellsToEye) const;
+    BrickLight findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const DrawnBricks& drawn,
+                         const osg::Matrixd& cellsToEye) const;
     SplatJob* findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
     void addSplats(const osg::State& state, const SplatDestination& destination, const osg::Matrixd& modelView) const;
     void addFollowing(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;

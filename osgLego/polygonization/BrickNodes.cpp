@@ -20,14 +20,6 @@ int createOccluder()
     return 1 + static_cast<int>(numOccluders++ % (ALONE - 1));
 }
 
-BrickOcclusion chooseOcclusion(Look look, const BrickAppearance& appearance, const BrickNodes::Kind& kind)
-{
-    if (look == Look::PLAIN) return BrickOcclusion::OFF;
-    // The bits of BrickNeighbors are those of all parts.
-    if (kind.isPartial && appearance.occlusion != BrickOcclusion::OFF) return BrickOcclusion::SCREEN;
-    return appearance.occlusion;
-}
-
 osg::ref_ptr<osg::Geode> createNode(const BrickDrawable::Options& options, const BrickStates& states)
 {
     osg::ref_ptr<osg::Geode> node = new osg::Geode;
@@ -46,7 +38,7 @@ const BrickDrawable& getDrawable(const osg::Geode& node)
 BrickNodes::BrickNodes(BrickStore& store, Look look, Drawing drawing, const BrickAppearance& appearance,
                        const LightProbe& probe, const Kind& kind)
 {
-    const BrickOcclusion occlusion = chooseOcclusion(look, appearance, kind);
+    const BrickOcclusion occlusion = look == Look::PLAIN ? BrickOcclusion::OFF : appearance.occlusion;
     const bool hasGrid = occlusion == BrickOcclusion::GRID || occlusion == BrickOcclusion::BOTH;
     const auto create = [&](BrickStates::Target target, bool isDistant)
     {

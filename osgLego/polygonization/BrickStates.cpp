@@ -169,6 +169,15 @@ osg::ref_ptr<osg::StateSet> createDepthState(const std::string& definitions)
     return stateSet;
 }
 
+osg::ref_ptr<osg::StateSet> createPartialNeighborsState()
+{
+    const osg::ref_ptr<osg::Program> program =
+        ShaderLibrary::getProgram("partial neighbours", {"polygonization/partial_neighbors.vert"}, {}, {"neighbors"});
+    osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+    stateSet->setAttributeAndModes(program, PROGRAM);
+    return stateSet;
+}
+
 osg::ref_ptr<osg::Program> getPointProgram(const std::string& definitions)
 {
     return ShaderLibrary::getProgram("splats", {"polygonization/splats.vert", "polygonization/splats.frag"},
@@ -235,6 +244,7 @@ BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& app
     const std::string partial = kind.isPartial ? "#define PARTIAL\n" : "";
     _boxes = createPointState(partial);
     _studded = createPointState("#define STUDS\n" + partial);
+    if (kind.isPartial && kind.hasGridOcclusion) _partialNeighbors = createPartialNeighborsState();
     const std::string depths = "#define DEPTH_ONLY\n" + partial;
     _depths = createDepthState(depths);
     _clippedDepths = createDepthState(depths + CLIP_PLANES);
@@ -267,7 +277,7 @@ void BrickStates::resizeGLObjectBuffers(unsigned int maxSize) const
     for (const osg::ref_ptr<osg::StateSet>& stateSet :
          {_boxes, _studded, _depths, _clippedDepths, _clipped[0], _clipped[1], _depthPoints[0][0], _depthPoints[0][1],
           _depthPoints[1][0], _depthPoints[1][1], _shading.triangles, _shading.splats, _shading.splatsByOneLight,
-          _shadowed.triangles, _shadowed.splats, _shadowed.splatsByOneLight})
+          _shadowed.triangles, _shadowed.splats, _shadowed.splatsByOneLight, _partialNeighbors})
         if (stateSet) stateSet->resizeGLObjectBuffers(maxSize);
 }
 

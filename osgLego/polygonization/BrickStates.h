@@ -87,6 +87,10 @@ public:
         return *_depthPoints[faces == Faces::BACK ? 1 : 0][hasStuds ? 1 : 0];
     }
 
+    /** For finding the neighbours in place (shaders/polygonization/partial_neighbors.vert). For models drawn partly
+     * built with grid occlusion. */
+    const osg::StateSet& getPartialNeighbors() const { return *_partialNeighbors; }
+
     void resizeGLObjectBuffers(unsigned int maxSize) const;
 
 private:
@@ -115,6 +119,7 @@ private:
     Shading _shading;
     osg::ref_ptr<osg::StateSet> _boxes;
     osg::ref_ptr<osg::StateSet> _studded;
+    osg::ref_ptr<osg::StateSet> _partialNeighbors;
     osg::ref_ptr<osg::StateSet> _depths;
     osg::ref_ptr<osg::StateSet> _clippedDepths;
     std::array<std::array<osg::ref_ptr<osg::StateSet>, 2>, 2> _depthPoints; // by getDepthPoints()

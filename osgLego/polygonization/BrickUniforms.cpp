@@ -35,15 +35,6 @@ void setLines(const ProgramUniforms& uniforms, const BrickLines& lines)
     uniforms.set(PIXEL_WIDTH, lines.pixelWidth);
 }
 
-/** Set the uniforms of shaders/polygonization/partial_bricks.glsl. */
-void setParts(const ProgramUniforms& uniforms, const DrawnBricks& bricks)
-{
-    static const UniformName NUM_PLACED("numPlaced");
-    static const UniformName NUM_OLD("numOld");
-    uniforms.set(NUM_PLACED, static_cast<int>(bricks.numPlaced));
-    uniforms.set(NUM_OLD, static_cast<int>(bricks.numOld));
-}
-
 /** Let a vertex attribute read a member of the items in the bound buffer. */
 void setAttribute(const osg::GLExtensions& extensions, GLuint location, GLint count, std::size_t stride,
                   std::size_t offset)
@@ -66,7 +57,31 @@ GLuint setAttributes(const osg::GLExtensions& extensions, const DrawnBricks& bri
     return 4;
 }
 
+/** Draw points with the attributes of the vertex shaders set. @param draw calls GL. */
+template <typename Draw>
+void drawWithAttributes(osg::State& state, const DrawnBricks& bricks, const Draw& draw)
+{
+    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
+    state.disableAllVertexArrays();
+    state.unbindVertexBufferObject();
+    const CoreVertexArray vertexArray(state);
+    const GLuint numAttributes = setAttributes(extensions, bricks);
+    draw(extensions);
+    for (GLuint location = 0; location < numAttributes; ++location)
+        extensions.glDisableVertexAttribArray(location);
+    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
 } // namespace
+
+void setPartUniforms(const osg::State& state, const DrawnBricks& bricks)
+{
+    static const UniformName NUM_PLACED("numPlaced");
+    static const UniformName NUM_OLD("numOld");
+    const ProgramUniforms uniforms(state);
+    uniforms.set(NUM_PLACED, static_cast<int>(bricks.numPlaced));
+    uniforms.set(NUM_OLD, static_cast<int>(bricks.numOld));
+}
 
 void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, Faces faces)
 {
@@ -82,7 +97,7 @@ void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const 
     uniforms.set(PROPORTIONS, glm::vec3(grid.cellSize / grid.getPitch()));
     uniforms.set(EYE, view.eye);
     uniforms.set(DRAWN_FACES, static_cast<int>(faces));
-    if (bricks.ranks != 0) setParts(uniforms, bricks);
+    if (bricks.ranks != 0) setPartUniforms(state, bricks);
     setLines(uniforms, bricks.lines);
     setFog(uniforms, state);
     setMatrices(uniforms, state);
@@ -120,19 +135,20 @@ void setDepthConversion(const osg::State& state, const DepthConversion& conversi
 
 void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRanges::Parts& parts)
 {
-    const osg::GLExtensions& extensions = *state.get<osg::GLExtensions>();
-    state.disableAllVertexArrays();
-    state.unbindVertexBufferObject();
-    const CoreVertexArray vertexArray(state);
-    const GLuint numAttributes = setAttributes(extensions, bricks);
     if (bricks.blocks.empty())
-        glDrawArrays(GL_POINTS, 0, bricks.count);
+        drawAllBrickPoints(state, bricks);
     else
-        extensions.glMultiDrawArrays(GL_POINTS, parts.firsts.data(), parts.counts.data(),
-                                     static_cast<GLsizei>(parts.firsts.size()));
-    for (GLuint location = 0; location < numAttributes; ++location)
-        extensions.glDisableVertexAttribArray(location);
-    extensions.glBindBuffer(GL_ARRAY_BUFFER, 0);
+        drawWithAttributes(state, bricks,
+                           [&](const osg::GLExtensions& extensions)
+                           {
+                               extensions.glMultiDrawArrays(GL_POINTS, parts.firsts.data(), parts.counts.data(),
+                                                            static_cast<GLsizei>(parts.firsts.size()));
+                           });
+}
+
+void drawAllBrickPoints(osg::State& state, const DrawnBricks& bricks)
+{
+    drawWithAttributes(state, bricks, [&](const osg::GLExtensions&) { glDrawArrays(GL_POINTS, 0, bricks.count); });
 }
 
 } // namespace osgLego

@@ -17,6 +17,9 @@ namespace osgLego
  * @param faces those that are drawn. */
 void setBrickUniforms(const osg::State& state, const DrawnBricks& bricks, const CellView& view, Faces faces);
 
+/** Set the uniforms of shaders/polygonization/partial_bricks.glsl. */
+void setPartUniforms(const osg::State& state, const DrawnBricks& bricks);
+
 /** Set the uniforms of a picture's rays and their depth. */
 void setRays(const osg::State& state, const CellView::Rays& rays, const glm::ivec2& pictureSize);
 
@@ -28,5 +31,7 @@ bool hasOneLight(const osg::State& state);
 
 /** Draw a point for each brick or, if the blocks of the bricks are known, for each brick in the given ranges. */
 void drawBrickPoints(osg::State& state, const DrawnBricks& bricks, const BrickRanges::Parts& parts);
+/** Draw a point for each brick, in their order. */
+void drawAllBrickPoints(osg::State& state, const DrawnBricks& bricks);
 
 } // namespace osgLego

@@ -6,9 +6,9 @@ namespace osgLego
 {
 
 DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
-                                           const osg::Matrixd& projection, double width) :
+                                           const osg::Matrixd& projection, double width, double share) :
     _occlusion(&occlusion),
-    _modelToEye(rotationOf(cellsToEye))
+    _modelToEye(rotationOf(cellsToEye)), _share(static_cast<float>(share))
 {
     const glm::dvec3 scale(occlusion.getScale());
     const glm::dvec3 offset(occlusion.getOffset());
@@ -25,6 +25,7 @@ void DistantOcclusionView::apply(osg::State& state) const
     static const UniformName MODEL_TO_EYE("modelToEye");
     static const UniformName VOXEL("voxel");
     static const UniformName PIXEL_WIDTH("pixelWidth");
+    static const UniformName SHARE("distantShare");
     state.applyTextureAttribute(LOWER_UNIT, &_occlusion->getTexture(false));
     state.applyTextureAttribute(UPPER_UNIT, &_occlusion->getTexture(true));
     const ProgramUniforms uniforms(state);
@@ -32,6 +33,7 @@ void DistantOcclusionView::apply(osg::State& state) const
     uniforms.set(MODEL_TO_EYE, _modelToEye);
     uniforms.set(VOXEL, _occlusion->getVoxel());
     uniforms.set(PIXEL_WIDTH, _pixelWidth);
+    uniforms.set(SHARE, _share);
 }
 
 } // namespace osgLego

@@ -20,9 +20,10 @@ public:
     static constexpr unsigned int LOWER_UNIT = 2;
     static constexpr unsigned int UPPER_UNIT = 3;
 
-    /** @param width of the picture, in pixels. */
+    /** @param width of the picture, in pixels.
+     * @param share the factor of the occlusion, 0 to 1. */
     DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
-                         const osg::Matrixd& projection, double width);
+                         const osg::Matrixd& projection, double width, double share);
 
     /** Bind the textures, and set the uniforms of the program that a state has applied. Needs its context current. */
     void apply(osg::State& state) const;
@@ -32,6 +33,7 @@ private:
     glm::mat4 _eyeToVoxels;
     glm::mat3 _modelToEye;
     glm::vec2 _pixelWidth;
+    float _share;
 };
 
 } // namespace osgLego

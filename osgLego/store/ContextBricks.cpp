@@ -85,6 +85,7 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     numBricks = made.numBricks;
     blocks.clear();
     _gridOcclusion = nullptr;
+    _lacksMemoryForOcclusion = false;
     if (made.neighbors.get() != 0)
         _gridOcclusion = new GridOcclusionTextures(state, bricks->getGrid(), std::move(made.neighbors), numBricks);
     _distantOcclusion = {};
@@ -117,6 +118,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
     _gridOcclusion = nullptr;
+    _lacksMemoryForOcclusion = false;
     _distantOcclusion = {};
     _blockReader.stop();
     _model = wanted.getModel();
@@ -141,6 +143,8 @@ bool ContextBricks::upload(const osg::State& state, const BuildingSet& wanted)
         return false;
     }
     building = &wanted;
+    _partialOcclusion = nullptr;
+    _lacksMemoryForOcclusion = false;
     buildingBuffer = std::move(uploaded);
     _buildingHighlight = nullptr;
     rankBuffer = std::move(ranks);
@@ -198,7 +202,7 @@ DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& s
 const GridOcclusionTextures* ContextBricks::findGridOcclusion(const osg::State& state)
 {
     _wantsGridOcclusion = true;
-    if (_gridOcclusion || numBricks == 0) return _gridOcclusion;
+    if (_gridOcclusion || numBricks == 0 || _lacksMemoryForOcclusion) return _gridOcclusion;
     if (bricks->hasPoints())
         uploadNeighbors(state, bricks->getNeighbors());
     else
@@ -209,7 +213,26 @@ const GridOcclusionTextures* ContextBricks::findGridOcclusion(const osg::State& 
 void ContextBricks::uploadNeighbors(const osg::State& state, std::span<const BrickNeighbors> neighbors)
 {
     _gridOcclusion = new GridOcclusionTextures(state, bricks->getGrid(), neighbors);
-    if (takeOutOfMemoryError()) _gridOcclusion = nullptr;
+    if (lacksMemoryForOcclusion()) _gridOcclusion = nullptr;
+}
+
+PartialOcclusion* ContextBricks::findPartialOcclusion(const osg::State& state)
+{
+    if (_partialOcclusion || !building || _lacksMemoryForOcclusion) return _partialOcclusion;
+    _partialOcclusion = new PartialOcclusion(state, *building);
+    if (lacksMemoryForOcclusion()) _partialOcclusion = nullptr;
+    return _partialOcclusion;
+}
+
+/** Check for lack of memory after an upload, and report it once for each set of bricks. */
+bool ContextBricks::lacksMemoryForOcclusion()
+{
+    if (!takeOutOfMemoryError()) return false;
+    _lacksMemoryForOcclusion = true;
+    OSG_WARN << "osgLego: there is not enough memory on the GPU for the occlusion of bricks; they are drawn without, "
+                "expected a lower resolution"
+             << std::endl;
+    return true;
 }
 
 void ContextBricks::fail(std::uint64_t revision, const std::string& why)
@@ -260,6 +283,7 @@ void ContextBricks::clear()
     numBricks = 0;
     blocks.clear();
     _gridOcclusion = nullptr;
+    _partialOcclusion = nullptr;
     _distantOcclusion = {};
     _blockReader.stop();
     _model = nullptr;

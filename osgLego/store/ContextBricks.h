@@ -10,6 +10,7 @@
 #include <osgLego/store/BlockReader.h>
 #include <osgLego/store/DistantOcclusionTexture.h>
 #include <osgLego/store/GridOcclusionTextures.h>
+#include <osgLego/store/PartialOcclusion.h>
 
 #include <array>
 #include <atomic>
@@ -83,6 +84,10 @@ public:
      * context is current.
      * @return null if there are no bricks, or no memory. */
     const GridOcclusionTextures* findGridOcclusion(const osg::State& state);
+    /** The grid occlusion of the model partly built, created by the first call after its upload. The caller holds the
+     * mutex, and the context is current.
+     * @return null if there is no such model, or no memory. */
+    PartialOcclusion* findPartialOcclusion(const osg::State& state);
 
     /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
@@ -109,6 +114,7 @@ private:
 
     void clear();
     void uploadNeighbors(const osg::State& state, std::span<const BrickNeighbors> neighbors);
+    bool lacksMemoryForOcclusion();
     void readPoints(const osg::State& state);
     void usePoints(const osg::State& state, std::span<const BrickPoint> points);
     void setFailure(std::uint64_t revision, const std::string& why);
@@ -118,7 +124,9 @@ private:
     osg::ref_ptr<const PartHighlight> _highlight;         // in the points of the bricks
     osg::ref_ptr<const PartHighlight> _buildingHighlight; // in those of the model partly built
     bool _wantsGridOcclusion = false;
+    bool _lacksMemoryForOcclusion = false; // of bricks that are shown
     osg::ref_ptr<GridOcclusionTextures> _gridOcclusion;
+    osg::ref_ptr<PartialOcclusion> _partialOcclusion;
     // By NearOcclusion.
     std::array<bool, 2> _wantsDistantOcclusion{};
     std::array<osg::ref_ptr<DistantOcclusionTexture>, 2> _distantOcclusion;

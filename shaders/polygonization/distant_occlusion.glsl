@@ -7,6 +7,11 @@ uniform mat4 eyeToVoxels; // from eye coordinates to texture coordinates
 uniform mat3 modelToEye;  // a rotation or reflection, or with columns of length 1 if the model is sheared
 uniform vec3 voxel;       // the extent of a voxel, in texture coordinates
 uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + y * z|
+#if defined(PARTIAL)
+uniform float distantShare; // of the bricks that are in place
+#else
+const float distantShare = 1.0;
+#endif
 
 // The distance from the surface at which occlusion is read, in voxels: voxels with bricks have none of their own.
 const float LIFT = 0.4;
@@ -33,5 +38,5 @@ vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 lift, vec3 toEye)
     vec3 upper = textureLod(hiddenFromUpper, place, level).rgb;
     float hidden = dot(normal * normal, mix(lower, upper, greaterThan(normal, vec3(0.0))));
     vec3 towards = 0.5 * (upper - lower);
-    return vec4(modelToEye * towards, hidden - dot(towards, normal));
+    return distantShare * vec4(modelToEye * towards, hidden - dot(towards, normal));
 }

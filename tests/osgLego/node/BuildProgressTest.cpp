@@ -80,6 +80,39 @@ TEST_P(BuildProgress, ShowsAModelOfThePartsInPlace)
     }
 }
 
+TEST_P(BuildProgress, TheCellsInPlaceOccludeEachOther)
+{
+    const osg::ref_ptr<const BrickModel> model = createModel();
+    const std::vector<std::uint32_t> order = createRandomOrder(*model, 8);
+    const auto createOccluded = [](const BrickModel& shown, BrickOcclusion occlusion)
+    {
+        osg::ref_ptr<LegoNode> node = createNode(shown);
+        BrickAppearance appearance;
+        appearance.occlusion = occlusion;
+        appearance.distantOcclusion = false;
+        node->setAppearance(appearance);
+        return node;
+    };
+    const osg::ref_ptr<LegoNode> node = createOccluded(*model, BrickOcclusion::GRID);
+    node->setBuildingPlan(createPlan(order).get());
+    for (const std::size_t numPlaced : {order.size() / 2, order.size() / 5, order.size() - 1})
+    {
+        node->setBuildProgress(shareOf(numPlaced, *model));
+        const osg::ref_ptr<const BrickModel> placed = createPlacedModel(*model, order, numPlaced);
+        for (const Viewpoint& viewpoint : {ABOVE, BELOW})
+        {
+            const osg::ref_ptr<osg::Image> picture = draw(*createOccluded(*placed, BrickOcclusion::GRID), viewpoint);
+            if (std::get<1>(GetParam()) == std::string("full"))
+            {
+                EXPECT_GT(countDifferent(*picture, *draw(*createOccluded(*placed, BrickOcclusion::OFF), viewpoint), 8),
+                          50u);
+            }
+            EXPECT_LE(countDifferent(*draw(*node, viewpoint), *picture, 1), getTolerance())
+                << numPlaced << " of " << order.size();
+        }
+    }
+}
+
 TEST_P(BuildProgress, ShowsBricksWithoutPartsFromBottomToTop)
 {
     const osg::ref_ptr<const BrickModel> cells = createCells(*createModel());
