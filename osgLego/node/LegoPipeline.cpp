@@ -184,6 +184,7 @@ bool LegoPipeline::cull(osgUtil::CullVisitor& visitor)
     }
     const osg::State& state = *visitor.getState();
     const osg::ref_ptr<ContextBricks> bricks = _store->getContext(state.getContextID());
+    bricks->setAwaited(_waiting);
     if (mustDrawSource(state, *bricks, revision)) return false;
     bool isLate = false;
     if (source && !bricks->isOf(revision))

@@ -85,30 +85,32 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *workspace.cellsToEye);
     if (hasColors)
-        drawColors(renderInfo, destination, *bricks, drawn, job);
+        drawColors(renderInfo, destination, *bricks, drawn, job, *modelView);
     else
         drawDepths(state, destination, drawn, workspace, CoreClipPlanes(renderInfo));
     state.applyModelViewMatrix(modelView.get());
 }
 
 /** Draw bricks in light. The caller holds the mutex of `bricks`.
- * @param job null if splats can't be used. */
+ * @param job null if splats can't be used.
+ * @param modelView the node's, instead of that of the cells, which is applied. */
 void BrickDrawable::drawColors(osg::RenderInfo& renderInfo, const SplatDestination& destination, ContextBricks& bricks,
-                               const DrawnBricks& drawn, const SplatJob* job) const
+                               const DrawnBricks& drawn, const SplatJob* job, const osg::Matrixd& modelView) const
 {
     osg::State& state = *renderInfo.getState();
     Workspace& workspace = _workspaces[state.getContextID()];
-    const BrickLight light = findLight(renderInfo, bricks, drawn, *workspace.cellsToEye);
+    const BrickLight light = findLight(renderInfo, bricks, drawn, modelView);
     if (!job || !drawSplats(state, destination, drawn, *job, light))
         drawTriangles(state, drawn, workspace, light, CoreClipPlanes(renderInfo));
 }
 
 /** The caller holds the mutex of `bricks`. */
 BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const DrawnBricks& drawn,
-                                    const osg::Matrixd& cellsToEye) const
+                                    const osg::Matrixd& modelView) const
 {
     osg::State& state = *renderInfo.getState();
-    BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, cellsToEye.getTrans()), {}, {}, _occluder};
+    const osg::Vec3d firstCell = getCellsToEye(bricks, modelView).getTrans();
+    BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, firstCell), {}, {}, _occluder};
     if (_hasGridOcclusion)
         light.near.emplace(_isPartial ? findPartialNeighbors(state, bricks, drawn, *_states)
                                       : bricks.findGridOcclusion(state));
@@ -121,7 +123,7 @@ BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& 
     const double share = _isPartial ? static_cast<double>(drawn.numPlaced) /
                                           static_cast<double>(std::max<std::size_t>(bricks.building->getNumParts(), 1))
                                     : 1.0;
-    light.distant.emplace(texture ? *texture : *_noOcclusion, cellsToEye, state.getProjectionMatrix(),
+    light.distant.emplace(texture ? *texture : *_noOcclusion, modelView, state.getProjectionMatrix(),
                           getPictureWidth(state), share);
     return light;
 }

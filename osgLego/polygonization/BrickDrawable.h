@@ -97,7 +97,7 @@ private:
     DrawnBricks getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
                          const osg::Matrixd& cellsToEye) const;
     BrickLight findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const DrawnBricks& drawn,
-                         const osg::Matrixd& cellsToEye) const;
+                         const osg::Matrixd& modelView) const;
     SplatJob* findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
     void addSplats(const osg::State& state, const SplatDestination& destination, const osg::Matrixd& modelView) const;
     void addFollowing(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;
@@ -105,7 +105,7 @@ private:
     bool drawSplats(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
                     const SplatJob& job, const BrickLight& light) const;
     void drawColors(osg::RenderInfo& renderInfo, const SplatDestination& destination, ContextBricks& bricks,
-                    const DrawnBricks& drawn, const SplatJob* job) const;
+                    const DrawnBricks& drawn, const SplatJob* job, const osg::Matrixd& modelView) const;
     void drawDepths(osg::State& state, const SplatDestination& destination, const DrawnBricks& bricks,
                     Workspace& workspace, const CoreClipPlanes& clipPlanes) const;
     void drawTriangles(osg::State& state, const DrawnBricks& bricks, Workspace& workspace, const BrickLight& light,

@@ -5,11 +5,13 @@
 namespace osgLego
 {
 
-DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
+DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& modelView,
                                            const osg::Matrixd& projection, double width, double share) :
     _occlusion(&occlusion),
-    _modelToEye(rotationOf(cellsToEye)), _share(static_cast<float>(share))
+    _share(static_cast<float>(share))
 {
+    const osg::Matrixd cellsToEye = occlusion.getCellsToModel() * modelView;
+    _modelToEye = rotationOf(cellsToEye);
     const glm::dvec3 scale(occlusion.getScale());
     const glm::dvec3 offset(occlusion.getOffset());
     _eyeToVoxels = toGlsl(osg::Matrixd::inverse(cellsToEye) * osg::Matrixd::scale(scale.x, scale.y, scale.z) *

@@ -20,9 +20,10 @@ public:
     static constexpr unsigned int LOWER_UNIT = 2;
     static constexpr unsigned int UPPER_UNIT = 3;
 
-    /** @param width of the picture, in pixels.
+    /** @param modelView from model units to eye coordinates.
+     * @param width of the picture, in pixels.
      * @param share the factor of the occlusion, 0 to 1. */
-    DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& cellsToEye,
+    DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& modelView,
                          const osg::Matrixd& projection, double width, double share);
 
     /** Bind the textures, and set the uniforms of the program that a state has applied. Needs its context current. */

@@ -101,14 +101,14 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
                     *progress = 0.0f;
                     const osg::ref_ptr<const BrickSet> set =
                         new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout);
-                    complete(*set);
+                    complete(*set, isMoving);
                     _pace.end(getNow() - start, getNow());
                     const osg::ref_ptr<MadeBricks> bricks = new MadeBricks;
                     bricks->layout = std::move(draftLayout);
                     run.offer({set, bricks, true});
                     if (isMoving) run.rest(MotionPace::PAUSE);
                 };
-            std::optional<Made> made = make(*source, work, error);
+            std::optional<Made> made = make(*source, work, isMoving, error);
             if (!hasDraft) _pace.end(getNow() - start, getNow());
             return made;
         };
@@ -117,7 +117,8 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
 }
 
 /** Make the set of a source. @return nothing if that was cancelled, or with a sentence in `error`. */
-std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, CpuBricksWork& work, std::string& error)
+std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, CpuBricksWork& work, bool isMoving,
+                                                   std::string& error)
 {
     const osg::ref_ptr<const MadeBricks> bricks = makeOrFind(source, work);
     error = work.error;
@@ -126,7 +127,7 @@ std::optional<CpuProducer::Made> CpuProducer::make(const LegoSource& source, Cpu
     const osg::ref_ptr<const BrickSet> set = createSet(source.revision, *bricks->model, source.settings.view.show,
                                                        work.statistics, bricks->measureLayout, work.isCancelled);
     if (!set) return std::nullopt;
-    complete(*set);
+    complete(*set, isMoving);
     return Made{set, bricks};
 }
 
@@ -156,10 +157,12 @@ osg::ref_ptr<const MadeBricks> CpuProducer::makeOrFind(const LegoSource& source,
     return made;
 }
 
-/** Compute everything that drawing a set needs, so that the frame which shows it first takes no longer than others. */
-void CpuProducer::complete(const BrickSet& bricks) const
+/** Compute everything that drawing a set needs, so that the frame which shows it first takes no longer than others.
+ * Sets of a source that moves are drawn with the distant occlusion of an earlier one. */
+void CpuProducer::complete(const BrickSet& bricks, bool isMoving) const
 {
     if (_computesNeighbors) bricks.getNeighbors();
+    if (isMoving) return;
     for (const NearOcclusion near : {NearOcclusion::PICTURE, NearOcclusion::GRID})
         if (_computesDistantOcclusion[static_cast<std::size_t>(near)]) bricks.getDistantOcclusion(near);
 }
@@ -214,7 +217,7 @@ void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision
             const osg::ref_ptr<const BrickSet> set =
                 createSet(revision, *model, Show::LOAD, statistics, {}, [&run] { return run.isCancelled(); });
             if (!set) return std::nullopt;
-            complete(*set);
+            complete(*set, false);
             return Made{set, new MadeBricks};
         };
     };

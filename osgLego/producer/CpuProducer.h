@@ -87,9 +87,9 @@ private:
     std::shared_ptr<Progress> begin(const LegoSettings& settings);
     bool hasOtherSettings(const LegoSource& source) const;
     Job::Request request(const LegoSource& source, bool isUrgent, bool isAwaited);
-    std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, std::string& error);
+    std::optional<Made> make(const LegoSource& source, CpuBricksWork& work, bool isMoving, std::string& error);
     static osg::ref_ptr<const MadeBricks> makeOrFind(const LegoSource& source, CpuBricksWork& work);
-    void complete(const BrickSet& bricks) const;
+    void complete(const BrickSet& bricks, bool isMoving) const;
     void warn(const std::string& warning);
     void deliver(const Made& made);
 

@@ -84,11 +84,9 @@ void ContextBricks::show(const osg::State& state, GpuBricks&& made)
     _highlight = nullptr;
     numBricks = made.numBricks;
     blocks.clear();
-    _gridOcclusion = nullptr;
-    _lacksMemoryForOcclusion = false;
+    noteNewBricks();
     if (made.neighbors.get() != 0)
         _gridOcclusion = new GridOcclusionTextures(state, bricks->getGrid(), std::move(made.neighbors), numBricks);
-    _distantOcclusion = {};
     _blockReader.start(state, buffer.get(), numBricks);
     _model = made.model;
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -117,9 +115,7 @@ void ContextBricks::upload(const osg::State& state, const BrickSet& wanted)
     _highlight = nullptr;
     numBricks = static_cast<GLsizei>(points.size());
     blocks = wanted.getPoints().blocks;
-    _gridOcclusion = nullptr;
-    _lacksMemoryForOcclusion = false;
-    _distantOcclusion = {};
+    noteNewBricks();
     _blockReader.stop();
     _model = wanted.getModel();
     const unsigned int numBefore = _statistics.numLegolizations;
@@ -178,25 +174,48 @@ void ContextBricks::usePoints(const osg::State& state, std::span<const BrickPoin
     if (_wantsGridOcclusion && !_gridOcclusion) uploadNeighbors(state, createBrickNeighbors(points));
     for (const NearOcclusion near : {NearOcclusion::PICTURE, NearOcclusion::GRID})
     {
-        const auto place = static_cast<std::size_t>(near);
-        if (!_wantsDistantOcclusion[place]) continue;
-        const osg::ref_ptr<const DistantOcclusion> occlusion =
-            DistantOcclusion::create(bricks->getGrid(), points, near);
-        _distantOcclusion[place] = new DistantOcclusionTexture(*occlusion);
+        Distant& distant = _distant[static_cast<std::size_t>(near)];
+        if (!distant.isWanted || (distant.texture && (!distant.isOld || isMoving()))) continue;
+        distant.texture =
+            new DistantOcclusionTexture(*DistantOcclusion::create(bricks->getGrid(), points, near), bricks->getGrid());
+        distant.isOld = false;
     }
+}
+
+/** Drop the occlusion of earlier bricks, except for distant occlusion, which changes little. */
+void ContextBricks::noteNewBricks()
+{
+    const osg::Timer& timer = *osg::Timer::instance();
+    const osg::Timer_t now = timer.tick();
+    _isSoon = timer.delta_s(std::exchange(_shownAt, now), now) < PAUSE;
+    _gridOcclusion = nullptr;
+    _lacksMemoryForOcclusion = false;
+    for (Distant& distant : _distant)
+        distant.isOld = true;
+}
+
+/** Whether the bricks are so new that others are likely to follow. */
+bool ContextBricks::isMoving() const
+{
+    const osg::Timer& timer = *osg::Timer::instance();
+    return _isSoon && !_isAwaited && timer.delta_s(_shownAt, timer.tick()) < PAUSE;
 }
 
 DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& state, NearOcclusion near)
 {
-    const auto place = static_cast<std::size_t>(near);
-    _wantsDistantOcclusion[place] = true;
-    osg::ref_ptr<DistantOcclusionTexture>& texture = _distantOcclusion[place];
-    if (texture || numBricks == 0) return texture;
+    Distant& distant = _distant[static_cast<std::size_t>(near)];
+    distant.isWanted = true;
+    if ((distant.texture && !distant.isOld) || numBricks == 0) return distant.texture;
+    const bool isReady = bricks->hasDistantOcclusion(near);
+    if (distant.texture && !isReady && isMoving()) return distant.texture;
     if (bricks->hasPoints())
-        texture = new DistantOcclusionTexture(bricks->getDistantOcclusion(near));
+    {
+        distant.texture = new DistantOcclusionTexture(bricks->getDistantOcclusion(near), bricks->getGrid());
+        distant.isOld = false;
+    }
     else
         readPoints(state);
-    return texture;
+    return distant.texture;
 }
 
 const GridOcclusionTextures* ContextBricks::findGridOcclusion(const osg::State& state)
@@ -284,7 +303,8 @@ void ContextBricks::clear()
     blocks.clear();
     _gridOcclusion = nullptr;
     _partialOcclusion = nullptr;
-    _distantOcclusion = {};
+    for (Distant& distant : _distant)
+        distant.texture = nullptr;
     _blockReader.stop();
     _model = nullptr;
     const unsigned int numLegolizations = _statistics.numLegolizations;

@@ -22,6 +22,7 @@
 
 #include <osg/Referenced>
 #include <osg/State>
+#include <osg/Timer>
 #include <osg/ref_ptr>
 
 namespace osgLego
@@ -73,9 +74,12 @@ public:
     void highlight(const osg::State& state, const PartHighlight* wanted);
     /** Check for the blocks of bricks made on the GPU. The caller holds the mutex, and the context is current. */
     void pollBlocks(const osg::State& state);
+    /** Note that frames wait for bricks, which therefore never have the distant occlusion of earlier ones. */
+    void setAwaited(bool isAwaited) { _isAwaited = isAwaited; }
     /** The distant occlusion of the bricks as a texture, created by the first call after they were shown. For bricks
-     * made on the GPU, this call waits until they have been read. The caller holds the mutex, and the context is
-     * current.
+     * made on the GPU, this call waits until they have been read. While sets follow each other in less than PAUSE
+     * seconds, it returns that of earlier bricks, unless the set has its own already. The caller holds the mutex, and
+     * the context is current.
      * @return null if there are no bricks, or no memory for reading them. */
     DistantOcclusionTexture* findDistantOcclusion(const osg::State& state, NearOcclusion near);
 
@@ -112,7 +116,19 @@ public:
 private:
     ~ContextBricks() override = default;
 
+    /** The distant occlusion that completes one kind of near occlusion. */
+    struct Distant
+    {
+        bool isWanted = false;
+        osg::ref_ptr<DistantOcclusionTexture> texture; // null until it is wanted
+        bool isOld = false;                            // of earlier bricks
+    };
+
+    static constexpr double PAUSE = 0.5; // seconds
+
     void clear();
+    void noteNewBricks();
+    bool isMoving() const;
     void uploadNeighbors(const osg::State& state, std::span<const BrickNeighbors> neighbors);
     bool lacksMemoryForOcclusion();
     void readPoints(const osg::State& state);
@@ -127,9 +143,10 @@ private:
     bool _lacksMemoryForOcclusion = false; // of bricks that are shown
     osg::ref_ptr<GridOcclusionTextures> _gridOcclusion;
     osg::ref_ptr<PartialOcclusion> _partialOcclusion;
-    // By NearOcclusion.
-    std::array<bool, 2> _wantsDistantOcclusion{};
-    std::array<osg::ref_ptr<DistantOcclusionTexture>, 2> _distantOcclusion;
+    std::array<Distant, 2> _distant; // by NearOcclusion
+    osg::Timer_t _shownAt = 0;       // when the bricks were shown
+    bool _isSoon = false;            // less than PAUSE after those before
+    std::atomic<bool> _isAwaited{false};
     osg::ref_ptr<const BrickModel> _model;
     LegoStatistics _statistics;
     std::string _failure;

@@ -53,8 +53,9 @@ osg::ref_ptr<osg::Image> createEmptyImage()
 
 } // namespace
 
-DistantOcclusionTexture::DistantOcclusionTexture(const DistantOcclusion& occlusion) :
-    _textures{createTexture(occlusion.getImage(false)), createTexture(occlusion.getImage(true))}
+DistantOcclusionTexture::DistantOcclusionTexture(const DistantOcclusion& occlusion, const BrickGrid& grid) :
+    _textures{createTexture(occlusion.getImage(false)), createTexture(occlusion.getImage(true))},
+    _cellsToModel(grid.getCellsToModel())
 {
     const osg::Image& image = occlusion.getImage(true);
     _voxel = 1.0f / glm::vec3(image.s(), image.t(), image.r());

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <osgLego/BrickGrid.h>
 #include <osgLego/data/DistantOcclusion.h>
 
 #include <array>
 
 #include <glm/vec3.hpp>
+#include <osg/Matrixd>
 #include <osg/Referenced>
 #include <osg/Texture3D>
 #include <osg/ref_ptr>
@@ -13,11 +15,12 @@ namespace osgLego
 {
 
 /** Distant occlusion as two textures with linear interpolation, and the transform from cells to texture coordinates,
- * `scale * cell + offset`. */
+ * `scale * cell + offset`. The cells are those of the grid for which it was computed, which may be an earlier one than
+ * that of the bricks. */
 class DistantOcclusionTexture : public osg::Referenced
 {
 public:
-    explicit DistantOcclusionTexture(const DistantOcclusion& occlusion);
+    DistantOcclusionTexture(const DistantOcclusion& occlusion, const BrickGrid& grid);
     /** Create a texture without occlusion, for bricks whose occlusion is not known yet. */
     DistantOcclusionTexture();
 
@@ -28,6 +31,8 @@ public:
     /** The extent of a voxel, in texture coordinates. */
     const glm::vec3& getVoxel() const { return _voxel; }
 
+    const osg::Matrixd& getCellsToModel() const { return _cellsToModel; }
+
     void resizeGLObjectBuffers(unsigned int maxSize) const;
     void releaseGLObjects(osg::State* state) const;
 
@@ -35,6 +40,7 @@ private:
     ~DistantOcclusionTexture() override = default;
 
     std::array<osg::ref_ptr<osg::Texture3D>, 2> _textures;
+    osg::Matrixd _cellsToModel;
     glm::vec3 _scale{1.0f};
     glm::vec3 _offset{0.5f};
     glm::vec3 _voxel{1.0f};

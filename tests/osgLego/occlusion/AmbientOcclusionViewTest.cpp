@@ -160,7 +160,7 @@ unsigned int countSpecks(const osg::Image& image, const osg::Image& fine)
 
 TEST_F(AmbientOcclusionView, ADarkCornerBehindASilhouetteDoesNotShine)
 {
-    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("48,parts=bricks"));
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("64,device=cpu"));
     lego->addChild(createRacingCar());
     lego->setWaiting(true);
     const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", lego);

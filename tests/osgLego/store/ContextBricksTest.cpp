@@ -194,6 +194,34 @@ TEST_F(ContextBricksTest, DistantOcclusionWaitsForBricksMadeOnTheGpu)
     EXPECT_EQ(_bricks->blocks.size(), 3u) << "read on the way";
 }
 
+TEST_F(ContextBricksTest, BricksInQuickSuccessionKeepTheirDistantOcclusion)
+{
+    const auto show = [this](std::uint64_t revision)
+    {
+        const osg::ref_ptr<const BrickModel> model = createRow(20);
+        const osg::ref_ptr<const BrickSet> set = new BrickSet(revision, model->getGrid(), [model] { return model; });
+        _bricks->show(getState(), createGpuBricks(*set, createBrickPoints(*model).points));
+        const std::lock_guard lock(_bricks->getMutex());
+        return osg::ref_ptr<DistantOcclusionTexture>(_bricks->findDistantOcclusion(getState(), NearOcclusion::GRID));
+    };
+    const osg::ref_ptr<DistantOcclusionTexture> first = show(7);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(show(8), first);
+    EXPECT_EQ(show(9), first);
+    _bricks->setAwaited(true);
+    const osg::ref_ptr<DistantOcclusionTexture> awaited = show(10);
+    ASSERT_TRUE(awaited);
+    EXPECT_NE(awaited, first);
+    _bricks->setAwaited(false);
+    upload(*createSet(11, 5));
+    const std::lock_guard lock(_bricks->getMutex());
+    EXPECT_EQ(_bricks->findDistantOcclusion(getState(), NearOcclusion::GRID), awaited) << "not computed yet";
+    const osg::ref_ptr<const BrickSet> computed = createSet(12, 5);
+    computed->getDistantOcclusion(NearOcclusion::GRID);
+    _bricks->upload(getState(), *computed);
+    EXPECT_NE(_bricks->findDistantOcclusion(getState(), NearOcclusion::GRID), awaited);
+}
+
 TEST_F(ContextBricksTest, AFailureIsReportedOncePerSourceAndEndsItsUploads)
 {
     const auto fail = [this] { _bricks->fail(4, "there is no memory"); };
