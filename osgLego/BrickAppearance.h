@@ -55,11 +55,13 @@ struct OSGLEGO_EXPORT BrickAppearance
      * in building instructions. Also in the plain look. */
     double outline = 0.0;
     /** The occluders of bricks. The grid has no noise and takes no pass over the picture: near occlusion comes from one
-     * cell to each side of a face, and three in front of it. While a model is partly built, GRID and BOTH are SCREEN.
-     * Bricks occlude other nodes below an AmbientOcclusionScene with each of them. */
+     * cell to each side of a face, and three in front of it; of a model partly built, from those in place. Bricks
+     * occlude other nodes below an AmbientOcclusionScene with each of these values. */
     BrickOcclusion occlusion = BrickOcclusion::SCREEN;
     /** Whether the grid also has the occlusion by bricks farther away than 2.5 bricks, for GRID and BOTH; see
-     * AmbientOcclusionSettings::distant, which leaves it out, too. */
+     * AmbientOcclusionSettings::distant, which leaves it out, too. Of a model partly built, it is that of the whole
+     * model times the share of parts in place; while bricks change several times a second, it is that of earlier
+     * bricks unless LegoNode::setWaiting(). */
     bool distantOcclusion = true;
 
     /** The first error in these values, with the expected value, in one sentence; empty if there is none. */

@@ -168,6 +168,7 @@ bool LegoPipeline::update(const osg::NodeVisitor& visitor)
 bool LegoPipeline::isBusy()
 {
     if (isDirty() || _cpuProducer->isBusy() || _gpuProducer->isBusy() || _building->isBusy()) return true;
+    if (!_waiting && _store->isSettling()) return true;
     const osg::BoundingBoxd bounds = getBounds();
     const std::lock_guard lock(_mutex);
     return bounds != _lastBounds;

@@ -1,5 +1,10 @@
 #include <osgLego/store/BrickStore.h>
 
+#include <algorithm>
+#include <utility>
+
+#include <osg/Timer>
+
 namespace osgLego
 {
 
@@ -20,6 +25,9 @@ void BrickStore::deliver(const BrickSet& bricks)
     // A source may have two sets: one that every context can upload, and one whose points are on a GPU.
     if (_bricks && _bricks->getRevision() == bricks.getRevision() && _bricks->hasPoints()) return;
     _bricks = &bricks;
+    const double now = osg::Timer::instance()->time_s();
+    const bool isSoon = now - std::exchange(_deliveredAt, now) < ContextBricks::PAUSE;
+    if (isSoon) _settlesAt = now + ContextBricks::PAUSE + ContextBricks::MARGIN;
     if (_highlight && bricks.hasPoints() && bricks.getModel() != &_highlight->getModel()) _highlight = nullptr;
 }
 
@@ -33,6 +41,16 @@ void BrickStore::clear(std::uint64_t revision)
     _highlight = nullptr;
     for (const auto& [contextID, bricks] : _contexts)
         bricks->hide(revision);
+}
+
+bool BrickStore::isSettling() const
+{
+    const std::lock_guard lock(_mutex);
+    const bool isNew = osg::Timer::instance()->time_s() < _settlesAt;
+    return std::ranges::any_of(_contexts,
+                               [isNew](const auto& entry) {
+                                   return entry.second->isSettling() || (isNew && entry.second->hasDistantOcclusion());
+                               });
 }
 
 void BrickStore::deliver(const BuildingSet& building)

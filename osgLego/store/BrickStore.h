@@ -53,6 +53,9 @@ public:
     void setHighlight(const PartHighlight* highlight);
     osg::ref_ptr<const PartHighlight> getHighlight() const;
 
+    /** Whether frames within the next moments change the occlusion of bricks (ContextBricks::isSettling()). */
+    bool isSettling() const;
+
     /** The bounds of the newest set and, until it is the expected one, of the expected bricks. In model units, studs
      * included; invalid if there are no bricks. */
     osg::BoundingBoxd getBounds() const;
@@ -73,6 +76,8 @@ private:
     BrickGrid _expectedGrid;
     std::uint64_t _leastRevision = 0; // sets of older sources are not shown any more
     osg::ref_ptr<const BrickSet> _bricks;
+    double _deliveredAt = -ContextBricks::PAUSE; // seconds
+    double _settlesAt = 0.0;
     osg::ref_ptr<const BuildingSet> _building;
     BuildingState _state;
     osg::ref_ptr<const PartHighlight> _highlight;

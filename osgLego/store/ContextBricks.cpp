@@ -69,6 +69,11 @@ LegoStatistics ContextBricks::getStatistics() const
     return statistics;
 }
 
+bool ContextBricks::isSettling() const
+{
+    return _hasDistant && !_isAwaited && osg::Timer::instance()->time_s() < _settlesAt;
+}
+
 osg::ref_ptr<const BrickModel> ContextBricks::getModel() const
 {
     const std::lock_guard lock(_mutex);
@@ -188,6 +193,7 @@ void ContextBricks::noteNewBricks()
     const osg::Timer& timer = *osg::Timer::instance();
     const osg::Timer_t now = timer.tick();
     _isSoon = timer.delta_s(std::exchange(_shownAt, now), now) < PAUSE;
+    if (_isSoon) _settlesAt = timer.time_s() + PAUSE + MARGIN;
     _gridOcclusion = nullptr;
     _lacksMemoryForOcclusion = false;
     for (Distant& distant : _distant)
@@ -205,6 +211,7 @@ DistantOcclusionTexture* ContextBricks::findDistantOcclusion(const osg::State& s
 {
     Distant& distant = _distant[static_cast<std::size_t>(near)];
     distant.isWanted = true;
+    _hasDistant = true;
     if ((distant.texture && !distant.isOld) || numBricks == 0) return distant.texture;
     const bool isReady = bricks->hasDistantOcclusion(near);
     if (distant.texture && !isReady && isMoving()) return distant.texture;

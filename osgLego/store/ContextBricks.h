@@ -47,7 +47,16 @@ public:
     /** The mutex to hold for every use of the members that are not atomic. */
     std::mutex& getMutex() const { return _mutex; }
 
+    /** Bricks that are shown less than this after those before may have their distant occlusion. In seconds. */
+    static constexpr double PAUSE = 0.5;
+    /** Beyond PAUSE, the time within which a frame is drawn that shows their own. */
+    static constexpr double MARGIN = 0.1;
+
     // These functions may be called from any thread, without the mutex.
+    /** Whether distant occlusion is shown. */
+    bool hasDistantOcclusion() const { return _hasDistant; }
+    /** Whether the occlusion shown may be that of earlier bricks, which frames within the next moments change. */
+    bool isSettling() const;
     /** Whether these are the bricks of the source with this revision. */
     bool isOf(std::uint64_t revision) const { return _revision == revision; }
     /** Whether there are no bricks to show. */
@@ -124,8 +133,6 @@ private:
         bool isOld = false;                            // of earlier bricks
     };
 
-    static constexpr double PAUSE = 0.5; // seconds
-
     void clear();
     void noteNewBricks();
     bool isMoving() const;
@@ -147,6 +154,8 @@ private:
     osg::Timer_t _shownAt = 0;       // when the bricks were shown
     bool _isSoon = false;            // less than PAUSE after those before
     std::atomic<bool> _isAwaited{false};
+    std::atomic<bool> _hasDistant{false};
+    std::atomic<double> _settlesAt{0.0}; // seconds
     osg::ref_ptr<const BrickModel> _model;
     LegoStatistics _statistics;
     std::string _failure;

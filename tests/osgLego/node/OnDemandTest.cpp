@@ -137,6 +137,22 @@ TEST_F(OnDemandTest, AChangedSourceIsShownWithoutAnotherRequest)
     EXPECT_EQ(countDifferent(*shown, *drawCopy(), 0), 0u);
 }
 
+TEST_F(OnDemandTest, ChangesInQuickSuccessionEndWithTheirOwnOcclusion)
+{
+    BrickAppearance appearance;
+    appearance.occlusion = BrickOcclusion::GRID;
+    _lego->setAppearance(appearance);
+    drawUntilAsleep();
+    for (const double width : {0.3, 0.8, 0.5})
+    {
+        _transform->setMatrix(osg::Matrix::scale(width, 1.0, 1.0));
+        _viewer.frame();
+        _viewer.frame();
+    }
+    const osg::ref_ptr<osg::Image> shown = drawUntilAsleep();
+    EXPECT_EQ(countDifferent(*shown, *drawCopy(), 0), 0u);
+}
+
 TEST_F(OnDemandTest, AChangeByTheUpdateOfAnotherNodeIsShownInItsFrame)
 {
     _lego->setWaiting(true);
