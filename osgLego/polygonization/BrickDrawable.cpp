@@ -113,7 +113,8 @@ BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& 
     BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, firstCell), {}, {}, _occluder};
     if (_hasGridOcclusion)
         light.near.emplace(_isPartial ? findPartialNeighbors(state, bricks, drawn, *_states)
-                                      : bricks.findGridOcclusion(state));
+                                      : bricks.findGridOcclusion(state),
+                           drawn.lines.pixelWidth);
     if (!_noOcclusion) return light;
     // The distant occlusion is that of all bricks. Of a partly built model, surfaces that stay visible get the share of
     // the parts in place; others are inside the complete model, where no distant bricks occlude.

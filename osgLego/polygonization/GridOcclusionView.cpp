@@ -8,7 +8,10 @@ namespace osgLego
 void GridOcclusionView::apply(osg::State& state) const
 {
     static const UniformName COUNT("numNeighbors");
-    ProgramUniforms(state).set(COUNT, _occlusion ? static_cast<int>(_occlusion->getCount()) : 0);
+    static const UniformName PIXEL_WIDTH("cellPixelWidth");
+    const ProgramUniforms uniforms(state);
+    uniforms.set(COUNT, _occlusion ? static_cast<int>(_occlusion->getCount()) : 0);
+    uniforms.set(PIXEL_WIDTH, _pixelWidth);
     if (_occlusion)
     {
         state.applyTextureAttribute(TABLE_UNIT, &_occlusion->getTable());

@@ -14,6 +14,12 @@ struct OccludedPoint
 };
 
 uniform sampler2D studTable; // see createStudOcclusion
+uniform vec2 cellPixelWidth; // in cells, at the depth z in eye coordinates: |x + y * z|
+
+// The mean visibility of bricks, from views of two models. Bricks as small as pixels show it: each pixel shows a part of another
+// brick, and would flicker when the camera moves.
+const float MEAN_VISIBILITY = 0.8;
+const vec2 SMALL_CELLS = vec2(0.4, 1.0); // pixel widths in cells, from which on the mean is shown in part, and alone
 
 // The weights of quadrants for what is in a direction along a face.
 vec4 quadrantsTowards(vec2 direction)
@@ -171,5 +177,7 @@ vec4 nearOcclusion(Surface surface)
     vec4 open = to.isWall ? wallOcclusion(point, light, weights, to.outward, to.height) : light.sum;
     open -= hiddenByStuds(point, to, light.visibility);
     vec3 bent = open.y * first + open.z * second + (point.isUpper ? open.w : -open.w) * axisOf(point.axis);
-    return vec4(normalize(bent + 1e-4 * surface.normal), max(open.x, 0.0));
+    float small = smoothstep(SMALL_CELLS.x, SMALL_CELLS.y, abs(cellPixelWidth.x + cellPixelWidth.y * eyePosition.z));
+    return vec4(normalize(mix(bent, surface.normal, small) + 1e-4 * surface.normal),
+                mix(max(open.x, 0.0), MEAN_VISIBILITY, small));
 }
