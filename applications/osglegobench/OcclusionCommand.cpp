@@ -9,8 +9,11 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
+#include <osgDB/WriteFile>
 
 namespace osgLego
 {
@@ -23,6 +26,7 @@ struct OcclusionOptions : BenchOptions
     int numRays = 512;
     int stride = 3;
     int numFrames = 5;
+    std::string pictures; // the folder; empty: none
 };
 
 constexpr glm::ivec2 SIZE(1280, 720);
@@ -102,6 +106,40 @@ JsonValue compareFrames(const BenchScene& scene, const OcclusionOptions& options
     return rows;
 }
 
+/** Write a picture of visibility, seen against white. */
+void writePicture(const osg::Image& visibility, const std::string& path)
+{
+    osg::ref_ptr<osg::Image> bytes = new osg::Image;
+    bytes->allocateImage(visibility.s(), visibility.t(), 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int row = 0; row < visibility.t(); ++row)
+        for (int column = 0; column < visibility.s(); ++column)
+        {
+            const osg::Vec4 color =
+                visibility.getColor(static_cast<unsigned int>(column), static_cast<unsigned int>(row));
+            const float grey = color.r() + 1.0f - color.a();
+            bytes->setColor(osg::Vec4(grey, grey, grey, 1.0f), static_cast<unsigned int>(column),
+                            static_cast<unsigned int>(row));
+        }
+    if (!osgDB::writeImageFile(*bytes, path)) throw std::runtime_error("can't write '" + path + "'");
+}
+
+/** Pictures of visibility: by rays, in the picture (screen), and in the grid. */
+void writePictures(const BenchScene& scene, const OcclusionOptions& options)
+{
+    const glm::ivec2 size(640, 480);
+    BenchScene seen = scene;
+    seen.distance = 1.6;
+    AmbientOcclusionSettings settings;
+    settings.output = AmbientOcclusionOutput::OCCLUSION;
+    const auto pathOf = [&](const char* kind)
+    { return options.pictures + "/" + scene.mesh.name + "-" + kind + ".png"; };
+    OcclusionView screen(seen, BrickOcclusion::SCREEN, size);
+    writePicture(*screen.draw(settings), pathOf("screen"));
+    fmt::print(stderr, "casting rays for the picture of {}\n", scene.mesh.name);
+    writePicture(*screen.drawByRays(settings, options.numRays), pathOf("rays"));
+    writePicture(*OcclusionView(seen, BrickOcclusion::GRID, size).draw(settings), pathOf("grid"));
+}
+
 /** Ambient occlusion was tuned on the first view. */
 std::vector<BenchScene> createScenes(const OcclusionOptions& options)
 {
@@ -121,6 +159,11 @@ std::vector<BenchScene> createScenes(const OcclusionOptions& options)
 void runOcclusion(const OcclusionOptions& options)
 {
     const std::vector<BenchScene> scenes = createScenes(options);
+    if (!options.pictures.empty())
+    {
+        writePictures(scenes.front(), options);
+        return;
+    }
     JsonValue document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
@@ -145,6 +188,8 @@ void addOcclusionCommand(BenchCommandLine& commands)
     command.addNumber("--rays", options->numRays, "Rays per pixel (512)", 1, 65536);
     command.addNumber("--stride", options->stride, "Compare every nth pixel along both axes (3)", 1, 100);
     command.addNumber("--frames", options->numFrames, "Timed frames; 0: none (5)", 0, 1000);
+    command.addFolder("--pictures", options->pictures,
+                      "Only draw the visibility of the first mesh into this folder: by rays, screen and grid");
     command.setRun([options] { runOcclusion(*options); });
 }
 

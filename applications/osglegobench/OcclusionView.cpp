@@ -2,11 +2,11 @@
 
 #include "Spread.h"
 
-#include <common/BrickRayCaster.h>
 #include <osgLego/data/DistantOcclusion.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 
@@ -137,17 +137,13 @@ glm::dvec3 OcclusionView::readDirection(const osg::Image& image, const glm::ivec
     return glm::normalize(toGlm(osg::Matrixd::transform3x3(eye, _camera->getInverseViewMatrix())));
 }
 
-JsonValue OcclusionView::compare(AmbientOcclusionSettings settings, int numRays, int stride)
+/** Cast rays from the points shown by pixels, one of `stride` * `stride`. */
+void OcclusionView::castRays(const AmbientOcclusionSettings& settings, int numRays, int stride,
+                             const Compared& compared)
 {
-    const auto drawOutput = [&](AmbientOcclusionOutput output)
-    {
-        settings.output = output;
-        return draw(settings);
-    };
-    const osg::ref_ptr<osg::Image> occlusion = drawOutput(AmbientOcclusionOutput::OCCLUSION);
-    const osg::ref_ptr<osg::Image> bent = drawOutput(AmbientOcclusionOutput::BENT_NORMALS);
-    const osg::ref_ptr<osg::Image> normals = drawOutput(AmbientOcclusionOutput::NORMALS);
-    OcclusionError error;
+    AmbientOcclusionSettings output = settings;
+    output.output = AmbientOcclusionOutput::NORMALS;
+    const osg::ref_ptr<osg::Image> normals = draw(output);
     const BrickRayCaster caster(*_lego->getBricks());
     const double reach = settings.hasDistant() ? DistantOcclusion::getReach(caster.getModel().getGrid())
                                                : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
@@ -155,18 +151,45 @@ JsonValue OcclusionView::compare(AmbientOcclusionSettings settings, int numRays,
     for (pixel.y = stride / 2; pixel.y < _size.y; pixel.y += stride)
         for (pixel.x = stride / 2; pixel.x < _size.x; pixel.x += stride)
         {
-            const osg::Vec4 shown = getColor(*occlusion, pixel);
             const Ray ray = getRay(pixel);
             const glm::dvec3 origin = caster.toCaster(osg::Vec3d(ray.origin.x, ray.origin.y, ray.origin.z));
             const auto distance = caster.findNearest(origin, ray.direction, 1e9);
             // At silhouettes, the picture and the ray may disagree on whether a pixel shows bricks.
-            if (!distance || shown.a() == 0.0f) continue;
-            const BrickRayCaster::Occlusion rays = caster.sampleOcclusion(
-                origin + *distance * ray.direction, readDirection(*normals, pixel), reach,
-                AmbientOcclusionSettings::FALLOFF, numRays, static_cast<std::uint32_t>(pixel.y * _size.x + pixel.x));
-            error.add({shown.r(), readDirection(*bent, pixel)}, {rays.visibility, rays.bentNormal});
+            if (!distance || getColor(*normals, pixel).a() == 0.0f) continue;
+            compared(pixel, caster.sampleOcclusion(origin + *distance * ray.direction, readDirection(*normals, pixel),
+                                                   reach, AmbientOcclusionSettings::FALLOFF, numRays,
+                                                   static_cast<std::uint32_t>(pixel.y * _size.x + pixel.x)));
         }
+}
+
+JsonValue OcclusionView::compare(AmbientOcclusionSettings settings, int numRays, int stride)
+{
+    settings.output = AmbientOcclusionOutput::OCCLUSION;
+    const osg::ref_ptr<osg::Image> occlusion = draw(settings);
+    settings.output = AmbientOcclusionOutput::BENT_NORMALS;
+    const osg::ref_ptr<osg::Image> bent = draw(settings);
+    OcclusionError error;
+    castRays(settings, numRays, stride,
+             [&](const glm::ivec2& pixel, const BrickRayCaster::Occlusion& rays) {
+                 error.add({getColor(*occlusion, pixel).r(), readDirection(*bent, pixel)},
+                           {rays.visibility, rays.bentNormal});
+             });
     return error.toJson();
+}
+
+osg::ref_ptr<osg::Image> OcclusionView::drawByRays(const AmbientOcclusionSettings& settings, int numRays)
+{
+    const osg::ref_ptr<osg::Image> picture = new osg::Image;
+    picture->allocateImage(_size.x, _size.y, 1, GL_RGBA, GL_FLOAT);
+    std::fill_n(reinterpret_cast<float*>(picture->data()), 4 * _size.x * _size.y, 0.0f);
+    castRays(settings, numRays, 1,
+             [&](const glm::ivec2& pixel, const BrickRayCaster::Occlusion& rays)
+             {
+                 const auto grey = static_cast<float>(rays.visibility);
+                 picture->setColor(osg::Vec4(grey, grey, grey, 1.0f), static_cast<unsigned int>(pixel.x),
+                                   static_cast<unsigned int>(pixel.y));
+             });
+    return picture;
 }
 
 } // namespace osgLego

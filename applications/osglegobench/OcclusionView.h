@@ -2,8 +2,11 @@
 
 #include "BenchScene.h"
 
+#include <common/BrickRayCaster.h>
 #include <common/JsonValue.h>
 #include <osgLego/AmbientOcclusionScene.h>
+
+#include <functional>
 
 namespace osgLego
 {
@@ -30,6 +33,9 @@ public:
      * times visibility, divided by its mean. */
     JsonValue compare(AmbientOcclusionSettings settings, int numRays, int stride);
 
+    /** The picture of visibility that rays give, like draw() with AmbientOcclusionOutput::OCCLUSION. */
+    osg::ref_ptr<osg::Image> drawByRays(const AmbientOcclusionSettings& settings, int numRays);
+
 private:
     struct Ray
     {
@@ -37,6 +43,10 @@ private:
         glm::dvec3 direction;
     };
 
+    /** The results of rays and the picture for a pixel. */
+    using Compared = std::function<void(const glm::ivec2& pixel, const BrickRayCaster::Occlusion& rays)>;
+
+    void castRays(const AmbientOcclusionSettings& settings, int numRays, int stride, const Compared& compared);
     Ray getRay(const glm::ivec2& pixel) const;
     glm::dvec3 readDirection(const osg::Image& image, const glm::ivec2& pixel) const;
 
