@@ -1,8 +1,10 @@
 #include <osgLego/data/OcclusionTable.h>
 
+#include <osgLego/data/OcclusionCurve.h>
 #include <osgLego/data/OcclusionFalloff.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -32,7 +34,7 @@ constexpr int LINES = NUM_PATTERNS / PATTERNS_ACROSS * PATTERN_SIDE;
 const glm::dvec3 MAXIMUM(0.25, 1.0 / (3.0 * std::numbers::pi), 1.0 / 6.0);
 
 /** Cosine-weighted directions of a quadrant, all with the same weight. */
-std::vector<glm::dvec3> createDirections()
+std::vector<glm::dvec3> createQuadrant()
 {
     std::vector<glm::dvec3> directions;
     for (int row = 0; row < DIRECTIONS_ACROSS; ++row)
@@ -46,6 +48,16 @@ std::vector<glm::dvec3> createDirections()
     return directions;
 }
 
+/** Likewise, of all quadrants. */
+std::vector<glm::dvec3> createHemisphere()
+{
+    std::vector<glm::dvec3> directions;
+    for (const glm::dvec3& direction : createQuadrant())
+        for (const glm::dvec3& sides : {glm::dvec3(1, 1, 1), {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}})
+            directions.push_back(sides * direction);
+    return directions;
+}
+
 /** The bit of a cell in a pattern. @param cell not the origin. */
 unsigned int bitOf(const glm::ivec3& cell)
 {
@@ -53,18 +65,30 @@ unsigned int bitOf(const glm::ivec3& cell)
     return 1u << (cell.z == 0 ? place - 1 : 4 * cell.z - 1 + place);
 }
 
+/** The cells around those of a pattern. */
+enum class Surroundings
+{
+    EMPTY,
+    REPEATED //!< each is like the nearest one of the pattern in its layer
+};
+
 /** For each set of cells, the sum of (visibility, bent vector) of the directions that no other cell hides. */
 class HiddenDirections
 {
 public:
-    HiddenDirections(const glm::dvec3& cell, double radius) : _cell(cell), _radius(radius), _sums(NUM_PATTERNS) {}
-
-    /** @param place in the cell in front of the face, from its corner. */
-    void add(const glm::dvec3& place, const glm::dvec3& direction)
+    HiddenDirections(const glm::dvec3& extent, double radius, Surroundings surroundings) :
+        _extent(extent), _radius(radius), _surroundings(surroundings), _sums(NUM_PATTERNS)
     {
-        const glm::dvec3 steps = _cell / glm::max(direction, 1e-12);
-        glm::dvec3 next = (_cell - place) / glm::max(direction, 1e-12);
-        glm::ivec3 cell(0);
+    }
+
+    /** @param cell in front of the place, relative to that of the pattern. @param place in the cell, from its corner.
+     */
+    void add(glm::ivec3 cell, const glm::dvec3& place, const glm::dvec3& direction)
+    {
+        const glm::dvec3 lengths = glm::max(glm::abs(direction), 1e-12);
+        const glm::dvec3 steps = _extent / lengths;
+        const glm::bvec3 isUpward = glm::greaterThan(direction, glm::dvec3(0.0));
+        glm::dvec3 next = glm::mix(place, _extent - place, isUpward) / lengths;
         const glm::dvec4 whole(1.0, direction);
         unsigned int passed = 0;
         double rest = 1.0;
@@ -72,14 +96,17 @@ public:
         {
             const int axis = next.x <= next.y && next.x <= next.z ? 0 : next.y <= next.z ? 1 : 2;
             const double distance = next[axis];
-            cell[axis] += 1;
+            cell[axis] += isUpward[axis] ? 1 : -1;
             next[axis] += steps[axis];
-            if (cell.x > 1 || cell.y > 1 || cell.z >= NUM_LAYERS) break;
+            if (distance >= _radius || cell.z >= NUM_LAYERS) break;
+            if (_surroundings == Surroundings::EMPTY && (cell.x > 1 || cell.y > 1)) break;
+            const glm::ivec3 like = glm::clamp(cell, glm::ivec3(0), glm::ivec3(1, 1, NUM_LAYERS - 1));
+            if (like == glm::ivec3(0)) continue;
             // A hit in this cell or in a later one hides at most this fraction; one in an earlier cell hides more.
             const double hidden = fadeOcclusion(distance, _radius);
             _sums[passed] += (rest - hidden) * whole;
             rest = hidden;
-            passed |= bitOf(cell);
+            passed |= bitOf(like);
         }
         _sums[passed] += rest * whole;
     }
@@ -97,46 +124,182 @@ public:
     }
 
 private:
-    glm::dvec3 _cell;
+    glm::dvec3 _extent;
     double _radius;
+    Surroundings _surroundings;
     std::vector<glm::dvec4> _sums; // by the set of cells that hide a direction
 };
 
-void write(const glm::dvec4& sum, unsigned char* bytes)
+/** The sums of the directions of a quadrant that each pattern of covered cells leaves open, as fractions of a sky.
+ * @param place from the corner of the cell. */
+std::vector<glm::dvec4> sumQuadrant(const glm::dvec3& extent, double radius, const glm::dvec2& place)
 {
-    const glm::dvec4 maximum(MAXIMUM.x, MAXIMUM.y, MAXIMUM.y, MAXIMUM.z);
-    for (int channel = 0; channel < 4; ++channel)
-        bytes[channel] =
-            static_cast<unsigned char>(std::lround(255.0 * std::clamp(sum[channel] / maximum[channel], 0.0, 1.0)));
+    static const std::vector<glm::dvec3> directions = createQuadrant();
+    HiddenDirections hidden(extent, radius, Surroundings::EMPTY);
+    for (const glm::dvec3& direction : directions)
+        hidden.add(glm::ivec3(0), glm::dvec3(place, 0.0), direction);
+    std::vector<glm::dvec4> sums = hidden.sumByPattern();
+    for (glm::dvec4& sum : sums)
+        sum *= 0.25 / static_cast<double>(directions.size());
+    return sums;
 }
 
-/** Fill the texels of a position on a face. @param cell along the axes of the face and along its normal, in pitches. */
-void fillPosition(osg::Image& image, int firstLine, const glm::ivec2& position, const glm::dvec3& cell, double radius)
+/** The visible fraction of the sky for each pattern of covered cells, which their surroundings repeat.
+ * @param place from the corner of the cell (0, 0, 0), less than two cells away. */
+std::vector<double> findVisibility(const glm::dvec3& extent, double radius, const glm::dvec2& place)
 {
-    static const std::vector<glm::dvec3> directions = createDirections();
-    HiddenDirections hidden(cell, radius);
-    // Just inside the cell, so that rays from an edge enter the neighbour that they point to.
-    constexpr double INSET = 1e-4;
-    const glm::dvec2 place = glm::min(glm::dvec2(position) / double(PATTERN_SIDE - 1), 1.0 - INSET) * glm::dvec2(cell);
+    static const std::vector<glm::dvec3> directions = createHemisphere();
+    HiddenDirections hidden(extent, radius, Surroundings::REPEATED);
+    const glm::ivec2 cell(glm::floor(place / glm::dvec2(extent)));
     for (const glm::dvec3& direction : directions)
-        hidden.add(glm::dvec3(place, 0.0), direction);
-    const std::vector<glm::dvec4> sums = hidden.sumByPattern();
-    const double share = 0.25 / static_cast<double>(directions.size());
-    for (int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
-    {
-        const int column = pattern % PATTERNS_ACROSS * PATTERN_SIDE + position.x;
-        const int line = firstLine + pattern / PATTERNS_ACROSS * PATTERN_SIDE + position.y;
-        write(share * sums[static_cast<std::size_t>(pattern)],
-              image.data(static_cast<unsigned int>(column), static_cast<unsigned int>(line)));
-    }
+        hidden.add({cell, 0}, glm::dvec3(place - glm::dvec2(cell) * glm::dvec2(extent), 0.0), direction);
+    std::vector<double> visibility;
+    for (const glm::dvec4& sum : hidden.sumByPattern())
+        visibility.push_back(sum.x / static_cast<double>(directions.size()));
+    return visibility;
 }
+
+bool isCovered(unsigned int pattern, const glm::ivec3& cell)
+{
+    return cell != glm::ivec3(0) && (pattern & bitOf(cell)) != 0;
+}
+
+/** A pattern whose cells on the upper end of an axis are like those on the lower one. */
+unsigned int repeat(unsigned int pattern, int axis)
+{
+    unsigned int repeated = 0;
+    for (int z = 0; z < NUM_LAYERS; ++z)
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 2; ++x)
+            {
+                const glm::ivec3 cell(x, y, z);
+                glm::ivec3 like = cell;
+                like[axis] = 0;
+                if (isCovered(pattern, like)) repeated |= bitOf(cell);
+            }
+    return repeated;
+}
+
+/** The difference between visibility and its interpolation between the middles of four faces in a plane. */
+class InterpolationError
+{
+public:
+    InterpolationError(const glm::dvec3& extent, double radius) : _extent(extent), _radius(radius)
+    {
+        for (int cell = 0; cell < 4; ++cell)
+            _middles[static_cast<std::size_t>(cell)] =
+                findVisibility(extent, radius, (glm::dvec2(cell & 1, cell >> 1) + 0.5) * glm::dvec2(extent));
+    }
+
+    /** Find the difference for each pattern. Towards the middle of the face, the upper cells along an axis become like
+     * the lower ones, since the other half of the face does not know them: so it does not change abruptly there.
+     * @param share of the way from the middle of the face to its upper ends, 0 to 1. */
+    std::vector<double> find(const glm::dvec2& share) const
+    {
+        // Just inside the cell, so that rays from an edge enter the neighbour that they point to.
+        constexpr double INSET = 1e-4;
+        const glm::dvec2 place = glm::min(0.5 + 0.5 * share, 1.0 - INSET) * glm::dvec2(_extent);
+        const std::vector<double> exact = findVisibility(_extent, _radius, place);
+        const auto differ = [&](unsigned int pattern)
+        { return exact[pattern] - 1.0 + OcclusionCurve::decode(interpolate(pattern, 0.5 * share)); };
+        const glm::dvec2 known = glm::smoothstep(0.0, 0.5, share);
+        std::vector<double> errors;
+        for (unsigned int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
+        {
+            const unsigned int first = repeat(pattern, 0);
+            errors.push_back(glm::mix(glm::mix(differ(repeat(first, 1)), differ(repeat(pattern, 1)), known.x),
+                                      glm::mix(differ(first), differ(pattern), known.x), known.y));
+        }
+        return errors;
+    }
+
+private:
+    double interpolate(unsigned int pattern, const glm::dvec2& share) const
+    {
+        return glm::mix(glm::mix(get(pattern, {0, 0}), get(pattern, {1, 0}), share.x),
+                        glm::mix(get(pattern, {0, 1}), get(pattern, {1, 1}), share.x), share.y);
+    }
+
+    /** The occlusion of the middle of a face, encoded. */
+    double get(unsigned int pattern, const glm::ivec2& cell) const
+    {
+        const auto at = [&](int x, int y)
+        { return OcclusionCurve::encode(1.0 - _middles[static_cast<std::size_t>(x + 2 * y)][pattern]); };
+        const bool isFirst = isCovered(pattern, {1, 0, 0});
+        const bool isSecond = isCovered(pattern, {0, 1, 0});
+        // Nothing is interpolated across a covered cell beside the face.
+        if ((cell.x == 0 || isFirst) && (cell.y == 0 || isSecond)) return at(0, 0);
+        if (cell.y == 0 || isSecond) return at(1, 0);
+        if (cell.x == 0 || isFirst) return at(0, 1);
+        // A covered cell at the corner has the mean of those around it.
+        return isCovered(pattern, {1, 1, 0}) ? 0.5 * (at(1, 0) + at(0, 1)) : at(1, 1);
+    }
+
+    glm::dvec3 _extent;
+    double _radius;
+    std::array<std::vector<double>, 4> _middles;
+};
+
+unsigned char toByte(double fraction)
+{
+    return static_cast<unsigned char>(std::lround(255.0 * std::clamp(fraction, 0.0, 1.0)));
+}
+
+/** Writes the entries for one kind of faces. */
+class TableWriter
+{
+public:
+    /** @param cell along the axes of the face and along its normal, in pitches. */
+    TableWriter(osg::Image& image, int firstLine, const glm::dvec3& cell, double radius) :
+        _image(image), _firstLine(firstLine), _cell(cell), _radius(radius), _error(cell, radius)
+    {
+    }
+
+    /** Fill the texels of a position on a face, and those of a position on its upper quarter. */
+    void fill(const glm::ivec2& position) const
+    {
+        // Just inside the cell, so that rays from an edge enter the neighbour that they point to.
+        constexpr double INSET = 1e-4;
+        const glm::dvec2 place = glm::dvec2(position) / double(PATTERN_SIDE - 1);
+        const std::vector<glm::dvec4> sums =
+            sumQuadrant(_cell, _radius, glm::min(place, 1.0 - INSET) * glm::dvec2(_cell));
+        const std::vector<double> errors = _error.find(place);
+        for (unsigned int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
+        {
+            const glm::dvec4& sum = sums[pattern];
+            unsigned char* texel = find(pattern, position);
+            texel[0] = toByte(sum.x / MAXIMUM.x);
+            texel[1] = toByte(sum.y / MAXIMUM.y);
+            texel[2] = toByte(sum.z / MAXIMUM.y);
+            texel[3] = toByte(sum.w / MAXIMUM.z);
+            std::fill_n(find(pattern, position + glm::ivec2(0, 2 * LINES)), 4, toByte(errors[pattern] + 128.0 / 255.0));
+        }
+    }
+
+private:
+    unsigned char* find(unsigned int pattern, const glm::ivec2& position) const
+    {
+        const unsigned int column = pattern % PATTERNS_ACROSS * PATTERN_SIDE + static_cast<unsigned int>(position.x);
+        const unsigned int line =
+            pattern / PATTERNS_ACROSS * PATTERN_SIDE + static_cast<unsigned int>(_firstLine + position.y);
+        return _image.data(column, line);
+    }
+
+    osg::Image& _image;
+    int _firstLine;
+    glm::dvec3 _cell;
+    double _radius;
+    InterpolationError _error;
+};
 
 } // namespace
 
 osg::ref_ptr<osg::Image> createOcclusionTable(double height, double radius)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(PATTERNS_ACROSS * PATTERN_SIDE, 2 * LINES, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    image->allocateImage(PATTERNS_ACROSS * PATTERN_SIDE, 4 * LINES, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    const TableWriter level(*image, 0, {1.0, 1.0, height}, radius);
+    const TableWriter sides(*image, LINES, {1.0, height, 1.0}, radius);
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
     oneapi::tbb::this_task_arena::isolate(
         [&]
@@ -145,8 +308,8 @@ osg::ref_ptr<osg::Image> createOcclusionTable(double height, double radius)
                                       [&](int index)
                                       {
                                           const glm::ivec2 position(index % PATTERN_SIDE, index / PATTERN_SIDE);
-                                          fillPosition(*image, 0, position, {1.0, 1.0, height}, radius);
-                                          fillPosition(*image, LINES, position, {1.0, height, 1.0}, radius);
+                                          level.fill(position);
+                                          sides.fill(position);
                                       });
         });
     return image;

@@ -21,9 +21,15 @@ namespace osgLego
  * The image has a block of 8 x 8 texels for each pattern, 64 blocks in a row. Within a block,
  * texels are positions on the face, whose first and last are at the borders of the cell: red is visibility; green and
  * blue are the bent vector along the first and second axis of the face, alpha that along its normal; each is a fraction
- * of its value for an open quadrant, 1 / 4, 1 / (3 pi) and 1 / 6. The lower half is for faces that are perpendicular to
- * the up axis, the upper half for the others, whose first axis is the horizontal one. Bits of a pattern, from the
- * lowest:
+ * of its value for an open quadrant, 1 / 4, 1 / (3 pi) and 1 / 6. The first quarter of the lines is for faces that are
+ * perpendicular to the up axis, the second for the others, whose first axis is the horizontal one.
+ *
+ * The other two quarters, whose channels are equal, are for the occlusion that DistantOcclusion interpolates between
+ * the middles of faces: the difference between the visibility of a point and the interpolated one, plus 128 / 255.
+ * Texels are positions on the quarter of the face that is nearest to the cells of the pattern, from its middle to its
+ * corner; beyond them, cells are repeated. The difference is 0 in the middle of a face, and equal at the edge of two
+ * faces that are beside each other, as their patterns have the same columns there.
+ * Bits of a pattern, from the lowest:
  *
  *     layer 1: first neighbour, second neighbour, both
  *     layer 2: own column, first neighbour, second neighbour, both

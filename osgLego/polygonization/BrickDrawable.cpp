@@ -124,7 +124,8 @@ BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& 
     const double share = _isPartial ? static_cast<double>(drawn.numPlaced) /
                                           static_cast<double>(std::max<std::size_t>(bricks.building->getNumParts(), 1))
                                     : 1.0;
-    light.distant.emplace(texture ? *texture : *_noOcclusion, modelView, state.getProjectionMatrix(),
+    const bool isExact = !_isPartial && !bricks.hasOldDistantOcclusion(near);
+    light.distant.emplace(texture ? *texture : *_noOcclusion, isExact, modelView, state.getProjectionMatrix(),
                           getPictureWidth(state), share);
     return light;
 }

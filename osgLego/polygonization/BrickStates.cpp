@@ -125,8 +125,8 @@ osg::ref_ptr<osg::StateSet> createCommonState(Look look, const BrickStates::Kind
         stateSet->addUniform(new osg::Uniform("studTable", static_cast<int>(GridOcclusionView::STUDS_UNIT)));
     }
     if (!kind.hasDistantOcclusion) return stateSet;
-    stateSet->addUniform(new osg::Uniform("hiddenFromLower", static_cast<int>(DistantOcclusionView::LOWER_UNIT)));
-    stateSet->addUniform(new osg::Uniform("hiddenFromUpper", static_cast<int>(DistantOcclusionView::UPPER_UNIT)));
+    stateSet->addUniform(new osg::Uniform("hiddenMean", static_cast<int>(DistantOcclusionView::MEAN_UNIT)));
+    stateSet->addUniform(new osg::Uniform("hiddenBend", static_cast<int>(DistantOcclusionView::BEND_UNIT)));
     return stateSet;
 }
 

@@ -5,10 +5,11 @@
 namespace osgLego
 {
 
-DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& modelView,
-                                           const osg::Matrixd& projection, double width, double share) :
+DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, bool isExact,
+                                           const osg::Matrixd& modelView, const osg::Matrixd& projection, double width,
+                                           double share) :
     _occlusion(&occlusion),
-    _share(static_cast<float>(share))
+    _share(static_cast<float>(share)), _includesNear(isExact && occlusion.includesNear())
 {
     const osg::Matrixd cellsToEye = occlusion.getCellsToModel() * modelView;
     _modelToEye = rotationOf(cellsToEye);
@@ -28,14 +29,18 @@ void DistantOcclusionView::apply(osg::State& state) const
     static const UniformName VOXEL("voxel");
     static const UniformName PIXEL_WIDTH("pixelWidth");
     static const UniformName SHARE("distantShare");
-    state.applyTextureAttribute(LOWER_UNIT, &_occlusion->getTexture(false));
-    state.applyTextureAttribute(UPPER_UNIT, &_occlusion->getTexture(true));
+    static const UniformName HAS_FACES("hasFaceOcclusion");
+    static const UniformName INCLUDES_NEAR("includesNear");
+    state.applyTextureAttribute(MEAN_UNIT, &_occlusion->getMean());
+    state.applyTextureAttribute(BEND_UNIT, &_occlusion->getBend());
     const ProgramUniforms uniforms(state);
     uniforms.set(EYE_TO_VOXELS, _eyeToVoxels);
     uniforms.set(MODEL_TO_EYE, _modelToEye);
     uniforms.set(VOXEL, _occlusion->getVoxel());
     uniforms.set(PIXEL_WIDTH, _pixelWidth);
     uniforms.set(SHARE, _share);
+    uniforms.set(HAS_FACES, _occlusion->includesNear() ? 1 : 0);
+    uniforms.set(INCLUDES_NEAR, _includesNear ? 1 : 0);
 }
 
 } // namespace osgLego

@@ -17,13 +17,14 @@ class DistantOcclusionView
 {
 public:
     // Different from those of relief and splats.
-    static constexpr unsigned int LOWER_UNIT = 2;
-    static constexpr unsigned int UPPER_UNIT = 3;
+    static constexpr unsigned int MEAN_UNIT = 2;
+    static constexpr unsigned int BEND_UNIT = 3;
 
-    /** @param modelView from model units to eye coordinates.
+    /** @param isExact whether the occlusion is that of the bricks that are drawn, and not of other ones.
+     * @param modelView from model units to eye coordinates.
      * @param width of the picture, in pixels.
      * @param share the factor of the occlusion, 0 to 1. */
-    DistantOcclusionView(DistantOcclusionTexture& occlusion, const osg::Matrixd& modelView,
+    DistantOcclusionView(DistantOcclusionTexture& occlusion, bool isExact, const osg::Matrixd& modelView,
                          const osg::Matrixd& projection, double width, double share);
 
     /** Bind the textures, and set the uniforms of the program that a state has applied. Needs its context current. */
@@ -35,6 +36,7 @@ private:
     glm::mat3 _modelToEye;
     glm::vec2 _pixelWidth;
     float _share;
+    bool _includesNear;
 };
 
 } // namespace osgLego

@@ -92,6 +92,9 @@ public:
      * @return null if there are no bricks, or no memory for reading them. */
     DistantOcclusionTexture* findDistantOcclusion(const osg::State& state, NearOcclusion near);
 
+    /** Whether the last result of findDistantOcclusion() is that of earlier bricks. The caller holds the mutex. */
+    bool hasOldDistantOcclusion(NearOcclusion near) const { return _distant[static_cast<std::size_t>(near)].isOld; }
+
     /** The grid occlusion of the bricks as textures, created by the first call after they were shown. For bricks made
      * on the GPU without neighbours, this call waits until they have been read. The caller holds the mutex, and the
      * context is current.

@@ -43,28 +43,28 @@ osg::ref_ptr<osg::Texture3D> createTexture(const osg::Image& image)
     return texture;
 }
 
-osg::ref_ptr<osg::Image> createEmptyImage()
+osg::ref_ptr<osg::Image> createUniformImage(int byte)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    std::fill_n(image->data(), 4, static_cast<unsigned char>(0));
+    std::fill_n(image->data(), 4, static_cast<unsigned char>(byte));
     return image;
 }
 
 } // namespace
 
 DistantOcclusionTexture::DistantOcclusionTexture(const DistantOcclusion& occlusion, const BrickGrid& grid) :
-    _textures{createTexture(occlusion.getImage(false)), createTexture(occlusion.getImage(true))},
-    _cellsToModel(grid.getCellsToModel())
+    _textures{createTexture(occlusion.getMean()), createTexture(occlusion.getBend())},
+    _includesNear(occlusion.includesNear()), _cellsToModel(grid.getCellsToModel())
 {
-    const osg::Image& image = occlusion.getImage(true);
+    const osg::Image& image = occlusion.getMean();
     _voxel = 1.0f / glm::vec3(image.s(), image.t(), image.r());
     _scale = _voxel / glm::vec3(occlusion.getCellsPerVoxel());
     _offset = static_cast<float>(DistantOcclusion::BORDER) * _voxel;
 }
 
 DistantOcclusionTexture::DistantOcclusionTexture() :
-    _textures{createTexture(*createEmptyImage()), createTexture(*createEmptyImage())}
+    _textures{createTexture(*createUniformImage(0)), createTexture(*createUniformImage(128))}
 {
 }
 

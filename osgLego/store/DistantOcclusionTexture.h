@@ -24,8 +24,10 @@ public:
     /** Create a texture without occlusion, for bricks whose occlusion is not known yet. */
     DistantOcclusionTexture();
 
-    /** The hidden fractions of surfaces that face the upper or lower ends of the axes. */
-    osg::Texture3D& getTexture(bool upper) const { return *_textures[upper ? 1 : 0]; }
+    /** DistantOcclusion::getMean() and getBend(). */
+    osg::Texture3D& getMean() const { return *_textures[0]; }
+    osg::Texture3D& getBend() const { return *_textures[1]; }
+    bool includesNear() const { return _includesNear; }
     const glm::vec3& getScale() const { return _scale; }
     const glm::vec3& getOffset() const { return _offset; }
     /** The extent of a voxel, in texture coordinates. */
@@ -40,6 +42,7 @@ private:
     ~DistantOcclusionTexture() override = default;
 
     std::array<osg::ref_ptr<osg::Texture3D>, 2> _textures;
+    bool _includesNear = false;
     osg::Matrixd _cellsToModel;
     glm::vec3 _scale{1.0f};
     glm::vec3 _offset{0.5f};

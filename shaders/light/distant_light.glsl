@@ -4,21 +4,14 @@
 // The mean open direction moves by this part of the vector b: for small occlusion, three halves (the second band of
 // harmonics) times pi / 4 (the integral of its cosine across the surface) divided by 2 pi / 3 (that of the normal).
 const float BEND = 0.5625;
-// Near bricks hide some of the light that distant ones hide, too. The errors against rays are smallest if this share of it
-// counts once; in the picture, if nothing does.
-#if defined(GRID_OCCLUSION)
-const float OVERLAP = 0.5;
-#else
-const float OVERLAP = 0.0;
-#endif
 
 // Include this light in a bent normal and visibility. The two parts of occlusion add up: the weight of a distant hit leaves out
-// the part that near occlusion includes.
-void occludeFromAfar(vec4 distant, vec3 normal, inout vec3 bent, inout float visibility)
+// the part that near occlusion includes. `overlap` is the share of the light that near bricks hide, too, and which counts once.
+void occludeFromAfar(vec4 distant, vec3 normal, float overlap, inout vec3 bent, inout float visibility)
 {
     vec3 towards = distant.xyz;
     float facing = dot(towards, normal);
-    visibility = max(visibility - max(distant.w + facing, 0.0) * mix(1.0, visibility, OVERLAP), 0.0);
+    visibility = clamp(visibility - max(distant.w + facing, 0.0) * mix(1.0, visibility, overlap), 0.0, 1.0);
     bent = normalize(bent - BEND * (towards - facing * normal));
 }
 

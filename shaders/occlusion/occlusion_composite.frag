@@ -62,7 +62,7 @@ vec3 colorAt(ivec2 pixel)
             visibility = own.visibility * (own.number == ALONE ? 1.0 : visibility);
         }
         else
-            occludeFromAfar(unpackDistant(occluding), normalize(mix(bent, surface, distinct)), bent, visibility);
+            occludeFromAfar(unpackDistant(occluding), normalize(mix(bent, surface, distinct)), 0.0, bent, visibility);
         color = bricks(light, texelFetch(albedoBuffer, pixel, 0), bent, distinct * (shading - surface),
                        normalize(mix(bent, shading, distinct)), visibility, toEye);
     }

@@ -2,6 +2,10 @@
 
 #include "polygonization/grid_occlusion.glsl"
 
+#if !defined(DISTANT_OCCLUSION)
+const bool includesNear = false;
+#endif
+
 // A point on a face, or on a stud.
 struct OccludedPoint
 {
@@ -145,9 +149,12 @@ vec4 wallOcclusion(OccludedPoint point, Quadrants light, vec4 weights, vec2 outw
     return vec4(light.sum.x + below, bent, 0.106 * all - 0.5 * below);
 }
 
-// The mean open direction in eye coordinates, and the visible fraction of the sky.
-vec4 nearOcclusion(Surface surface)
+// The mean open direction in eye coordinates, and the visible fraction of the sky; or, if distant occlusion includes near one, what is
+// to be added to it, plus 1. `shift` is the step from the surface to the place of this distant occlusion, in cells along the model's
+// axes.
+vec4 nearOcclusion(Surface surface, out vec3 shift)
 {
+    shift = vec3(0.0);
     if (brickNumber >= numNeighbors) return vec4(surface.normal, 1.0);
     uint part = detail & 3u;
     OccludedPoint point;
@@ -175,9 +182,15 @@ vec4 nearOcclusion(Surface surface)
     vec4 weights = to.isWall ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
     Quadrants light = findQuadrants(point.cells, point.axis, point.isUpper, point.axes, point.place, weights, isLevel);
     vec4 open = to.isWall ? wallOcclusion(point, light, weights, to.outward, to.height) : light.sum;
+    if (includesNear && !to.isWall)
+    {
+        open.x = 1.0 + light.difference;
+        shift[point.axes.x] = light.shift.x;
+        shift[point.axes.y] = light.shift.y;
+    }
     open -= hiddenByStuds(point, to, light.visibility);
     vec3 bent = open.y * first + open.z * second + (point.isUpper ? open.w : -open.w) * axisOf(point.axis);
     float small = smoothstep(SMALL_CELLS.x, SMALL_CELLS.y, abs(cellPixelWidth.x + cellPixelWidth.y * eyePosition.z));
     return vec4(normalize(mix(bent, surface.normal, small) + 1e-4 * surface.normal),
-                mix(max(open.x, 0.0), MEAN_VISIBILITY, small));
+                mix(max(open.x, 0.0), includesNear ? 1.0 : MEAN_VISIBILITY, small));
 }

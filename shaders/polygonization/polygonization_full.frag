@@ -15,11 +15,11 @@
 #else
 #include "light/ambient_light.glsl"
 #endif
-#if defined(GRID_OCCLUSION)
-#include "polygonization/near_occlusion.glsl"
-#endif
 #if defined(DISTANT_OCCLUSION)
 #include "polygonization/distant_occlusion.glsl"
+#endif
+#if defined(GRID_OCCLUSION)
+#include "polygonization/near_occlusion.glsl"
 #endif
 #include "light/distant_light.glsl"
 
@@ -81,14 +81,15 @@ vec3 unlitColor()
 
 #if defined(DISTANT_OCCLUSION)
 
-vec4 distantOcclusionOf(Surface surface)
+// `shift` is a step from the surface to the place of the occlusion, in cells along the model's axes.
+vec4 distantOcclusionOf(Surface surface, vec3 shift)
 {
     vec3 toEye = towardsEye(eyePosition);
-    if ((detail & 3u) != STUD_WALL) return distantOcclusionAt(eyePosition, surface.normal, surface.normal, toEye);
+    if ((detail & 3u) != STUD_WALL) return distantOcclusionAt(eyePosition, surface.normal, shift, surface.normal, toEye, includesNear);
     // The wall of a stud sees the upper half of its sky.
     vec3 upward = axisOf(upAxis);
     vec3 middle = normalize(surface.normal + upward);
-    vec4 hidden = distantOcclusionAt(eyePosition, middle, upward, toEye);
+    vec4 hidden = distantOcclusionAt(eyePosition, middle, shift, upward, toEye, false);
     return 0.5 * vec4(hidden.xyz, hidden.w + dot(hidden.xyz, middle - surface.normal));
 }
 
@@ -96,13 +97,20 @@ vec4 distantOcclusionOf(Surface surface)
 
 #if defined(GRID_OCCLUSION) || defined(OWN_OCCLUSION)
 
+// The share of the light hidden by distant bricks that near bricks hide, too; and of that hidden by bricks that studs hide, too. With
+// these, errors against rays are smallest.
+const float NEAR_OVERLAP = 0.5;
+const float STUD_OVERLAP = 0.3;
+
 // The mean open direction, and the visible fraction of the sky.
 vec4 openSky(Surface surface)
 {
 #if defined(GRID_OCCLUSION)
-    vec4 open = nearOcclusion(surface);
+    vec3 shift;
+    vec4 open = nearOcclusion(surface, shift);
 #if defined(DISTANT_OCCLUSION)
-    occludeFromAfar(distantOcclusionOf(surface), surface.normal, open.xyz, open.w);
+    float overlap = includesNear && (detail & 3u) != STUD_WALL ? STUD_OVERLAP : NEAR_OVERLAP;
+    occludeFromAfar(distantOcclusionOf(surface, shift), surface.normal, overlap, open.xyz, open.w);
 #endif
     return open;
 #else
@@ -144,7 +152,7 @@ void main()
 #else
     fragmentData[0] = vec4(light, surface.roughness);
 #if defined(DISTANT_OCCLUSION)
-    fragmentData[3] = packDistant(distantOcclusionOf(surface));
+    fragmentData[3] = packDistant(distantOcclusionOf(surface, vec3(0.0)));
 #else
     fragmentData[3] = packDistant(vec4(0.0));
 #endif

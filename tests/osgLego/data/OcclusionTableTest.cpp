@@ -1,3 +1,4 @@
+#include <osgLego/data/OcclusionCurve.h>
 #include <osgLego/data/OcclusionFalloff.h>
 #include <osgLego/data/OcclusionTable.h>
 
@@ -58,7 +59,7 @@ glm::dvec4 castRays(int pattern, const glm::dvec3& point, const glm::dvec3& exte
 glm::dvec4 readEntry(const osg::Image& table, int pattern, const glm::ivec2& place, bool isSide)
 {
     const int column = 8 * (pattern % 64) + place.x;
-    const int line = 8 * (pattern / 64) + place.y + (isSide ? table.t() / 2 : 0);
+    const int line = 8 * (pattern / 64) + place.y + (isSide ? table.t() / 4 : 0);
     const unsigned char* texel = table.data(static_cast<unsigned int>(column), static_cast<unsigned int>(line));
     const double bent = 1.0 / (3.0 * std::numbers::pi);
     return glm::dvec4(texel[0] * 0.25, texel[1] * bent, texel[2] * bent, texel[3] / 6.0) / 255.0;
@@ -71,7 +72,7 @@ TEST(OcclusionTable, HasTheLightThatRaysFindForEachPattern)
     {
         const osg::ref_ptr<osg::Image> table = createOcclusionTable(height, RADIUS);
         ASSERT_EQ(table->s(), 512);
-        ASSERT_EQ(table->t(), 512);
+        ASSERT_EQ(table->t(), 1024);
         for (int count = 0; count < 60; ++count)
         {
             const auto pattern = static_cast<int>(random() % 2048);
@@ -88,6 +89,104 @@ TEST(OcclusionTable, HasTheLightThatRaysFindForEachPattern)
                     << pattern << " at " << place.x << ' ' << place.y << ", " << channel << ", height " << height;
         }
     }
+}
+
+/** The difference from interpolated visibility of a pattern and a texel. */
+double readDifference(const osg::Image& table, int pattern, const glm::ivec2& place, bool isSide)
+{
+    const int column = 8 * (pattern % 64) + place.x;
+    const int line = 8 * (pattern / 64) + place.y + table.t() / 4 * (isSide ? 3 : 2);
+    return (table.data(static_cast<unsigned int>(column), static_cast<unsigned int>(line))[0] - 128) / 255.0;
+}
+
+/** The light that is hidden from a point by cells that repeat a pattern, by random rays in small steps. */
+double castRaysAround(int pattern, const glm::dvec3& point, const glm::dvec3& extent)
+{
+    constexpr int NUM_RAYS = 4000;
+    constexpr double STEP = 0.01;
+    std::mt19937 random(static_cast<unsigned int>(pattern));
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    double sum = 0.0;
+    for (int ray = 0; ray < NUM_RAYS; ++ray)
+    {
+        const double square = uniform(random);
+        const double angle = 2.0 * std::numbers::pi * uniform(random);
+        const glm::dvec3 direction(std::sqrt(square) * std::cos(angle), std::sqrt(square) * std::sin(angle),
+                                   std::sqrt(1.0 - square));
+        for (double distance = 0.5 * STEP; distance < RADIUS; distance += STEP)
+        {
+            const glm::ivec3 cell(glm::floor((point + distance * direction) / extent));
+            if (cell.z > 2) break;
+            const glm::ivec3 like = glm::clamp(cell, glm::ivec3(0), glm::ivec3(1, 1, 2));
+            if (like == glm::ivec3(0) || (pattern >> bitAt(like) & 1) == 0) continue;
+            sum += fadeOcclusion(distance, RADIUS);
+            break;
+        }
+    }
+    return sum / NUM_RAYS;
+}
+
+TEST(OcclusionTable, DifferencesLeadFromOcclusionBetweenTheMiddlesOfFacesToThatOfThePoint)
+{
+    std::mt19937 random(4);
+    for (const bool isSide : {false, true})
+    {
+        const osg::ref_ptr<osg::Image> table = createOcclusionTable(1.2, RADIUS);
+        const glm::dvec3 extent = isSide ? glm::dvec3(1.0, 1.2, 1.0) : glm::dvec3(1.0, 1.0, 1.2);
+        for (int count = 0; count < 40; ++count)
+        {
+            // The first layer is open, so that there are four faces beside each other.
+            const int pattern = static_cast<int>(random() % 256) << 3;
+            const glm::ivec2 place(4 + static_cast<int>(random() % 4), 4 + static_cast<int>(random() % 4));
+            const glm::dvec2 share = 0.5 * glm::dvec2(place) / 7.0;
+            const auto encodeMiddle = [&](int x, int y) {
+                return OcclusionCurve::encode(
+                    castRaysAround(pattern, glm::dvec3(x + 0.5, y + 0.5, 0.0) * extent, extent));
+            };
+            const double lower = glm::mix(encodeMiddle(0, 0), encodeMiddle(1, 0), share.x);
+            const double upper = glm::mix(encodeMiddle(0, 1), encodeMiddle(1, 1), share.x);
+            const double interpolated = OcclusionCurve::decode(glm::mix(lower, upper, share.y));
+            const glm::dvec3 point = glm::min(glm::dvec3(0.5 + share, 0.0), 1.0 - 1e-4) * extent;
+            EXPECT_NEAR(readDifference(*table, pattern, place, isSide),
+                        interpolated - castRaysAround(pattern, point, extent), 0.03)
+                << pattern << " at " << place.x << ' ' << place.y << (isSide ? ", side" : "");
+        }
+    }
+}
+
+TEST(OcclusionTable, DifferencesVanishInTheMiddleOfAFace)
+{
+    const osg::ref_ptr<osg::Image> table = createOcclusionTable(1.2, RADIUS);
+    for (const bool isSide : {false, true})
+        for (int pattern = 0; pattern < 2048; ++pattern)
+            ASSERT_EQ(readDifference(*table, pattern, {0, 0}, isSide), 0.0) << pattern;
+}
+
+TEST(OcclusionTable, DifferencesOfTwoFacesAreEqualAtTheEdgeBetweenThem)
+{
+    const osg::ref_ptr<osg::Image> table = createOcclusionTable(1.2, RADIUS);
+    const auto mirror = [](int pattern)
+    {
+        int mirrored = 0;
+        for (int z = 0; z < 3; ++z)
+            for (int y = 0; y < 2; ++y)
+                for (int x = 0; x < 2; ++x)
+                    if (x + y + z > 0 && (pattern >> bitAt({x, y, z}) & 1) != 0 && (x != 1 || y + z > 0))
+                        mirrored |= 1 << bitAt({1 - x, y, z});
+        return mirrored;
+    };
+    for (const bool isSide : {false, true})
+        for (int pattern = 0; pattern < 2048; ++pattern)
+        {
+            // The cell beside the first face is open, and a wall is beside both or none: otherwise they are
+            // interpolated at different places.
+            if ((pattern & 7) != 0 && (pattern & 7) != 6) continue;
+            for (int y = 4; y < 8; ++y)
+                // The point is just inside one of the faces, and overhangs begin abruptly.
+                ASSERT_NEAR(readDifference(*table, pattern, {7, y}, isSide),
+                            readDifference(*table, mirror(pattern), {7, y}, isSide), 0.012)
+                    << pattern << " at " << y;
+        }
 }
 
 TEST(OcclusionTable, NothingHidesAnOpenQuadrant)
