@@ -1,7 +1,5 @@
 // Pages tiles in by .legolize file names, and prints how long frames take meanwhile.
 
-#include <osgLego/AmbientOcclusionScene.h>
-
 #include <offscreen/OffscreenContext.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <iostream>
 #include <vector>
 
+#include <osg/Group>
 #include <osg/MatrixTransform>
 #include <osg/PagedLOD>
 #include <osg/ShapeDrawable>
@@ -24,8 +23,7 @@ int main()
     const osg::ref_ptr<osg::Node> sphere = new osg::ShapeDrawable(new osg::Sphere);
     if (!context || !osgDB::writeNodeFile(*sphere, tile)) return 1;
 
-    // In one group with ambient occlusion, those of the tiles do nothing: they share its buffers and passes.
-    const osg::ref_ptr<osgLego::AmbientOcclusionScene> scene = new osgLego::AmbientOcclusionScene;
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
     std::vector<osg::ref_ptr<osg::PagedLOD>> tiles;
     for (int i = 0, row = 0; i < 9; ++i, row = i / 3)
     {

@@ -16,7 +16,7 @@ enum class BrickOcclusion
     OFF,    //!< none
     GRID,   //!< by the other bricks of their node: found in the grid, everywhere
     SCREEN, //!< by everything in the picture, below an AmbientOcclusionScene; elsewhere none
-    BOTH    //!< GRID and, below an AmbientOcclusionScene, by other nodes in the picture
+    BOTH    //!< the default: GRID and, below an AmbientOcclusionScene, by other nodes in the picture
 };
 
 /** The appearance of bricks in the full look (Look::FULL): joints, relief, plastic and variation.
@@ -57,7 +57,7 @@ struct OSGLEGO_EXPORT BrickAppearance
     /** The occluders of bricks. The grid has no noise and takes no pass over the picture: near occlusion comes from one
      * cell to each side of a face, and three in front of it; of a model partly built, from those in place. Bricks
      * occlude other nodes below an AmbientOcclusionScene with each of these values. */
-    BrickOcclusion occlusion = BrickOcclusion::SCREEN;
+    BrickOcclusion occlusion = BrickOcclusion::BOTH;
     /** Whether the grid also has the occlusion by bricks farther away than 2.5 bricks, for GRID and BOTH; see
      * AmbientOcclusionSettings::distant, which leaves it out, too. Of a model partly built, it is that of the whole
      * model times the share of parts in place; while bricks change several times a second, it is that of earlier

@@ -27,9 +27,12 @@ BenchScene::BenchScene(const MeshSource& source, unsigned int resolution) : mesh
     settings.grid.upAxis = source.upAxis;
 }
 
-osg::ref_ptr<LegoNode> BenchScene::createLego() const
+osg::ref_ptr<LegoNode> BenchScene::createLego(BrickOcclusion occlusion) const
 {
     osg::ref_ptr<LegoNode> lego = new LegoNode(settings);
+    BrickAppearance appearance;
+    appearance.occlusion = occlusion;
+    lego->setAppearance(appearance);
     lego->addChild(readMesh(mesh));
     lego->setWaiting(true);
     return lego;

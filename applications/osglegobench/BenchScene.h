@@ -2,6 +2,7 @@
 
 #include "BenchMeshes.h"
 
+#include <osgLego/BrickAppearance.h>
 #include <osgLego/LegoNode.h>
 
 #include <string>
@@ -23,7 +24,7 @@ struct BenchScene
     BenchScene(const MeshSource& source, unsigned int resolution);
 
     /** Create a node with the mesh's bricks; frames wait for them. Throws std::runtime_error for an unreadable mesh. */
-    osg::ref_ptr<LegoNode> createLego() const;
+    osg::ref_ptr<LegoNode> createLego(BrickOcclusion occlusion = BrickAppearance().occlusion) const;
     /** Point a camera at bricks with the given bounds. */
     void placeCamera(osg::Camera& camera, const osg::BoundingSphere& bound, const glm::ivec2& size) const;
 

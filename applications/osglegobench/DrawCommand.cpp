@@ -117,7 +117,9 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
     constexpr double MEBIBYTE = 1024.0 * 1024.0;
     constexpr unsigned int NUM_FRAMES_BEFORE = 20; // more than idle passes are kept
     const BenchScene scene = options.createScene(options.getMesh(), options.getResolution(64));
-    const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr : scene.createLego();
+    const osg::ref_ptr<LegoNode> lego = options.look == "none" ? nullptr
+                                        : options.hasOcclusion ? scene.createLego(BrickOcclusion::SCREEN)
+                                                               : scene.createLego();
     const osg::ref_ptr<osg::Node> drawn = lego ? lego.get() : createBox();
     const osg::ref_ptr<osg::Group> root = options.hasOcclusion ? new AmbientOcclusionScene : new osg::Group;
     root->addChild(drawn);
@@ -220,7 +222,8 @@ void addDrawCommand(BenchCommandLine& commands)
                       {"auto", "gpu", "cpu"});
     command.addChoice("--drawing", options->drawing, "auto, triangles, splats (auto)", {"auto", "triangles", "splats"});
     command.addFlag("--parts", options->hasParts, "Join cells to real bricks");
-    command.addFlag("--occlusion", options->hasOcclusion, "Draw with ambient occlusion");
+    command.addFlag("--occlusion", options->hasOcclusion,
+                    "Draw with ambient occlusion in the picture, instead of that of the grid in the full look");
     command.addNumber("--frames", options->numFrames, "Frames of each kind; 0: only the first (20)", 0u, 10000u);
     command.addNumber("--nodes", options->numNodes,
                       "Instead, compare so many nodes of a mesh (car, at 12) with one node, and with one node that has "

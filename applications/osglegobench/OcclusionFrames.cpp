@@ -23,12 +23,9 @@ osg::ref_ptr<osg::Switch> createKinds(const BenchScene& scene, std::vector<osg::
     osg::ref_ptr<osg::Switch> kinds = new osg::Switch;
     for (std::size_t kind = 0; kind < KINDS.size(); ++kind)
     {
-        const osg::ref_ptr<LegoNode> lego = scene.createLego();
-        BrickAppearance appearance;
-        appearance.occlusion = kind == 0   ? BrickOcclusion::OFF
-                               : kind == 1 ? BrickOcclusion::GRID
-                                           : BrickOcclusion::SCREEN;
-        lego->setAppearance(appearance);
+        const osg::ref_ptr<LegoNode> lego = scene.createLego(kind == 0   ? BrickOcclusion::OFF
+                                                             : kind == 1 ? BrickOcclusion::GRID
+                                                                         : BrickOcclusion::SCREEN);
         nodes.push_back(lego);
         if (kind < 2)
         {

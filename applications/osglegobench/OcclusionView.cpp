@@ -90,11 +90,8 @@ private:
 } // namespace
 
 OcclusionView::OcclusionView(const BenchScene& scene, BrickOcclusion occlusion, const glm::ivec2& size) :
-    _size(size), _viewer(glm::ivec2(16, 16)), _lego(scene.createLego())
+    _size(size), _viewer(glm::ivec2(16, 16)), _lego(scene.createLego(occlusion))
 {
-    BrickAppearance appearance = _lego->getAppearance();
-    appearance.occlusion = occlusion;
-    _lego->setAppearance(appearance);
     _occlusion->addChild(_lego);
     _occlusion->setTiming(true);
     _image->allocateImage(size.x, size.y, 1, GL_RGBA, GL_FLOAT);

@@ -233,7 +233,7 @@ void addLight(CLI::App& app, CaptureOptions& options)
 {
     app.add_option("--occlusion", toCallback([&](const std::string& text) { return readOcclusion(text, options); }),
                    "Ambient occlusion: off, grid (by the bricks of the grid), screen (by everything in the picture) "
-                   "or both; then settings, as below (medium)")
+                   "or both; then settings, as below (grid; screen with --original)")
         ->type_name("OCCLUSION");
     app.add_option(
            "--probe", options.probe.file,
@@ -353,6 +353,8 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     {
         app.parse(argc, argv);
         checkCombination(options, app.count("--threshold") > 0);
+        // A mesh has no grid.
+        if (!options.isOcclusionGiven) options.hasOcclusion = options.original;
     }
     catch (const CLI::Success& success)
     {

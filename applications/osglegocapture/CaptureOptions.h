@@ -55,8 +55,8 @@ struct CaptureOptions
     int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
     CaptureProbe probe;
-    bool hasOcclusion = true; //!< whether there is an AmbientOcclusionScene
-    BrickOcclusion brickOcclusion = BrickOcclusion::SCREEN;
+    bool hasOcclusion = false; //!< whether there is an AmbientOcclusionScene
+    BrickOcclusion brickOcclusion = BrickOcclusion::GRID;
     bool isOcclusionGiven = false; //!< whether the command line has the option, and not its default
     AmbientOcclusionSettings occlusion;
     bool original = false;

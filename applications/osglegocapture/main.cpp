@@ -48,9 +48,9 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
     const double bytes = ScenePicture::estimateMemory(options, scene);
     if (bytes < NOTABLE) return;
     fmt::print(stderr,
-               "osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size and "
-               "--occlusion off take less\n",
-               options.width, options.height, bytes / GIGABYTE);
+               "osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size {}\n",
+               options.width, options.height, bytes / GIGABYTE,
+               options.hasOcclusion ? "and --occlusion off take less" : "takes less");
 }
 
 /** Compute the fewest bricks, or warn if there are none to count. */

@@ -111,23 +111,36 @@ BrickLight BrickDrawable::findLight(osg::RenderInfo& renderInfo, ContextBricks& 
     osg::State& state = *renderInfo.getState();
     const osg::Vec3d firstCell = getCellsToEye(bricks, modelView).getTrans();
     BrickLight light{CoreLights(renderInfo), ShadowMaps(renderInfo, firstCell), {}, {}, _occluder};
+    const Occlusion occlusion = findOcclusion(state, bricks);
     if (_hasGridOcclusion)
-        light.near.emplace(_isPartial ? findPartialNeighbors(state, bricks, drawn, *_states)
-                                      : bricks.findGridOcclusion(state),
+        light.near.emplace(_isPartial ? findPartialNeighbors(state, bricks, drawn, *_states) : occlusion.near,
                            drawn.lines.pixelWidth);
     if (!_noOcclusion) return light;
-    // The distant occlusion is that of all bricks. Of a partly built model, surfaces that stay visible get the share of
-    // the parts in place; others are inside the complete model, where no distant bricks occlude.
-    const NearOcclusion near = _hasGridOcclusion ? NearOcclusion::GRID : NearOcclusion::PICTURE;
-    DistantOcclusionTexture* texture =
-        _isPartial && !_hasGridOcclusion ? nullptr : bricks.findDistantOcclusion(state, near);
     const double share = _isPartial ? static_cast<double>(drawn.numPlaced) /
                                           static_cast<double>(std::max<std::size_t>(bricks.building->getNumParts(), 1))
                                     : 1.0;
-    const bool isExact = !_isPartial && !bricks.hasOldDistantOcclusion(near);
-    light.distant.emplace(texture ? *texture : *_noOcclusion, isExact, modelView, state.getProjectionMatrix(),
-                          getPictureWidth(state), share);
+    const bool isExact = !_isPartial && !bricks.hasOldDistantOcclusion(getNearOcclusion());
+    light.distant.emplace(occlusion.distant ? *occlusion.distant : *_noOcclusion, isExact, modelView,
+                          state.getProjectionMatrix(), getPictureWidth(state), share);
     return light;
+}
+
+NearOcclusion BrickDrawable::getNearOcclusion() const
+{
+    return _hasGridOcclusion ? NearOcclusion::GRID : NearOcclusion::PICTURE;
+}
+
+/** The occlusion of all bricks. The caller holds the mutex of `bricks`. */
+BrickDrawable::Occlusion BrickDrawable::findOcclusion(const osg::State& state, ContextBricks& bricks) const
+{
+    Occlusion found;
+    // Also while they are partly built, so that the last frame of an animation has nothing to upload.
+    if (_hasGridOcclusion) found.near = bricks.findGridOcclusion(state);
+    // Of a partly built model, surfaces that stay visible get the share of the parts in place; others are inside the
+    // complete model, where no distant bricks occlude.
+    if (_noOcclusion && (_hasGridOcclusion || !_isPartial))
+        found.distant = bricks.findDistantOcclusion(state, getNearOcclusion());
+    return found;
 }
 
 BrickDrawable::Shown BrickDrawable::getShown() const
@@ -209,6 +222,8 @@ void BrickDrawable::addSplats(const osg::State& state, const SplatDestination& d
     const Shown shown = getShown();
     const std::lock_guard lock(bricks->getMutex());
     if (!prepare(state, *bricks, shown)) return;
+    // Now, since the blocks of bricks made on the GPU may become known with it, and a job is for the same blocks.
+    findOcclusion(state, *bricks);
     if (!job.cellsToEye) job.cellsToEye = new osg::RefMatrix;
     job.cellsToEye->set(getCellsToEye(*bricks, modelView));
     const DrawnBricks drawn = getDrawn(state, *bricks, shown, *job.cellsToEye);

@@ -91,11 +91,20 @@ private:
         osg::ref_ptr<const PartHighlight> highlight;
     };
 
+    /** Null: none. */
+    struct Occlusion
+    {
+        const GridOcclusionTextures* near = nullptr;
+        DistantOcclusionTexture* distant = nullptr;
+    };
+
     Shown getShown() const;
     bool prepare(const osg::State& state, ContextBricks& bricks, const Shown& shown) const;
     osg::Matrixd getCellsToEye(const ContextBricks& bricks, const osg::Matrixd& modelView) const;
     DrawnBricks getDrawn(const osg::State& state, const ContextBricks& bricks, const Shown& shown,
                          const osg::Matrixd& cellsToEye) const;
+    NearOcclusion getNearOcclusion() const;
+    Occlusion findOcclusion(const osg::State& state, ContextBricks& bricks) const;
     BrickLight findLight(osg::RenderInfo& renderInfo, ContextBricks& bricks, const DrawnBricks& drawn,
                          const osg::Matrixd& modelView) const;
     SplatJob* findSplats(osg::RenderInfo& renderInfo, const SplatDestination& destination) const;

@@ -44,7 +44,7 @@ const osgLego::SettingsTable<LegolizeSettings>& getTable()
                                                {"high", Occlusion::HIGH}},
                     "ambient occlusion in the full look: by the bricks of the grid, by everything in the picture (low, "
                     "medium or high quality), or both",
-                    "medium; off with look=plain");
+                    "grid; off with look=plain");
         created.add("distant", &LegolizeSettings::distant, osgLego::Switch(), "occlusion by distant bricks, too");
         created.add("probe", &LegolizeSettings::probe, PictureName(), "environment light", "a built-in sky");
         return created;
@@ -56,7 +56,7 @@ const osgLego::SettingsTable<LegolizeSettings>& getTable()
 
 osgLego::BrickOcclusion LegolizeSettings::getOcclusion() const
 {
-    switch (occlusion.value_or(Occlusion::MEDIUM))
+    switch (occlusion.value_or(Occlusion::GRID))
     {
     case Occlusion::OFF:
         return osgLego::BrickOcclusion::OFF;
@@ -79,7 +79,7 @@ std::optional<osgLego::AmbientOcclusionSettings> LegolizeSettings::getScene() co
     osgLego::AmbientOcclusionSettings result;
     result.distant = distant;
     const bool isPlain = lego.view.look == osgLego::Look::PLAIN;
-    switch (occlusion.value_or(isPlain ? Occlusion::OFF : Occlusion::MEDIUM))
+    switch (occlusion.value_or(isPlain ? Occlusion::OFF : Occlusion::GRID))
     {
     case Occlusion::OFF:
     case Occlusion::GRID:

@@ -23,7 +23,7 @@ struct LegolizeSettings
     };
 
     osgLego::LegoSettings lego;
-    std::optional<Occlusion> occlusion; //!< unset: MEDIUM in the full look, OFF in the plain one
+    std::optional<Occlusion> occlusion; //!< unset: GRID in the full look, OFF in the plain one
     bool distant = true;                //!< whether distant bricks occlude
     std::optional<std::string> probe;   //!< the file name of a picture; unset: the built-in sky
 

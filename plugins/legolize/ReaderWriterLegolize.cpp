@@ -34,8 +34,8 @@ public:
 };
 
 /** The pseudo-loader `.legolize`: reads the file named before the extension and puts it under an osgLego::LegoNode.
- * This is put under an osgLego::AmbientOcclusionScene, unless `look=plain` or `occlusion=off` is given. With `up=y`, a
- * transform between them turns the bricks upright.
+ * With `up=y`, this is put under a transform that turns the bricks upright, and with `occlusion=screen` or `both`,
+ * under an osgLego::AmbientOcclusionScene.
  *
  *     osgviewer bunny.ply.legolize
  *     osgviewer "bunny.ply.(64,proportions=plate,up=y).legolize"

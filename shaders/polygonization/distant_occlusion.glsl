@@ -30,7 +30,7 @@ const float LEAST_WIDTH = 12.0;
 float decodeOcclusion(float code)
 {
     const float OFFSET = 0.02;
-    return OFFSET * (pow(1.0 + 1.0 / OFFSET, code) - 1.0);
+    return OFFSET * (exp2(log2(1.0 + 1.0 / OFFSET) * code) - 1.0);
 }
 
 // The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and

@@ -78,30 +78,43 @@ struct Receiver
     float height; // on a wall, 0 to 1
 };
 
+// The studs that may hide light, as bits. For the top of a brick: its own, and three beside it, in the direction of `sides`; for the
+// wall of a stud, five beside it; for a side, three at its foot.
+uint studsAround(OccludedPoint point, Receiver to, ivec2 sides)
+{
+    int upper = int(point.isUpper);
+    if (to.isSide)
+        return uint(isAtCorner(point, upper, ivec2(0)) && !isBesideEdge(point, point.axis, upper, point.axes.x, 0)) << 1 |
+               uint(isBesideEdge(point, point.axis, upper, point.axes.y, 0)) << 2 |
+               uint(isAtCorner(point, upper, ivec2(1, 0)) && !isBesideEdge(point, point.axis, upper, point.axes.x, 1)) << 3;
+    if (!to.isWall && !to.isTop) return 0u;
+    uint studs = uint(to.isTop) | uint(hasStudBeside(point, point.axes.x, sides.x)) << 1 |
+                 uint(hasStudBeside(point, point.axes.y, sides.y)) << 2 | uint(hasStudAtCorner(point, sides)) << 3;
+    if (to.isWall)
+        studs |= uint(hasStudAtCorner(point, ivec2(sides.x, 1 - sides.y))) << 4 |
+                 uint(hasStudAtCorner(point, ivec2(1 - sides.x, sides.y))) << 5;
+    return studs;
+}
+
 // The light that studs hide: its fraction, and the vector along both axes of a face and its normal; less where cells already hide
-// the light from there. `visibility` is that of quadrants. The studs are, for the top of a brick, its own and three beside it; for the
-// wall of a stud, five beside it; for a side, three at its foot. One loop finds them all, since software renderers run
-// all branches for every pixel, but loops only as often as some pixel of a group needs.
+// the light from there. `visibility` is that of quadrants. One loop finds all studs, since software renderers run all branches for
+// every pixel, but loops only as often as some pixel of a group needs.
 vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
 {
     vec2 side = to.isWall ? to.outward : point.place - 0.5;
     ivec2 sides = ivec2(greaterThan(side, vec2(0.0)));
-    int upper = int(point.isUpper);
-    int last = to.isWall ? 5 : to.isTop || to.isSide ? 3 : -1;
     vec2 across = vec2(-to.outward.y, to.outward.x);
+    vec3 up = to.isSide ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    vec3 normal = to.isSide ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
     vec4 sum = vec4(0.0);
-    for (int number = to.isTop ? 0 : 1; number <= last; ++number)
+    for (uint left = studsAround(point, to, sides); left != 0u; left &= left - 1u)
     {
-        bool isThere;
+        int number = findLSB(left);
         vec2 direction; // to the stud, along the axes
         vec3 place;     // in the table
         vec3 along;
         if (to.isSide)
         {
-            ivec2 corner = ivec2(number >> 1, 0);
-            isThere = number == 2
-                          ? isBesideEdge(point, point.axis, upper, point.axes.y, 0)
-                          : isAtCorner(point, upper, corner) && !isBesideEdge(point, point.axis, upper, point.axes.x, corner.x);
             direction = vec2(float(number) - 1.5 - point.place.x, 1.0);
             place = vec3(0.0, abs(direction.x) / 1.5, point.place.y);
             along = vec3(sign(direction.x), 0.0, 0.0);
@@ -110,9 +123,6 @@ vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
         {
             bvec2 beside = bvec2((number & 1) != 0 || number == 4, number >= 2);
             ivec2 other = ivec2(number == 5 ? 1 - sides.x : sides.x, number == 4 ? 1 - sides.y : sides.y);
-            isThere = !beside.y  ? number == 0 || hasStudBeside(point, point.axes.x, other.x)
-                      : beside.x ? hasStudAtCorner(point, other)
-                                 : hasStudBeside(point, point.axes.y, other.y);
             vec2 step = vec2(2 * other - 1) * vec2(beside);
             direction = to.isWall ? step : 0.5 - point.place + step;
             float distance = max(length(direction), STUD_RADIUS);
@@ -121,10 +131,8 @@ vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
             along = vec3(to.isWall ? sign(dot(direction, across)) * across : direction / distance, 0.0);
         }
         vec4 hidden = studEntry(place.x, place.y, place.z);
-        vec3 up = to.isSide ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-        vec3 normal = to.isSide ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
         float share = to.isWall ? 1.0 : dot(quadrantsTowards(direction), visibility);
-        if (isThere) sum += share * vec4(hidden.x, hidden.y * along + hidden.z * up + hidden.w * normal);
+        sum += share * vec4(hidden.x, hidden.y * along + hidden.z * up + hidden.w * normal);
     }
     return sum;
 }

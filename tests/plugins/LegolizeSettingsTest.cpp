@@ -52,7 +52,7 @@ TEST(LegolizeSettings, OcclusionAloneKeepsTheBricksSettings)
 TEST(LegolizeSettings, OcclusionIsOneOfFourKinds)
 {
     using osgLego::BrickOcclusion;
-    EXPECT_EQ(parsed("64").getOcclusion(), BrickOcclusion::SCREEN);
+    EXPECT_EQ(parsed("64").getOcclusion(), BrickOcclusion::GRID);
     EXPECT_EQ(parsed("occlusion=grid").getOcclusion(), BrickOcclusion::GRID);
     EXPECT_EQ(parsed("occlusion=both").getOcclusion(), BrickOcclusion::BOTH);
     EXPECT_EQ(parsed("occlusion=off").getOcclusion(), BrickOcclusion::OFF);
@@ -62,9 +62,9 @@ TEST(LegolizeSettings, OcclusionIsOneOfFourKinds)
 
 TEST(LegolizeSettings, OnlyOcclusionInThePictureTakesAScene)
 {
-    for (const char* without : {"look=plain", "occlusion=grid", "occlusion=off"})
+    for (const char* without : {"64", "look=plain", "occlusion=grid", "occlusion=off"})
         EXPECT_FALSE(parsed(without).getScene()) << without;
-    for (const char* medium : {"64", "occlusion=screen", "occlusion=both", "occlusion=medium"})
+    for (const char* medium : {"occlusion=screen", "occlusion=both", "occlusion=medium"})
         EXPECT_EQ(parsed(medium).getScene()->quality, AmbientOcclusionQuality::MEDIUM) << medium;
     EXPECT_EQ(parsed("look=plain,occlusion=low").getScene()->quality, AmbientOcclusionQuality::LOW);
 }

@@ -78,10 +78,16 @@ TEST_F(PseudoLoader, PutsTheFileUnderALegoNode)
               "32,proportions=plate,up=y");
 }
 
-TEST_F(PseudoLoader, PutsBricksOfTheFullLookUnderAmbientOcclusion)
+TEST_F(PseudoLoader, PutsOnlyBricksOccludedInThePictureUnderAScene)
 {
-    EXPECT_TRUE(dynamic_cast<AmbientOcclusionScene*>(read(pathOf("ball.osgt.16.legolize")).getNode()));
+    EXPECT_TRUE(
+        dynamic_cast<AmbientOcclusionScene*>(read(pathOf("ball.osgt.(16,occlusion=screen).legolize")).getNode()));
+    EXPECT_TRUE(dynamic_cast<AmbientOcclusionScene*>(read(pathOf("ball.osgt.(16,occlusion=both).legolize")).getNode()));
     EXPECT_TRUE(dynamic_cast<LegoNode*>(read(pathOf("ball.osgt.(16,look=plain).legolize")).getNode()));
+    osgDB::ReaderWriter::ReadResult result = read(pathOf("ball.osgt.16.legolize"));
+    const auto* lego = dynamic_cast<LegoNode*>(result.getNode());
+    ASSERT_TRUE(lego);
+    EXPECT_EQ(lego->getAppearance().occlusion, BrickOcclusion::GRID);
 }
 
 /** A picture of light that comes only from below. */
@@ -98,7 +104,7 @@ TEST_F(PseudoLoader, OcclusionChoosesTheQualityOrTheNodeAloneInTheFullLook)
     const std::string name = pathOf("ball.osgt");
     EXPECT_EQ(qualityOf(read(name + ".(8,occlusion=low).legolize").getNode()), AmbientOcclusionQuality::LOW);
     EXPECT_EQ(qualityOf(read(name + ".occlusion=high.legolize").getNode()), AmbientOcclusionQuality::HIGH);
-    EXPECT_EQ(qualityOf(read(name + ".8.legolize").getNode()), AmbientOcclusionQuality::MEDIUM);
+    EXPECT_EQ(qualityOf(read(name + ".(8,occlusion=screen).legolize").getNode()), AmbientOcclusionQuality::MEDIUM);
     EXPECT_EQ(qualityOf(read(name + ".8.legolize", "occlusion=low").getNode()), AmbientOcclusionQuality::LOW);
     EXPECT_EQ(qualityOf(read(name + ".(occlusion=high).legolize", "8,occlusion=off").getNode()),
               AmbientOcclusionQuality::HIGH);

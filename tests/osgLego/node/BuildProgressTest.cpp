@@ -43,6 +43,10 @@ protected:
     {
         const osg::ref_ptr<LegoNode> node = createStoredNode(model, getSettings());
         node->setWaiting(true);
+        // Of a model partly built, it is the share of parts in place of that of the whole model.
+        BrickAppearance appearance;
+        appearance.distantOcclusion = false;
+        node->setAppearance(appearance);
         return node;
     }
 
@@ -227,7 +231,7 @@ TEST_P(BuildProgress, OutlinesAreLeftOutWhereCellsAreAsSmallAsLines)
     const osg::ref_ptr<LegoNode> node = createNode(*createModel());
     const Viewpoint far{{8, -300, 4}, {8, 0, 4}, {0, 0, 1}, HEIGHT / 2.5}; // 2.5 pixels per cell
     const osg::ref_ptr<osg::Image> without = draw(*node, far);
-    BrickAppearance appearance;
+    BrickAppearance appearance = node->getAppearance();
     appearance.outline = 1.0;
     node->setAppearance(appearance);
     EXPECT_EQ(countDifferent(*draw(*node, far), *without, 0), 0u);
@@ -269,6 +273,7 @@ TEST_P(BuildProgress, AppearsInTheFrameAfterItsOrderWasAnnounced)
     const osg::ref_ptr<LegoNode> waiting = createNode(*model);
     waiting->setBuildProgress(0.5);
     const osg::ref_ptr<LegoNode> node = createStoredNode(*model, getSettings());
+    node->setAppearance(waiting->getAppearance());
     const osg::ref_ptr<Announcement> announcement = new Announcement;
     node->setBricksCallback(announcement);
     node->setBuildProgress(0.5);

@@ -20,8 +20,9 @@ namespace
 {
 
 constexpr GLuint MOST_NAMES = 5000;
-// Textures of the full look: the relief, and two maps of the light probe.
-constexpr int LOOK_TEXTURES = 3;
+// Textures of the full look: the relief, two maps of the light probe, two tables of occlusion by near cells and by
+// studs, the buffer of the cells around bricks, and two of distant occlusion.
+constexpr int LOOK_TEXTURES = 8;
 // Textures of splats: the nearest bricks, their depths, and the buffer of the bricks.
 constexpr int SPLAT_TEXTURES = 3;
 
@@ -115,7 +116,7 @@ protected:
     void expectOnlyBricksAndLook()
     {
         GlObjects expected = _before;
-        expected.buffers += 1;
+        expected.buffers += 2; // the bricks, and the cells around them
         expected.textures += LOOK_TEXTURES + (_drawsSplats ? SPLAT_TEXTURES : 0);
         expected.framebuffers += _drawsSplats ? 1 : 0;
         const GlObjects found = GlObjects::count(*_context);
@@ -193,18 +194,18 @@ TEST_P(GlObjectsTest, ANodeThatIsRemovedLeavesNothing)
     expectNoneLeft();
 }
 
-TEST_P(GlObjectsTest, ProgressNeedsTwoMoreBuffersAndLeavesNothing)
+TEST_P(GlObjectsTest, ProgressNeedsFourMoreBuffersAndLeavesNothing)
 {
     drawFrames(12);
     const int buffers = GlObjects::count(*_context).buffers;
     _lego->setBuildProgress(0.5);
     drawFrames(2);
-    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 2);
+    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 4);
     _lego->setNumNewParts(3);
     drawFrames(1);
     _lego->setBuildProgress(0.25);
     drawFrames(1);
-    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 2);
+    EXPECT_EQ(GlObjects::count(*_context).buffers, buffers + 4);
     _root->removeChild(_lego);
     _context->makeCurrent();
     _lego->releaseGLObjects(_context->getState());

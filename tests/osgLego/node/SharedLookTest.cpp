@@ -217,7 +217,15 @@ TEST_P(SharedLook, NodesOfDifferentLooksKeepTheirOwnPictures)
 
 TEST_P(SharedLookWithoutOcclusion, NodesOfOneLookHaveTheTexturesOfOneNode)
 {
-    const NodeMaker make = makeWithProbe("4,drawing=" + getDrawing(), createHalvedProbe({1, 1, 1}, {0, 0, 0}));
+    const osg::ref_ptr<LightProbe> probe = createHalvedProbe({1, 1, 1}, {0, 0, 0});
+    const NodeMaker make = makeWith("4,drawing=" + getDrawing(),
+                                    [=](LegoNode& lego)
+                                    {
+                                        lego.setLightProbe(probe);
+                                        BrickAppearance appearance; // occlusion is that of a node's own bricks
+                                        appearance.occlusion = BrickOcclusion::OFF;
+                                        lego.setAppearance(appearance);
+                                    });
     const osg::ref_ptr<osg::Group> scene = createScene();
     scene->addChild(createPlaced(*make(), placeOf(0)));
     drawField(*scene);

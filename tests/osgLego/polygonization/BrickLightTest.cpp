@@ -91,7 +91,7 @@ TEST_F(BrickLight, TopFrontAndSideOfABrickAreToldApart)
         const double top = levelOf(faceOf(BALL_COLOR, toEye, {0, 0, 1}));
         const double front = levelOf(faceOf(BALL_COLOR, toEye, {0, -1, 0}));
         const double side = levelOf(faceOf(BALL_COLOR, toEye, {toEye.x() > 0.0 ? 1.0 : -1.0, 0, 0}));
-        EXPECT_GT(top - front, 25.0) << toEye.x();
+        EXPECT_GT(top - front, 22.0) << toEye.x();
         EXPECT_GT(front - side, 25.0) << toEye.x();
         EXPECT_LT(top, 245.0) << toEye.x();
     }

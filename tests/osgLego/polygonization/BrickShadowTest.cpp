@@ -343,6 +343,7 @@ TEST_F(BrickShadowTest, ShadowsHideTheDocumentedShareOfTheEnvironmentLight)
     const osg::ref_ptr<LegoNode> lego = createBrickBox({8, 8, 1}, "8,device=cpu", {0.8f, 0.8f, 0.8f, 1.0f});
     BrickAppearance appearance;
     appearance.variation = 0.0;
+    appearance.occlusion = BrickOcclusion::OFF;
     lego->setAppearance(appearance);
     lego->setLightProbe(probe);
     lego->setWaiting(true);
