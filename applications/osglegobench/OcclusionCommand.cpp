@@ -1,6 +1,7 @@
 #include "BenchEnvironment.h"
 #include "BenchOptions.h"
 #include "Commands.h"
+#include "OcclusionCosts.h"
 #include "OcclusionFrames.h"
 #include "OcclusionView.h"
 #include "Spread.h"
@@ -30,6 +31,8 @@ struct OcclusionOptions : BenchOptions
 };
 
 constexpr glm::ivec2 SIZE(1280, 720);
+constexpr unsigned int FRAME_RESOLUTION = 128;
+constexpr unsigned int FIRST_FRAME_RESOLUTION = 48;
 constexpr const char* GRID = "grid";
 constexpr std::array QUALITIES{GRID, "low", "medium", "high"};
 
@@ -62,7 +65,7 @@ JsonValue compareWithRays(const BenchScene& scene, const std::string& quality, b
 /** The median times of drawing bricks and of each following pass, in milliseconds. */
 JsonValue timePasses(BenchScene scene, const std::string& quality, int numFrames)
 {
-    scene.settings.grid.resolution = 128;
+    scene.settings.grid.resolution = FRAME_RESOLUTION;
     OcclusionView view(scene, getOcclusion(quality), SIZE);
     const AmbientOcclusionSettings settings = createSettings(quality, true);
     view.draw(settings); // legolizes and creates programs
@@ -96,7 +99,7 @@ JsonValue compareFrames(const BenchScene& scene, const OcclusionOptions& options
     for (const View& view : {View{"above", 25.0, 3.5}, {"below", -35.0, 3.5}, {"near", 25.0, 1.3}, {"far", 25.0, 14.0}})
     {
         BenchScene seen = scene;
-        seen.settings.grid.resolution = 128;
+        seen.settings.grid.resolution = FRAME_RESOLUTION;
         seen.elevation = view.elevation;
         seen.distance = view.distance;
         JsonValue row = compareOcclusionFrames(seen, static_cast<unsigned int>(options.numFrames), SIZE);
@@ -164,6 +167,8 @@ void runOcclusion(const OcclusionOptions& options)
         writePictures(scenes.front(), options);
         return;
     }
+    JsonValue costs; // of the first frames; before this process has a context
+    if (options.numFrames > 0) costs.append(compareFirstFrames(BenchScene(MeshSource(), FIRST_FRAME_RESOLUTION), SIZE));
     JsonValue document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
@@ -173,7 +178,12 @@ void runOcclusion(const OcclusionOptions& options)
                 document["errors"].append(compareWithRays(scene, quality, isDistant, options));
     for (const char* quality : QUALITIES)
         if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options.numFrames));
-    if (options.numFrames > 0) document["frameRows"] = compareFrames(scenes.front(), options);
+    if (options.numFrames > 0)
+    {
+        document["frameRows"] = compareFrames(scenes.front(), options);
+        document["firstFrames"] = costs;
+        document["neighbors"].append(timeNeighbors(BenchScene(scenes.front().mesh, FRAME_RESOLUTION)));
+    }
     options.write(document);
 }
 
