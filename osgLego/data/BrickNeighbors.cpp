@@ -83,6 +83,10 @@ private:
     std::unordered_map<std::uint64_t, Block> _blocks;
 };
 
+constexpr std::size_t WINDOW_WIDTH = 2 * REACH + 1;
+constexpr std::uint32_t WINDOW_BITS = (1u << WINDOW_WIDTH) - 1u;
+using Window = std::array<std::array<std::uint8_t, WINDOW_WIDTH>, WINDOW_WIDTH>;
+
 /** The cells of a block and around it. */
 class Surroundings
 {
@@ -95,14 +99,22 @@ public:
                     if (const Block* found = cells.find(block + glm::ivec3(x, y, z))) add(*found, {x, y, z});
     }
 
-    /** @param cell from the lower corner of the block, -REACH to BrickPoints::BLOCK_SIDE - 1 + REACH. */
-    bool isCovered(const glm::ivec3& cell) const { return rowAt(cell.y, cell.z) >> (cell.x + REACH) & 1u; }
+    /** The cells around a cell, at a distance of up to REACH along each axis: bits along x, for each z and y.
+     * @param cell from the lower corner of the block. */
+    Window getWindow(const glm::ivec3& cell) const
+    {
+        Window window;
+        for (std::size_t z = 0; z < window.size(); ++z)
+            for (std::size_t y = 0; y < window.size(); ++y)
+                window[z][y] = static_cast<std::uint8_t>(
+                    _rows[placeOf(cell.y - REACH, cell.z - REACH) + y + WIDTH * z] >> cell.x & WINDOW_BITS);
+        return window;
+    }
 
 private:
     static constexpr int WIDTH = BrickPoints::BLOCK_SIDE + 2 * REACH;
 
     static std::size_t placeOf(int y, int z) { return static_cast<std::size_t>(y + REACH + WIDTH * (z + REACH)); }
-    std::uint32_t rowAt(int y, int z) const { return _rows[placeOf(y, z)]; }
 
     void add(const Block& block, const glm::ivec3& offset)
     {
@@ -126,53 +138,73 @@ private:
 class NeighborBits
 {
 public:
-    explicit NeighborBits(const Surroundings& surroundings) : _surroundings(surroundings) {}
+    explicit NeighborBits(const Window& window) : _window(window) {}
 
-    BrickNeighbors find(const glm::ivec3& cell, unsigned int openSides)
+    BrickNeighbors find(unsigned int openSides)
     {
-        addEdges(cell);
-        for (int corner = 0; corner < 8; ++corner)
-            add(cell + 2 * glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1);
+        addEdges();
+        addCorners();
         const int numLayers = std::popcount(openSides) < 5 ? 2 : 1;
         for (int side = 0; side < 6; ++side)
             for (int layer = 0; layer < numLayers && (openSides >> side & 1u); ++layer)
-                addLayer(cell, side / 2, side % 2 == 1 ? 2 + layer : -2 - layer);
+                addLayer(side / 2, side % 2 == 1 ? 2 + layer : -2 - layer);
         return _bits;
     }
 
 private:
-    void add(const glm::ivec3& cell)
+    /** Bits of cells along x, from a distance on. */
+    std::uint32_t rowAt(int x, int y, int z) const
     {
-        if (_surroundings.isCovered(cell)) _bits[_next / 32] |= 1u << _next % 32;
-        ++_next;
+        return static_cast<std::uint32_t>(
+            _window[static_cast<std::size_t>(z + REACH)][static_cast<std::size_t>(y + REACH)] >> (x + REACH));
     }
 
-    void addEdges(const glm::ivec3& cell)
+    void add(std::uint64_t bits, unsigned int count)
     {
-        for (int axis = 0; axis < 3; ++axis)
-            for (int edge = 0; edge < 4; ++edge)
-            {
-                glm::ivec3 neighbor = cell;
-                neighbor[(axis + 1) % 3] += (edge & 1) != 0 ? 1 : -1;
-                neighbor[(axis + 2) % 3] += (edge & 2) != 0 ? 1 : -1;
-                add(neighbor);
-            }
+        bits <<= _next % 32;
+        _bits[_next / 32] |= static_cast<std::uint32_t>(bits);
+        if (bits >> 32 != 0) _bits[_next / 32 + 1] |= static_cast<std::uint32_t>(bits >> 32);
+        _next += count;
     }
 
-    void addLayer(const glm::ivec3& cell, int axis, int distance)
+    void addEdges()
     {
+        std::uint32_t bits = 0;
+        for (int edge = 0; edge < 4; ++edge)
+        {
+            const int first = (edge & 1) != 0 ? 1 : -1;
+            const int second = (edge & 2) != 0 ? 1 : -1;
+            bits |= (rowAt(0, first, second) & 1u) << edge | (rowAt(second, 0, first) & 1u) << (4 + edge) |
+                    (rowAt(first, second, 0) & 1u) << (8 + edge);
+        }
+        add(bits, 12);
+    }
+
+    void addCorners()
+    {
+        std::uint32_t bits = 0;
+        for (int row = 0; row < 4; ++row)
+        {
+            const std::uint32_t cells = rowAt(-1, (row & 1) != 0 ? 1 : -1, (row & 2) != 0 ? 1 : -1);
+            bits |= ((cells & 1u) | (cells >> 1 & 2u)) << 2 * row;
+        }
+        add(bits, 8);
+    }
+
+    /** The nine cells at a distance from the brick, with axes in the order of BrickNeighbors. */
+    void addLayer(int axis, int distance)
+    {
+        std::uint32_t bits = 0;
         for (int v = -1; v <= 1; ++v)
-            for (int u = -1; u <= 1; ++u)
-            {
-                glm::ivec3 neighbor = cell;
-                neighbor[axis] += distance;
-                neighbor[(axis + 1) % 3] += u;
-                neighbor[(axis + 2) % 3] += v;
-                add(neighbor);
-            }
+        {
+            if (axis == 2) bits |= (rowAt(-1, v, distance) & 7u) << 3 * (v + 1);
+            for (int u = -1; u <= 1 && axis != 2; ++u)
+                bits |= (axis == 0 ? rowAt(distance, u, v) & 1u : rowAt(v, distance, u) & 1u) << (u + 1 + 3 * (v + 1));
+        }
+        add(bits, 9);
     }
 
-    const Surroundings& _surroundings;
+    const Window& _window;
     BrickNeighbors _bits{};
     std::size_t _next = 0;
 };
@@ -189,9 +221,10 @@ std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> poi
         const Run& run = runs[number];
         const Surroundings surroundings(cells, run.block);
         for (std::size_t index = run.begin; index < run.end; ++index)
-            result[index] =
-                NeighborBits(surroundings)
-                    .find(getCell(points[index]) - BrickPoints::BLOCK_SIDE * run.block, points[index][1] >> 16 & 63u);
+        {
+            const Window window = surroundings.getWindow(getCell(points[index]) - BrickPoints::BLOCK_SIDE * run.block);
+            result[index] = NeighborBits(window).find(points[index][1] >> 16 & 63u);
+        }
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
     oneapi::tbb::this_task_arena::isolate([&]
