@@ -12,7 +12,6 @@ DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, b
     _share(static_cast<float>(share)), _includesNear(isExact && occlusion.includesNear())
 {
     const osg::Matrixd cellsToEye = occlusion.getCellsToModel() * modelView;
-    _modelToEye = rotationOf(cellsToEye);
     const glm::dvec3 scale(occlusion.getScale());
     const glm::dvec3 offset(occlusion.getOffset());
     _eyeToVoxels = toGlsl(osg::Matrixd::inverse(cellsToEye) * osg::Matrixd::scale(scale.x, scale.y, scale.z) *
@@ -25,7 +24,8 @@ DistantOcclusionView::DistantOcclusionView(DistantOcclusionTexture& occlusion, b
 void DistantOcclusionView::apply(osg::State& state) const
 {
     static const UniformName EYE_TO_VOXELS("eyeToVoxels");
-    static const UniformName MODEL_TO_EYE("modelToEye");
+    static const UniformName SCALE("voxelScale");
+    static const UniformName OFFSET("voxelOffset");
     static const UniformName VOXEL("voxel");
     static const UniformName PIXEL_WIDTH("pixelWidth");
     static const UniformName SHARE("distantShare");
@@ -35,7 +35,8 @@ void DistantOcclusionView::apply(osg::State& state) const
     state.applyTextureAttribute(BEND_UNIT, &_occlusion->getBend());
     const ProgramUniforms uniforms(state);
     uniforms.set(EYE_TO_VOXELS, _eyeToVoxels);
-    uniforms.set(MODEL_TO_EYE, _modelToEye);
+    uniforms.set(SCALE, _occlusion->getScale());
+    uniforms.set(OFFSET, _occlusion->getOffset());
     uniforms.set(VOXEL, _occlusion->getVoxel());
     uniforms.set(PIXEL_WIDTH, _pixelWidth);
     uniforms.set(SHARE, _share);

@@ -2,7 +2,6 @@
 
 #include <osgLego/store/DistantOcclusionTexture.h>
 
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <osg/Matrixd>
@@ -33,7 +32,6 @@ public:
 private:
     osg::ref_ptr<DistantOcclusionTexture> _occlusion;
     glm::mat4 _eyeToVoxels;
-    glm::mat3 _modelToEye;
     glm::vec2 _pixelWidth;
     float _share;
     bool _includesNear;

@@ -18,6 +18,7 @@ uniform usamplerBuffer splatBricks; // three texels for each brick, see BrickPoi
 uniform sampler2D splatDepths; // 1: no brick
 
 vec3 eyePosition;
+vec3 gridPosition; // in cells
 vec3 eyeNormal;
 vec2 coordinate;
 vec4 coordinateSlopes; // by pixel: those of the first coordinate, those of the second
@@ -142,7 +143,8 @@ bool findFragment()
     vec2 right = coordinateOn(plane, meet(plane, first + vec2(1.0, 0.0), cell)) - base;
     vec2 above = coordinateOn(plane, meet(plane, first + vec2(0.0, 1.0), cell)) - base;
     coordinateSlopes = vec4(right.x, above.x, right.y, above.y);
-    vec4 position = vec4(cell + place, 1.0);
+    gridPosition = cell + place;
+    vec4 position = vec4(gridPosition, 1.0);
     eyePosition = vec3(dot(sceneRows[0], position), dot(sceneRows[1], position), dot(sceneRows[2], position));
     eyeNormal = normalMatrix * normal;
     return true;

@@ -2,16 +2,26 @@
 
 uniform sampler3D hiddenMean; // the hidden fractions of surfaces across the model's axes, and of all by distant bricks alone
 uniform sampler3D hiddenBend; // half the difference between both directions, plus 128 / 255
+#if defined(SPLATS) // see splat_scene.glsl
+#define hasFaceOcclusion (sceneVoxels[2].w >= 1.0)
+#define includesNear (sceneVoxels[2].w == 2.0)
+#define voxel sceneVoxels[2].xyz
+#define pixelWidth vec2(sceneVoxels[0].w, sceneVoxels[1].w)
+#define placeInVoxels (gridPosition * sceneVoxels[0].xyz + sceneVoxels[1].xyz)
+#else
 uniform bool hasFaceOcclusion; // whether the voxels have what is hidden from the middles of faces, near occlusion included
 uniform bool includesNear;     // whether this is to be used: it is that of the same bricks
 uniform mat4 eyeToVoxels; // from eye coordinates to texture coordinates
-uniform mat3 modelToEye;  // a rotation or reflection, or with columns of length 1 if the model is sheared
 uniform vec3 voxel;       // the extent of a voxel, in texture coordinates
 uniform vec2 pixelWidth;  // in voxels, at the depth z in eye coordinates: |x + y * z|
-#if defined(PARTIAL)
-uniform float distantShare; // of the bricks that are in place
-#else
+#define placeInVoxels (eyeToVoxels * vec4(eyePosition, 1.0)).xyz
+#endif
+#if !defined(PARTIAL)
 const float distantShare = 1.0;
+#elif defined(SPLATS)
+#define distantShare sceneShare
+#else
+uniform float distantShare; // of the bricks that are in place
 #endif
 
 // The distance from the surface at which occlusion is read, in voxels: voxels with bricks have none of their own. That of faces is
@@ -38,13 +48,14 @@ float decodeOcclusion(float code)
 // direction of voxels without bricks; `isWhole`, whether near occlusion is included.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 shift, vec3 lift, vec3 toEye, bool isWhole)
 {
+    mat3 modelToEye = mat3(axisOf(0), axisOf(1), axisOf(2));
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
     float level = round(smallness);
     // The normals of bricks as small as pixels are noise.
     float averaged = clamp(smallness - 1.0, 0.0, 1.0);
     vec3 normal = normalize(mix(eyeNormal, toEye, averaged) * modelToEye);
     vec3 away = (hasFaceOcclusion ? FACE_LIFT : LIFT) * normalize(mix(lift, toEye, averaged) * modelToEye);
-    vec3 place = (eyeToVoxels * vec4(eyePosition, 1.0)).xyz + voxel * (shift + exp2(level) * away);
+    vec3 place = placeInVoxels + voxel * (shift + exp2(level) * away);
     vec4 mean = textureLod(hiddenMean, place, level);
     vec3 towards = textureLod(hiddenBend, place, level).rgb - 128.0 / 255.0;
     float hidden = !hasFaceOcclusion ? dot(normal * normal, mean.rgb + sign(normal) * towards)

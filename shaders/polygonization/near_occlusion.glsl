@@ -6,19 +6,12 @@
 const bool includesNear = false;
 #endif
 
-// A point on a face, or on a stud.
-struct OccludedPoint
-{
-    FaceNeighbors cells;
-    uint open;  // the open sides of the brick
-    int axis;   // of the face
-    bool isUpper;
-    ivec2 axes; // along the face; the horizontal one is first
-    vec2 place; // along these axes, 0 to 1
-};
-
 uniform sampler2D studTable; // see createStudOcclusion
+#if defined(SPLATS)
+#define cellPixelWidth sceneCellWidth
+#else
 uniform vec2 cellPixelWidth; // in cells, at the depth z in eye coordinates: |x + y * z|
+#endif
 
 // The mean visibility of bricks, from views of two models. Bricks as small as pixels show it: each pixel shows a part of another
 // brick, and would flicker when the camera moves.
@@ -33,32 +26,6 @@ vec4 quadrantsTowards(vec2 direction)
     return weights / dot(weights, vec4(1.0));
 }
 
-bool isOpen(OccludedPoint point, int axis, int upper)
-{
-    return (point.open >> (2 * axis + upper) & 1u) != 0u;
-}
-
-bool isBesideEdge(OccludedPoint point, int axis, int upper, int other, int otherUpper)
-{
-    return (point.cells.near >> edgeBit(axis, upper, other, otherUpper) & 1u) != 0u;
-}
-
-bool isAtCorner(OccludedPoint point, int upper, ivec2 sides)
-{
-    return (point.cells.near >> (12 + (upper << point.axis) + (sides.x << point.axes.x) + (sides.y << point.axes.y)) & 1u) != 0u;
-}
-
-// Whether a stud is beside that of a brick, in front of one of its sides. `point` is on top of the brick.
-bool hasStudBeside(OccludedPoint point, int axis, int upper)
-{
-    return !isOpen(point, axis, upper) && !isBesideEdge(point, point.axis, 1, axis, upper);
-}
-
-bool hasStudAtCorner(OccludedPoint point, ivec2 sides)
-{
-    return isBesideEdge(point, point.axes.x, sides.x, point.axes.y, sides.y) && !isAtCorner(point, 1, sides);
-}
-
 // Light in a band of the table, at a column and a line from 0 to 1: its fraction, and the vector along the surface, up, and along
 // the normal.
 vec4 studEntry(float band, float column, float line)
@@ -68,65 +35,56 @@ vec4 studEntry(float band, float column, float line)
     return 0.5 * vec4(entry.xy, 2.0 * entry.z - 1.0, entry.w);
 }
 
-// A surface from which studs hide light.
+// A point on a face, or on a stud.
 struct Receiver
 {
     bool isWall;  // of a stud, with a horizontal normal
     bool isTop;   // of a brick
     bool isSide;  // of a brick
+    vec2 place;   // along the axes of the face, 0 to 1; for a side of a brick, the first axis is horizontal
     vec2 outward; // the normal of a wall
     float height; // on a wall, 0 to 1
 };
 
-// The studs that may hide light, as bits. For the top of a brick: its own, and three beside it, in the direction of `sides`; for the
-// wall of a stud, five beside it; for a side, three at its foot.
-uint studsAround(OccludedPoint point, Receiver to, ivec2 sides)
+// The studs that may hide light, as bits like those of the cells in front of a face: for the top of a brick, its own and three
+// beside it; for the wall of a stud, five beside it; for a side, three at its foot. `beside` are the cells on the brick's level.
+uint studsAround(Receiver to, uint cells, uint beside)
 {
-    int upper = int(point.isUpper);
-    if (to.isSide)
-        return uint(isAtCorner(point, upper, ivec2(0)) && !isBesideEdge(point, point.axis, upper, point.axes.x, 0)) << 1 |
-               uint(isBesideEdge(point, point.axis, upper, point.axes.y, 0)) << 2 |
-               uint(isAtCorner(point, upper, ivec2(1, 0)) && !isBesideEdge(point, point.axis, upper, point.axes.x, 1)) << 3;
-    if (!to.isWall && !to.isTop) return 0u;
-    uint studs = uint(to.isTop) | uint(hasStudBeside(point, point.axes.x, sides.x)) << 1 |
-                 uint(hasStudBeside(point, point.axes.y, sides.y)) << 2 | uint(hasStudAtCorner(point, sides)) << 3;
-    if (to.isWall)
-        studs |= uint(hasStudAtCorner(point, ivec2(sides.x, 1 - sides.y))) << 4 |
-                 uint(hasStudAtCorner(point, ivec2(1 - sides.x, sides.y))) << 5;
-    return studs;
+    if (to.isSide) return cells & 7u & ~(cells >> 3);
+    uint studs = beside & ~cells;
+    ivec2 sides = ivec2(greaterThan(to.isWall ? to.outward : to.place - 0.5, vec2(0.0)));
+    if (to.isWall) return studs & 0x1ffu & ~(QUADRANT << (4 - sides.x - 3 * sides.y));
+    return to.isTop ? studs & QUADRANT << (sides.x + 3 * sides.y) : 0u;
 }
 
 // The light that studs hide: its fraction, and the vector along both axes of a face and its normal; less where cells already hide
 // the light from there. `visibility` is that of quadrants. One loop finds all studs, since software renderers run all branches for
 // every pixel, but loops only as often as some pixel of a group needs.
-vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
+vec4 hiddenByStuds(uint studs, Receiver to, vec4 visibility)
 {
-    vec2 side = to.isWall ? to.outward : point.place - 0.5;
-    ivec2 sides = ivec2(greaterThan(side, vec2(0.0)));
     vec2 across = vec2(-to.outward.y, to.outward.x);
     vec3 up = to.isSide ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
     vec3 normal = to.isSide ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
     vec4 sum = vec4(0.0);
-    for (uint left = studsAround(point, to, sides); left != 0u; left &= left - 1u)
+    for (uint left = studs; left != 0u; left &= left - 1u)
     {
         int number = findLSB(left);
+        int line = number * 11 >> 5; // number / 3
+        vec2 step = vec2(number - 3 * line - 1, line - 1);
         vec2 direction; // to the stud, along the axes
         vec3 place;     // in the table
         vec3 along;
         if (to.isSide)
         {
-            direction = vec2(float(number) - 1.5 - point.place.x, 1.0);
-            place = vec3(0.0, abs(direction.x) / 1.5, point.place.y);
+            direction = vec2(0.5 - to.place.x + step.x, 1.0);
+            place = vec3(0.0, abs(direction.x) / 1.5, to.place.y);
             along = vec3(sign(direction.x), 0.0, 0.0);
         }
         else
         {
-            bvec2 beside = bvec2((number & 1) != 0 || number == 4, number >= 2);
-            ivec2 other = ivec2(number == 5 ? 1 - sides.x : sides.x, number == 4 ? 1 - sides.y : sides.y);
-            vec2 step = vec2(2 * other - 1) * vec2(beside);
-            direction = to.isWall ? step : 0.5 - point.place + step;
+            direction = to.isWall ? step : 0.5 - to.place + step;
             float distance = max(length(direction), STUD_RADIUS);
-            place = to.isWall ? vec3(beside == bvec2(true) ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
+            place = to.isWall ? vec3((number & 1) == 0 ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
                               : vec3(3.0, (distance - STUD_RADIUS) / (1.5 - STUD_RADIUS), 0.5);
             along = vec3(to.isWall ? sign(dot(direction, across)) * across : direction / distance, 0.0);
         }
@@ -142,18 +100,19 @@ vec4 hiddenByStuds(OccludedPoint point, Receiver to, vec4 visibility)
 const float OPEN_BELOW = 0.6;                // of an infinitely high wall, if no brick is beside its own; fitted to rays
 const float LEDGE = 0.5 - STUD_RADIUS; // from the wall to the end of the brick
 
-vec4 wallOcclusion(OccludedPoint point, Quadrants light, vec4 weights, vec2 outward, float height)
+// `beside` are the cells on the brick's level.
+vec4 wallOcclusion(Receiver to, uint beside, Quadrants light, vec4 weights)
 {
-    vec4 sides = vec4(max(-outward, 0.0), max(outward, 0.0));
-    uvec4 open = uvec4(point.open) >> uvec4(2 * point.axes, 2 * point.axes + 1) & 1u;
-    float above = height * STUD_HEIGHT;
-    float below = OPEN_BELOW * above * inversesqrt(above * above + LEDGE * LEDGE) * dot(sides * sides, vec4(open));
+    vec4 sides = vec4(max(-to.outward, 0.0), max(to.outward, 0.0));
+    vec4 open = 1.0 - vec4(beside >> 3 & 1u, beside >> 1 & 1u, beside >> 5 & 1u, beside >> 7 & 1u);
+    float above = to.height * STUD_HEIGHT;
+    float below = OPEN_BELOW * above * inversesqrt(above * above + LEDGE * LEDGE) * dot(sides * sides, open);
     // An open quadrant has a sum of directions of 1 / 6 outward, and 1 / (3 pi) up and to the side.
     vec4 seen = weights * light.visibility;
     vec2 towards = vec2(seen.y + seen.w - seen.x - seen.z, seen.z + seen.w - seen.x - seen.y);
-    vec2 across = towards - dot(towards, outward) * outward;
+    vec2 across = towards - dot(towards, to.outward) * to.outward;
     float all = dot(seen, vec4(1.0));
-    vec2 bent = (all / 6.0 + 0.8 * below) * outward + 0.106 * across;
+    vec2 bent = (all / 6.0 + 0.8 * below) * to.outward + 0.106 * across;
     return vec4(light.sum.x + below, bent, 0.106 * all - 0.5 * below);
 }
 
@@ -163,42 +122,47 @@ vec4 wallOcclusion(OccludedPoint point, Quadrants light, vec4 weights, vec2 outw
 vec4 nearOcclusion(Surface surface, out vec3 shift)
 {
     shift = vec3(0.0);
-    if (brickNumber >= numNeighbors) return vec4(surface.normal, 1.0);
+    float small = smoothstep(SMALL_CELLS.x, SMALL_CELLS.y, abs(cellPixelWidth.x + cellPixelWidth.y * eyePosition.z));
+    bool isKnown = brickNumber < numNeighbors && small < 1.0;
     uint part = detail & 3u;
-    OccludedPoint point;
-    point.open = detail >> 5 & 63u;
-    point.axis = int(detail >> 2 & 3u);
-    point.isUpper = (detail >> 4 & 1u) != 0u;
-    point.cells = neighborsOf(brickNumber, point.open, 2 * point.axis + int(point.isUpper));
-    point.axes = axesOf(point.axis, point.isUpper);
-    point.place = part == FACE ? coordinate : 0.5 + STUD_RADIUS * (2.0 * coordinate - 1.0);
-    bool isLevel = point.axis == upAxis;
-    if (point.axes.x == upAxis)
+    uint open = detail >> 5 & 63u;
+    int axis = int(detail >> 2 & 3u);
+    int upper = int(detail >> 4 & 1u);
+    ivec2 axes = ivec2(axis + 1, axis + 2) - 3 * ivec2(axis > 1, axis > 0);
+    bool isLevel = axis == upAxis;
+    bool isExchanged = axes.x == upAxis;
+    int word = isKnown ? 3 * brickNumber : 0;
+    uvec3 words = uvec3(texelFetch(neighbors, word).x, texelFetch(neighbors, word + 1).x, texelFetch(neighbors, word + 2).x);
+    uint cells = isKnown ? cellsInFront(words, open, axis, upper) : 0u;
+    if (isExchanged)
     {
-        point.axes = point.axes.yx;
-        point.place = point.place.yx;
+        cells = exchangeAxes(cells);
+        axes = axes.yx;
     }
-    vec3 first = axisOf(point.axes.x);
-    vec3 second = axisOf(point.axes.y);
+    vec3 first = axisOf(axes.x);
+    vec3 second = axisOf(axes.y);
     Receiver to;
     to.isWall = part == STUD_WALL;
-    to.isTop = part == FACE && isLevel && point.isUpper;
+    to.isTop = part == FACE && isLevel && upper != 0;
     to.isSide = !isLevel;
     to.outward = to.isWall ? normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))) : vec2(0.0);
     to.height = coordinate.y;
-    if (to.isWall) point.place = 0.5 + STUD_RADIUS * to.outward;
+    // The coordinates along lower faces are in the opposite order.
+    vec2 place = (upper != 0) != isExchanged ? coordinate : coordinate.yx;
+    to.place = part == FACE ? place : 0.5 + STUD_RADIUS * (to.isWall ? to.outward : 2.0 * place - 1.0);
     vec4 weights = to.isWall ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
-    Quadrants light = findQuadrants(point.cells, point.axis, point.isUpper, point.axes, point.place, weights, isLevel);
-    vec4 open = to.isWall ? wallOcclusion(point, light, weights, to.outward, to.height) : light.sum;
+    Quadrants light = findQuadrants(cells, to.place, weights, isLevel);
+    uint beside = cellsBeside(words.x, open, axis);
+    vec4 sky = to.isWall ? wallOcclusion(to, beside, light, weights) : light.sum;
     if (includesNear && !to.isWall)
     {
-        open.x = 1.0 + light.difference;
-        shift[point.axes.x] = light.shift.x;
-        shift[point.axes.y] = light.shift.y;
+        sky.x = 1.0 + light.difference;
+        shift[axes.x] = light.shift.x;
+        shift[axes.y] = light.shift.y;
     }
-    open -= hiddenByStuds(point, to, light.visibility);
-    vec3 bent = open.y * first + open.z * second + (point.isUpper ? open.w : -open.w) * axisOf(point.axis);
-    float small = smoothstep(SMALL_CELLS.x, SMALL_CELLS.y, abs(cellPixelWidth.x + cellPixelWidth.y * eyePosition.z));
+    sky -= hiddenByStuds(isKnown ? studsAround(to, cells, beside) : 0u, to, light.visibility);
+    vec3 bent = sky.y * first + sky.z * second + (upper != 0 ? sky.w : -sky.w) * axisOf(axis);
+    if (brickNumber >= numNeighbors) return vec4(surface.normal, 1.0);
     return vec4(normalize(mix(bent, surface.normal, small) + 1e-4 * surface.normal),
-                mix(max(open.x, 0.0), includesNear ? 1.0 : MEAN_VISIBILITY, small));
+                mix(max(sky.x, 0.0), includesNear ? 1.0 : MEAN_VISIBILITY, small));
 }

@@ -81,16 +81,15 @@ vec3 unlitColor()
 
 #if defined(DISTANT_OCCLUSION)
 
-// `shift` is a step from the surface to the place of the occlusion, in cells along the model's axes.
+// `shift` is a step from the surface to the place of the occlusion, in cells along the model's axes. The wall of a stud sees the
+// upper half of its sky. Both cases share the look-ups: software renderers run both branches for every pixel.
 vec4 distantOcclusionOf(Surface surface, vec3 shift)
 {
-    vec3 toEye = towardsEye(eyePosition);
-    if ((detail & 3u) != STUD_WALL) return distantOcclusionAt(eyePosition, surface.normal, shift, surface.normal, toEye, includesNear);
-    // The wall of a stud sees the upper half of its sky.
-    vec3 upward = axisOf(upAxis);
-    vec3 middle = normalize(surface.normal + upward);
-    vec4 hidden = distantOcclusionAt(eyePosition, middle, shift, upward, toEye, false);
-    return 0.5 * vec4(hidden.xyz, hidden.w + dot(hidden.xyz, middle - surface.normal));
+    bool isWall = (detail & 3u) == STUD_WALL;
+    vec3 lift = isWall ? axisOf(upAxis) : surface.normal;
+    vec3 middle = isWall ? normalize(surface.normal + lift) : surface.normal;
+    vec4 hidden = distantOcclusionAt(eyePosition, middle, shift, lift, towardsEye(eyePosition), includesNear && !isWall);
+    return (isWall ? 0.5 : 1.0) * vec4(hidden.xyz, hidden.w + dot(hidden.xyz, middle - surface.normal));
 }
 
 #endif

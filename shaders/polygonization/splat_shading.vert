@@ -25,6 +25,21 @@ uniform vec2 linePixelWidth;
 #if defined(ONE_LIGHT)
 uniform int lightNumbers[8];
 #endif
+#if defined(GRID_OCCLUSION)
+uniform int numNeighbors;
+uniform vec2 cellPixelWidth;
+#endif
+#if defined(DISTANT_OCCLUSION)
+uniform vec3 voxelScale;
+uniform vec3 voxelOffset;
+uniform vec3 voxel;
+uniform vec2 pixelWidth;
+uniform bool hasFaceOcclusion;
+uniform bool includesNear;
+#if defined(PARTIAL)
+uniform float distantShare;
+#endif
+#endif
 
 void passRays()
 {
@@ -61,13 +76,30 @@ void passLight()
 #endif
 }
 
+void passOcclusion()
+{
+#if defined(GRID_OCCLUSION)
+    sceneSplats.z = numNeighbors;
+    sceneCellWidth = cellPixelWidth;
+#endif
+#if defined(DISTANT_OCCLUSION)
+    sceneVoxels[0] = vec4(voxelScale, pixelWidth.x);
+    sceneVoxels[1] = vec4(voxelOffset, pixelWidth.y);
+    sceneVoxels[2] = vec4(voxel, float(hasFaceOcclusion) + float(includesNear));
+#if defined(PARTIAL)
+    sceneShare = distantShare;
+#endif
+#endif
+}
+
 void main()
 {
     passRays();
     passMatrices();
     passLight();
     sceneNumbers = ivec4(upAxis, origin, fogMode);
-    sceneSplats = ivec2(firstSplat, numSplats);
+    sceneSplats = ivec3(firstSplat, numSplats, 0);
+    passOcclusion();
     sceneFog[0] = vec4(fogParameters.color.rgb, fogParameters.density);
 #if defined(LINES)
     sceneLines = vec4(lineWidth, oldLineWidth, linePixelWidth);
