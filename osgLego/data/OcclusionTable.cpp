@@ -164,7 +164,9 @@ bool isCovered(unsigned int pattern, const glm::ivec3& cell)
     return cell != glm::ivec3(0) && (pattern & bitOf(cell)) != 0;
 }
 
-/** A pattern whose cells on the upper end of an axis are like those on the lower one. */
+/** For each pattern, the one whose cells on the upper end of an axis are like those on the lower one. */
+using RepeatedPatterns = std::array<unsigned int, NUM_PATTERNS>;
+
 unsigned int repeat(unsigned int pattern, int axis)
 {
     unsigned int repeated = 0;
@@ -180,6 +182,14 @@ unsigned int repeat(unsigned int pattern, int axis)
     return repeated;
 }
 
+RepeatedPatterns repeatAll(int axis)
+{
+    RepeatedPatterns patterns;
+    for (unsigned int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
+        patterns[pattern] = repeat(pattern, axis);
+    return patterns;
+}
+
 /** The difference between visibility and its interpolation between the middles of four faces in a plane. */
 class InterpolationError
 {
@@ -187,8 +197,12 @@ public:
     InterpolationError(const glm::dvec3& extent, double radius) : _extent(extent), _radius(radius)
     {
         for (int cell = 0; cell < 4; ++cell)
-            _middles[static_cast<std::size_t>(cell)] =
-                findVisibility(extent, radius, (glm::dvec2(cell & 1, cell >> 1) + 0.5) * glm::dvec2(extent));
+        {
+            std::vector<double>& middles = _middles[static_cast<std::size_t>(cell)];
+            middles = findVisibility(extent, radius, (glm::dvec2(cell & 1, cell >> 1) + 0.5) * glm::dvec2(extent));
+            for (double& middle : middles)
+                middle = OcclusionCurve::encode(1.0 - middle);
+        }
     }
 
     /** Find the difference for each pattern. Towards the middle of the face, the upper cells along an axis become like
@@ -200,15 +214,17 @@ public:
         constexpr double INSET = 1e-4;
         const glm::dvec2 place = glm::min(0.5 + 0.5 * share, 1.0 - INSET) * glm::dvec2(_extent);
         const std::vector<double> exact = findVisibility(_extent, _radius, place);
-        const auto differ = [&](unsigned int pattern)
-        { return exact[pattern] - 1.0 + OcclusionCurve::decode(interpolate(pattern, 0.5 * share)); };
+        std::vector<double> differences;
+        for (unsigned int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
+            differences.push_back(exact[pattern] - 1.0 + OcclusionCurve::decode(interpolate(pattern, 0.5 * share)));
         const glm::dvec2 known = glm::smoothstep(0.0, 0.5, share);
         std::vector<double> errors;
         for (unsigned int pattern = 0; pattern < NUM_PATTERNS; ++pattern)
         {
-            const unsigned int first = repeat(pattern, 0);
-            errors.push_back(glm::mix(glm::mix(differ(repeat(first, 1)), differ(repeat(pattern, 1)), known.x),
-                                      glm::mix(differ(first), differ(pattern), known.x), known.y));
+            const unsigned int first = _alongFirst[pattern];
+            errors.push_back(
+                glm::mix(glm::mix(differences[_alongSecond[first]], differences[_alongSecond[pattern]], known.x),
+                         glm::mix(differences[first], differences[pattern], known.x), known.y));
         }
         return errors;
     }
@@ -223,8 +239,7 @@ private:
     /** The occlusion of the middle of a face, encoded. */
     double get(unsigned int pattern, const glm::ivec2& cell) const
     {
-        const auto at = [&](int x, int y)
-        { return OcclusionCurve::encode(1.0 - _middles[static_cast<std::size_t>(x + 2 * y)][pattern]); };
+        const auto at = [&](int x, int y) { return _middles[static_cast<std::size_t>(x + 2 * y)][pattern]; };
         const bool isFirst = isCovered(pattern, {1, 0, 0});
         const bool isSecond = isCovered(pattern, {0, 1, 0});
         // Nothing is interpolated across a covered cell beside the face.
@@ -237,7 +252,9 @@ private:
 
     glm::dvec3 _extent;
     double _radius;
-    std::array<std::vector<double>, 4> _middles;
+    std::array<std::vector<double>, 4> _middles; // the occlusion of the middles of faces, encoded
+    RepeatedPatterns _alongFirst = repeatAll(0);
+    RepeatedPatterns _alongSecond = repeatAll(1);
 };
 
 unsigned char toByte(double fraction)
