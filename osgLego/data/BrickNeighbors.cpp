@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <unordered_map>
+#include <functional>
 
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -29,7 +30,9 @@ struct Run
     std::size_t end;
 };
 
-glm::ivec3 getCell(const BrickPoint& point)
+constexpr unsigned int BLOCK_CELLS = BrickPoints::BLOCK_SIDE;
+
+glm::uvec3 getCell(const BrickPoint& point)
 {
     return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
 }
@@ -39,7 +42,7 @@ std::vector<Run> findRuns(std::span<const BrickPoint> points)
     std::vector<Run> runs;
     for (std::size_t index = 0; index < points.size(); ++index)
     {
-        const glm::ivec3 block = getCell(points[index]) / BrickPoints::BLOCK_SIDE;
+        const glm::ivec3 block(getCell(points[index]) / BLOCK_CELLS);
         if (runs.empty() || runs.back().block != block) runs.push_back({block, index, index});
         runs.back().end = index + 1;
     }
@@ -50,17 +53,24 @@ std::vector<Run> findRuns(std::span<const BrickPoint> points)
 class CoveredCells
 {
 public:
-    CoveredCells(std::span<const BrickPoint> points, const std::vector<Run>& runs)
+    CoveredCells(std::span<const BrickPoint> points, const std::vector<Run>& runs) :
+        _slots(std::bit_ceil(2 * runs.size() + 1))
     {
         _blocks.reserve(runs.size());
         for (const Run& run : runs)
         {
-            Block& block = _blocks[keyOf(run.block)];
+            const std::uint64_t key = keyOf(run.block);
+            Slot& slot = _slots[findSlot(key)];
+            if (slot.key == EMPTY)
+            {
+                slot = {key, _blocks.size()};
+                _blocks.emplace_back();
+            }
+            Block& block = _blocks[slot.block];
             for (const BrickPoint& point : points.subspan(run.begin, run.end - run.begin))
             {
-                const glm::ivec3 place = getCell(point) % BrickPoints::BLOCK_SIDE;
-                block[static_cast<std::size_t>(place.z)][static_cast<std::size_t>(place.y)] |=
-                    static_cast<std::uint8_t>(1u << place.x);
+                const glm::uvec3 place = getCell(point) % BLOCK_CELLS;
+                block[place.z][place.y] |= static_cast<std::uint8_t>(1u << place.x);
             }
         }
     }
@@ -68,24 +78,40 @@ public:
     /** The cells of a block; null if none is covered. */
     const Block* find(const glm::ivec3& block) const
     {
-        const auto found = _blocks.find(keyOf(block));
-        return found == _blocks.end() ? nullptr : &found->second;
+        const Slot& slot = _slots[findSlot(keyOf(block))];
+        return slot.key == EMPTY ? nullptr : &_blocks[slot.block];
     }
 
 private:
+    static constexpr std::uint64_t EMPTY = 0;
+
+    struct Slot
+    {
+        std::uint64_t key = EMPTY;
+        std::size_t block = 0;
+    };
+
     static std::uint64_t keyOf(const glm::ivec3& block)
     {
         constexpr int BITS = 16;
-        const auto key = [](int place) { return static_cast<std::uint64_t>(place + 1); };
+        const auto key = [](int place) { return static_cast<std::uint64_t>(place + 2); };
         return key(block.x) | key(block.y) << BITS | key(block.z) << 2 * BITS;
     }
 
-    std::unordered_map<std::uint64_t, Block> _blocks;
-};
+    /** The slot of a key, or the one that is free for it: the first such slot after its hash. */
+    std::size_t findSlot(std::uint64_t key) const
+    {
+        const std::size_t mask = _slots.size() - 1;
+        std::size_t slot = (key * 0x9e3779b97f4a7c15ull >> 32) & mask;
+        while (_slots[slot].key != EMPTY && _slots[slot].key != key)
+            slot = (slot + 1) & mask;
+        return slot;
+    }
 
-constexpr std::size_t WINDOW_WIDTH = 2 * REACH + 1;
-constexpr std::uint32_t WINDOW_BITS = (1u << WINDOW_WIDTH) - 1u;
-using Window = std::array<std::array<std::uint8_t, WINDOW_WIDTH>, WINDOW_WIDTH>;
+    // A hash table with open addressing, at least half of whose slots are free, since each block looks 27 keys up.
+    std::vector<Slot> _slots;
+    std::vector<Block> _blocks;
+};
 
 /** The cells of a block and around it. */
 class Surroundings
@@ -95,68 +121,119 @@ public:
     {
         for (int z = -1; z <= 1; ++z)
             for (int y = -1; y <= 1; ++y)
-                for (int x = -1; x <= 1; ++x)
-                    if (const Block* found = cells.find(block + glm::ivec3(x, y, z))) add(*found, {x, y, z});
+                add({find(cells, block + glm::ivec3(-1, y, z)), find(cells, block + glm::ivec3(0, y, z)),
+                     find(cells, block + glm::ivec3(1, y, z))},
+                    y, z);
     }
 
-    /** The cells around a cell, at a distance of up to REACH along each axis: bits along x, for each z and y.
-     * @param cell from the lower corner of the block. */
-    Window getWindow(const glm::ivec3& cell) const
-    {
-        Window window;
-        for (std::size_t z = 0; z < window.size(); ++z)
-            for (std::size_t y = 0; y < window.size(); ++y)
-                window[z][y] = static_cast<std::uint8_t>(
-                    _rows[placeOf(cell.y - REACH, cell.z - REACH) + y + WIDTH * z] >> cell.x & WINDOW_BITS);
-        return window;
-    }
+    /** Cells along x: those from -REACH to REACH are the lowest bits.
+     * @param cell the middle of the row, from the lower corner of the block. */
+    std::uint32_t getRow(const glm::ivec3& cell) const { return _rows[placeOf(cell.y, cell.z)] >> cell.x; }
 
 private:
     static constexpr int WIDTH = BrickPoints::BLOCK_SIDE + 2 * REACH;
 
     static std::size_t placeOf(int y, int z) { return static_cast<std::size_t>(y + REACH + WIDTH * (z + REACH)); }
 
-    void add(const Block& block, const glm::ivec3& offset)
+    static const Block& find(const CoveredCells& cells, const glm::ivec3& block)
     {
-        const glm::ivec3 first = BrickPoints::BLOCK_SIDE * offset;
-        const glm::ivec3 begin = glm::max(first, -REACH) - first;
-        const glm::ivec3 end = glm::min(first + BrickPoints::BLOCK_SIDE, BrickPoints::BLOCK_SIDE + REACH) - first;
-        for (int z = begin.z; z < end.z; ++z)
-            for (int y = begin.y; y < end.y; ++y)
+        static constexpr Block EMPTY{};
+        const Block* found = cells.find(block);
+        return found ? *found : EMPTY;
+    }
+
+    /** Add the rows of three blocks along x. @param y, z the place of these from that of the block, -1 to 1. */
+    void add(const std::array<std::reference_wrapper<const Block>, 3>& blocks, int y, int z)
+    {
+        constexpr int LENGTH = BrickPoints::BLOCK_SIDE;
+        const glm::ivec2 first = LENGTH * glm::ivec2(y, z);
+        const glm::ivec2 begin = glm::max(first, -REACH);
+        const glm::ivec2 end = glm::min(first + LENGTH, LENGTH + REACH);
+        for (glm::ivec2 place = begin; place.y < end.y; ++place.y)
+            for (place.x = begin.x; place.x < end.x; ++place.x)
             {
-                const std::uint32_t row = block[static_cast<std::size_t>(z)][static_cast<std::size_t>(y)];
-                const int shift = first.x + REACH;
-                _rows[placeOf(first.y + y, first.z + z)] |=
-                    (shift < 0 ? row >> -shift : row << shift) & ((1u << WIDTH) - 1u);
+                const glm::uvec2 in(place - first);
+                const auto rowOf = [&](std::size_t block) -> std::uint32_t { return blocks[block].get()[in.y][in.x]; };
+                _rows[placeOf(place.x, place.y)] = rowOf(0) >> (LENGTH - REACH) | rowOf(1) << REACH |
+                                                   (rowOf(2) << (LENGTH + REACH) & ((1u << WIDTH) - 1u));
             }
     }
 
     std::array<std::uint32_t, std::size_t{WIDTH} * WIDTH> _rows{};
 };
 
+constexpr std::size_t NUM_SQUARES = 512; // of 3 x 3 cells, as bits x + 3 * y
+
+/** For each square of cells at z, -1 to 1, the bits of its cells beside edges and at corners. */
+using SquareBits = std::array<std::uint32_t, NUM_SQUARES>;
+
+/** The bit of the cell at a place from -1 to 1; none for those that are beside a side, and in the middle. */
+constexpr std::uint32_t bitOf(int x, int y, int z)
+{
+    const auto isUpper = [](int place) { return static_cast<unsigned int>(place > 0); };
+    if (x != 0 && y != 0 && z != 0) return 1u << (12 + isUpper(x) + 2 * isUpper(y) + 4 * isUpper(z));
+    if (x == 0 && y != 0 && z != 0) return 1u << (isUpper(y) + 2 * isUpper(z));
+    if (y == 0 && x != 0 && z != 0) return 1u << (4 + isUpper(z) + 2 * isUpper(x));
+    if (z == 0 && x != 0 && y != 0) return 1u << (8 + isUpper(x) + 2 * isUpper(y));
+    return 0;
+}
+
+constexpr SquareBits createSquareBits(int z)
+{
+    SquareBits all{};
+    for (std::size_t square = 0; square < NUM_SQUARES; ++square)
+        for (int cell = 0; cell < 9; ++cell)
+            if (square >> cell & 1u) all[square] |= bitOf(cell % 3 - 1, cell / 3 - 1, z);
+    return all;
+}
+
+/** Each square of cells with both axes exchanged. */
+constexpr SquareBits createExchanged()
+{
+    SquareBits all{};
+    for (std::size_t square = 0; square < NUM_SQUARES; ++square)
+        for (int cell = 0; cell < 9; ++cell)
+            if (square >> cell & 1u) all[square] |= 1u << (cell / 3 + 3 * (cell % 3));
+    return all;
+}
+
 /** Collects the bits of a brick's neighbours. */
 class NeighborBits
 {
 public:
-    explicit NeighborBits(const Window& window) : _window(window) {}
+    /** @param cell from the lower corner of the block. */
+    NeighborBits(const Surroundings& surroundings, const glm::ivec3& cell) : _surroundings(surroundings), _cell(cell)
+    {
+        for (int z = -1; z <= 1; ++z)
+            for (int y = -1; y <= 1; ++y)
+                _rows[static_cast<std::size_t>(y + 1 + 3 * (z + 1))] = getRow(y, z);
+    }
 
     BrickNeighbors find(unsigned int openSides)
     {
-        addEdges();
-        addCorners();
+        static constexpr std::array<SquareBits, 3> SQUARES{createSquareBits(-1), createSquareBits(0),
+                                                           createSquareBits(1)};
+        add(SQUARES[0][joinRows(_rows[0], _rows[1], _rows[2])] | SQUARES[1][joinRows(_rows[3], _rows[4], _rows[5])] |
+                SQUARES[2][joinRows(_rows[6], _rows[7], _rows[8])],
+            20);
         const int numLayers = std::popcount(openSides) < 5 ? 2 : 1;
-        for (int side = 0; side < 6; ++side)
-            for (int layer = 0; layer < numLayers && (openSides >> side & 1u); ++layer)
-                addLayer(side / 2, side % 2 == 1 ? 2 + layer : -2 - layer);
+        for (unsigned int left = openSides; left != 0; left &= left - 1)
+        {
+            const int side = std::countr_zero(left);
+            for (int layer = 0; layer < numLayers; ++layer)
+                add(findLayer(side / 2, side % 2 == 1 ? 2 + layer : -2 - layer), 9);
+        }
         return _bits;
     }
 
 private:
-    /** Bits of cells along x, from a distance on. */
-    std::uint32_t rowAt(int x, int y, int z) const
+    std::uint32_t getRow(int y, int z) const { return _surroundings.getRow(_cell + glm::ivec3(0, y, z)); }
+
+    /** The square of the cells at x, -1 to 1, in three rows. */
+    static std::uint32_t joinRows(std::uint32_t first, std::uint32_t second, std::uint32_t third)
     {
-        return static_cast<std::uint32_t>(
-            _window[static_cast<std::size_t>(z + REACH)][static_cast<std::size_t>(y + REACH)] >> (x + REACH));
+        const auto cellsOf = [](std::uint32_t row) { return row >> (REACH - 1) & 7u; };
+        return cellsOf(first) | cellsOf(second) << 3 | cellsOf(third) << 6;
     }
 
     void add(std::uint64_t bits, unsigned int count)
@@ -167,44 +244,21 @@ private:
         _next += count;
     }
 
-    void addEdges()
-    {
-        std::uint32_t bits = 0;
-        for (int edge = 0; edge < 4; ++edge)
-        {
-            const int first = (edge & 1) != 0 ? 1 : -1;
-            const int second = (edge & 2) != 0 ? 1 : -1;
-            bits |= (rowAt(0, first, second) & 1u) << edge | (rowAt(second, 0, first) & 1u) << (4 + edge) |
-                    (rowAt(first, second, 0) & 1u) << (8 + edge);
-        }
-        add(bits, 12);
-    }
-
-    void addCorners()
-    {
-        std::uint32_t bits = 0;
-        for (int row = 0; row < 4; ++row)
-        {
-            const std::uint32_t cells = rowAt(-1, (row & 1) != 0 ? 1 : -1, (row & 2) != 0 ? 1 : -1);
-            bits |= ((cells & 1u) | (cells >> 1 & 2u)) << 2 * row;
-        }
-        add(bits, 8);
-    }
-
     /** The nine cells at a distance from the brick, with axes in the order of BrickNeighbors. */
-    void addLayer(int axis, int distance)
+    std::uint32_t findLayer(int axis, int distance) const
     {
+        static constexpr SquareBits EXCHANGED = createExchanged();
+        if (axis == 2) return joinRows(getRow(-1, distance), getRow(0, distance), getRow(1, distance));
+        if (axis == 1) return EXCHANGED[joinRows(getRow(distance, -1), getRow(distance, 0), getRow(distance, 1))];
         std::uint32_t bits = 0;
-        for (int v = -1; v <= 1; ++v)
-        {
-            if (axis == 2) bits |= (rowAt(-1, v, distance) & 7u) << 3 * (v + 1);
-            for (int u = -1; u <= 1 && axis != 2; ++u)
-                bits |= (axis == 0 ? rowAt(distance, u, v) & 1u : rowAt(v, distance, u) & 1u) << (u + 1 + 3 * (v + 1));
-        }
-        add(bits, 9);
+        for (std::size_t row = 0; row < _rows.size(); ++row)
+            bits |= (_rows[row] >> (distance + REACH) & 1u) << row;
+        return bits;
     }
 
-    const Window& _window;
+    const Surroundings& _surroundings;
+    glm::ivec3 _cell;
+    std::array<std::uint32_t, 9> _rows{}; // of cells along x, (y + 1) + 3 * (z + 1)
     BrickNeighbors _bits{};
     std::size_t _next = 0;
 };
@@ -222,8 +276,8 @@ std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> poi
         const Surroundings surroundings(cells, run.block);
         for (std::size_t index = run.begin; index < run.end; ++index)
         {
-            const Window window = surroundings.getWindow(getCell(points[index]) - BrickPoints::BLOCK_SIDE * run.block);
-            result[index] = NeighborBits(window).find(points[index][1] >> 16 & 63u);
+            const glm::ivec3 cell(getCell(points[index]) % BLOCK_CELLS);
+            result[index] = NeighborBits(surroundings, cell).find(points[index][1] >> 16 & 63u);
         }
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
