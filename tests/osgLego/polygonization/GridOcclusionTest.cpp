@@ -1,4 +1,5 @@
 #include <osgLego/AmbientOcclusionSettings.h>
+#include <osgLego/BrickDimensions.h>
 #include <osgLego/data/DistantOcclusion.h>
 
 #include <common/BrickRayCaster.h>
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <random>
 #include <utility>
@@ -42,6 +44,23 @@ std::optional<glm::dvec3> findNormal(const glm::dvec3& point, const glm::dvec3& 
     normal[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
     return normal;
 }
+
+/** The horizontal normal of the wall of a stud, on which a point in pitches lies; none elsewhere. */
+std::optional<glm::dvec3> findWallNormal(const glm::dvec3& point, const glm::dvec3& cell)
+{
+    const glm::dvec2 fromAxis(point.x - std::floor(point.x) - 0.5, point.y - std::floor(point.y) - 0.5);
+    const double height = point.z - cell.z * std::floor(point.z / cell.z);
+    // Studs are prisms.
+    const bool isOnWall = std::abs(glm::length(fromAxis) / BrickDimensions::STUD_RADIUS - 0.99) < 0.015;
+    if (!isOnWall || height < 0.02 || height > BrickDimensions::STUD_HEIGHT - 0.01) return std::nullopt;
+    return glm::dvec3(glm::normalize(fromAxis), 0.0);
+}
+
+enum class Surfaces
+{
+    FACES,
+    WALLS_OF_STUDS
+};
 
 /** Draws bricks in the light of a white sky alone. */
 class GridOcclusion : public LookTest
@@ -125,8 +144,26 @@ protected:
         return lego;
     }
 
-    /** The error of the light that faces show, as a fraction of that without occlusion. */
-    Error compareWithRays(LegoNode& lego, const Viewpoint& viewpoint, bool isDistant = false)
+    /** A floor of bricks, and columns as high as the grid. */
+    static osg::ref_ptr<LegoNode> createFloor(const glm::ivec3& dimensions,
+                                              const std::function<bool(int x, int y)>& isColumn)
+    {
+        BrickGrid grid;
+        grid.dimensions = dimensions;
+        std::vector<Brick> bricks;
+        for (std::uint16_t y = 0; y < dimensions.y; ++y)
+            for (std::uint16_t x = 0; x < dimensions.x; ++x)
+                for (std::uint16_t z = 0; z < (isColumn(x, y) ? dimensions.z : 1); ++z)
+                    bricks.push_back({{x, y, z}, {200, 200, 200}, 0});
+        osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("20"));
+        lego->setStoredBricks(BrickModel::create(grid, bricks));
+        light(*lego);
+        return lego;
+    }
+
+    /** The error of the light that surfaces show, as a fraction of that without occlusion. */
+    Error compareWithRays(LegoNode& lego, const Viewpoint& viewpoint, bool isDistant = false,
+                          Surfaces surfaces = Surfaces::FACES)
     {
         setOccluded(lego, false);
         const osg::ref_ptr<osg::Image> open = draw(lego, viewpoint);
@@ -148,7 +185,9 @@ protected:
                 const double before = brightnessAt(*open, column, row);
                 if (!distance || before == 0.0) continue;
                 const glm::dvec3 point = origin + *distance * direction;
-                const auto normal = findNormal(point, direction, grid.cellSize / grid.getPitch());
+                const glm::dvec3 cell = grid.cellSize / grid.getPitch();
+                const auto normal =
+                    surfaces == Surfaces::FACES ? findNormal(point, direction, cell) : findWallNormal(point, cell);
                 if (!normal) continue;
                 const double visibility =
                     caster.sampleOcclusion(point, *normal, radius, AmbientOcclusionSettings::FALLOFF, 256, 1)
@@ -257,6 +296,27 @@ TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindBetweenScatteredBricks)
         ASSERT_GT(error.numPixels, 300);
         EXPECT_LT(error.rootMeanSquare, 0.034) << direction.x();
     }
+}
+
+TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindFromTheWallsOfStuds)
+{
+    const osg::ref_ptr<LegoNode> lego = createFloor({7, 7, 3}, [](int x, int y) { return x == 3 && y % 3 == 0; });
+    for (const osg::Vec3d& eye : {osg::Vec3d(1, -3, 4), osg::Vec3d(10, 2, 4), osg::Vec3d(5, 10, 4)})
+    {
+        const Error error = compareWithRays(*lego, {eye, {3.5, 3.5, 1}}, false, Surfaces::WALLS_OF_STUDS);
+        ASSERT_GT(error.numPixels, 200);
+        EXPECT_GT(error.spread, 0.5) << "there is nothing to compare";
+        EXPECT_LT(error.rootMeanSquare, 0.0512) << eye.x();
+    }
+}
+
+TEST_F(GridOcclusion, IncludesDistantBricksOnTheWallsOfStuds)
+{
+    // High walls at a distance of up to four bricks, within the reach of five.
+    const osg::ref_ptr<LegoNode> lego = createFloor({20, 20, 10}, [](int x, int) { return x % 9 == 0; });
+    const Error error = compareWithRays(*lego, {{13.5, -4, 8}, {13.5, 6, 1}}, true, Surfaces::WALLS_OF_STUDS);
+    ASSERT_GT(error.numPixels, 100);
+    EXPECT_LT(error.rootMeanSquare, 0.05);
 }
 
 TEST_F(GridOcclusion, ComesFromBricksBeyondTwoEmptyLayers)
