@@ -48,7 +48,7 @@ float decodeOcclusion(float code)
 // direction of voxels without bricks; `isWhole`, whether near occlusion is included.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 shift, vec3 lift, vec3 toEye, bool isWhole)
 {
-    mat3 modelToEye = mat3(axisOf(0), axisOf(1), axisOf(2));
+    mat3 modelToEye = mat3(axisOf(0), axisOf(1), axisOf(2)); // a rotation or reflection, unless the model is sheared
     float smallness = clamp(log2(LEAST_WIDTH * abs(pixelWidth.x + pixelWidth.y * eyePosition.z)), 0.0, 8.0);
     float level = round(smallness);
     // The normals of bricks as small as pixels are noise.
