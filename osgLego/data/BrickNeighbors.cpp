@@ -1,6 +1,5 @@
 #include <osgLego/data/BrickNeighbors.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <functional>

@@ -9,7 +9,8 @@ const uint INSIDE = 1u << 11;
 // The two axes along a face, in the order for counter-clockwise winding.
 ivec2 axesOf(int axis, bool upper)
 {
-    return ivec2(axis + (upper ? 1 : 2), axis + (upper ? 2 : 1)) % 3;
+    ivec2 axes = ivec2(axis + (upper ? 1 : 2), axis + (upper ? 2 : 1));
+    return axes - 3 * ivec2(greaterThan(axes, ivec2(2))); // without a division
 }
 
 // Of six bits for the sides of a cell, those of the sides beside a face: lower and upper of the first axis along it, lower

@@ -9,7 +9,7 @@ uniform int numNeighbors; // of bricks; others count as alone
 #endif
 uniform sampler2D occlusionTable; // in quarters: faces on top and below, those at the sides; likewise, differences
 
-const vec2 TABLE_SIZE = vec2(512.0, 1024.0); // texels; asking the sampler takes longer
+const vec2 TABLE_SIZE = vec2(512.0, 1024.0); // texels, see createOcclusionTable; asking the sampler takes longer
 const float QUARTER = 256.0;                 // lines
 const float PATTERN_SIDE = 8.0;              // texels of a pattern
 const uint PATTERNS_ACROSS = 64u;
@@ -34,7 +34,7 @@ uint exchangeAxes(uint cells)
 // The cells in front of a face. `words` is a BrickNeighbors; the axes of the face are the two that follow `axis`.
 uint cellsInFront(uvec3 words, uint open, int axis, int upper)
 {
-    ivec2 axes = ivec2(axis + 1, axis + 2) - 3 * ivec2(axis > 1, axis > 0);
+    ivec2 axes = axesOf(axis, true);
     uint besideFirst = words.x >> (4 * axes.y + upper);
     uint besideSecond = words.x >> (4 * axes.x + 2 * upper);
     uint corners = words.x >> (12 + (upper << axis));
@@ -54,7 +54,7 @@ uint cellsInFront(uvec3 words, uint open, int axis, int upper)
 // The cells on the level of a brick, whose face is perpendicular to an axis: those beside it, and the brick.
 uint cellsBeside(uint word, uint open, int axis)
 {
-    ivec2 axes = ivec2(axis + 1, axis + 2) - 3 * ivec2(axis > 1, axis > 0);
+    ivec2 axes = axesOf(axis, true);
     uvec2 beside = ~uvec2(open) >> (2 * axes);
     uint corners = word >> (4 * axis);
     return 1u << MIDDLE | (beside.x & 1u) << 3 | (beside.x & 2u) << 4 | (beside.y & 1u) << 1 | (beside.y & 2u) << 6 |

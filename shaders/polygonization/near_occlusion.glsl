@@ -53,7 +53,7 @@ uint studsAround(Receiver to, uint cells, uint beside)
     if (to.isSide) return cells & 7u & ~(cells >> 3);
     uint studs = beside & ~cells;
     ivec2 sides = ivec2(greaterThan(to.isWall ? to.outward : to.place - 0.5, vec2(0.0)));
-    if (to.isWall) return studs & 0x1ffu & ~(QUADRANT << (4 - sides.x - 3 * sides.y));
+    if (to.isWall) return studs & ~(QUADRANT << (4 - sides.x - 3 * sides.y));
     return to.isTop ? studs & QUADRANT << (sides.x + 3 * sides.y) : 0u;
 }
 
@@ -128,7 +128,7 @@ vec4 nearOcclusion(Surface surface, out vec3 shift)
     uint open = detail >> 5 & 63u;
     int axis = int(detail >> 2 & 3u);
     int upper = int(detail >> 4 & 1u);
-    ivec2 axes = ivec2(axis + 1, axis + 2) - 3 * ivec2(axis > 1, axis > 0);
+    ivec2 axes = axesOf(axis, true);
     bool isLevel = axis == upAxis;
     bool isExchanged = axes.x == upAxis;
     int word = isKnown ? 3 * brickNumber : 0;
