@@ -2,7 +2,9 @@
 
 #include "BenchEnvironment.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include <osg/GLExtensions>
@@ -114,9 +116,16 @@ osg::ref_ptr<osg::Image> FrameViewer::read() const
 
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer)
 {
-    if (lego.isLegolized(viewer.getContextID())) return;
-    const std::string failure = lego.getFailure(viewer.getContextID());
-    throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
+    if (!lego.isLegolized(viewer.getContextID()))
+    {
+        const std::string failure = lego.getFailure(viewer.getContextID());
+        throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
+    }
+    const osg::ref_ptr<const osg::Image> picture = viewer.read();
+    const std::span bytes(picture->data(), picture->getTotalSizeInBytes());
+    // All pixels are equal if each byte equals the one three before it.
+    if (std::equal(bytes.begin() + 3, bytes.end(), bytes.begin()))
+        throw std::runtime_error("the frame shows no bricks; expected the shaders that draw them to compile");
 }
 
 } // namespace osgLego

@@ -73,7 +73,8 @@ private:
     osg::ref_ptr<osg::GraphicsContext> _context;
 };
 
-/** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context. */
+/** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context, or if all pixels of the
+ * last frame are equal. */
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer);
 
 } // namespace osgLego

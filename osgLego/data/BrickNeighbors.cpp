@@ -1,5 +1,7 @@
 #include <osgLego/data/BrickNeighbors.h>
 
+#include <osgLego/data/CellKeys.h>
+
 #include <bit>
 #include <cstddef>
 #include <functional>
@@ -58,7 +60,7 @@ public:
         _blocks.reserve(runs.size());
         for (const Run& run : runs)
         {
-            const std::uint64_t key = keyOf(run.block);
+            const CellKey key = keyOf(run.block);
             Slot& slot = _slots[findSlot(key)];
             if (slot.key == EMPTY)
             {
@@ -82,23 +84,19 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t EMPTY = 0;
+    static constexpr CellKey EMPTY = 0;
 
     struct Slot
     {
-        std::uint64_t key = EMPTY;
+        CellKey key = EMPTY;
         std::size_t block = 0;
     };
 
-    static std::uint64_t keyOf(const glm::ivec3& block)
-    {
-        constexpr int BITS = 16;
-        const auto key = [](int place) { return static_cast<std::uint64_t>(place + 2); };
-        return key(block.x) | key(block.y) << BITS | key(block.z) << 2 * BITS;
-    }
+    /** Blocks begin at -1, beside the grid; no key is EMPTY. */
+    static CellKey keyOf(const glm::ivec3& block) { return toCellKey(block + 2); }
 
     /** The slot of a key, or the one that is free for it: the first such slot after its hash. */
-    std::size_t findSlot(std::uint64_t key) const
+    std::size_t findSlot(CellKey key) const
     {
         const std::size_t mask = _slots.size() - 1;
         std::size_t slot = (key * 0x9e3779b97f4a7c15ull >> 32) & mask;
