@@ -6,6 +6,8 @@
 #include <osgLego/data/StudOcclusion.h>
 #include <osgLego/gl/SharedBetweenViewers.h>
 
+#include <map>
+#include <mutex>
 #include <utility>
 
 #include <osg/GLExtensions>
@@ -19,9 +21,23 @@ namespace
 /** Creates the image of a table for cells of a height and a radius, in pitches. */
 using CreateImage = osg::ref_ptr<osg::Image> (*)(double height, double radius);
 
+/** The image of a table. The one asked for last is kept, since a viewer that opens after the last one has closed usually
+ * shows cells of the same height. */
+osg::ref_ptr<osg::Image> getImage(CreateImage create, double height)
+{
+    static SharedObjects<std::pair<CreateImage, double>, osg::Image> images;
+    static std::mutex mutex;
+    static std::map<CreateImage, osg::ref_ptr<osg::Image>> kept;
+    osg::ref_ptr<osg::Image> image = images.findOrCreate(
+        {create, height}, [=] { return create(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS); });
+    const std::lock_guard lock(mutex);
+    kept[create] = image;
+    return image;
+}
+
 osg::ref_ptr<osg::Texture2D> createTable(CreateImage create, double height)
 {
-    const osg::ref_ptr<osg::Image> image = create(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
+    const osg::ref_ptr<osg::Image> image = getImage(create, height);
     // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
     image->setDataVariance(osg::Object::DYNAMIC);
     osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(image);

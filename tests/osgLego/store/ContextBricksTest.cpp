@@ -1,5 +1,6 @@
 #include <osgLego/store/BrickStore.h>
 #include <osgLego/store/ContextBricks.h>
+#include <osgLego/store/GridOcclusionTextures.h>
 
 #include <GlTest.h>
 #include <Notices.h>
@@ -9,6 +10,8 @@
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include <osg/observer_ptr>
 
 namespace osgLego::test
 {
@@ -192,6 +195,22 @@ TEST_F(ContextBricksTest, DistantOcclusionWaitsForBricksMadeOnTheGpu)
     ASSERT_TRUE(occlusion);
     EXPECT_EQ(_bricks->findDistantOcclusion(getState(), NearOcclusion::PICTURE), occlusion) << "created once";
     EXPECT_EQ(_bricks->blocks.size(), 3u) << "read on the way";
+}
+
+TEST_F(ContextBricksTest, TablesOfGridOcclusionRemainForTheNextViewer)
+{
+    osg::observer_ptr<osg::Image> table;
+    osg::observer_ptr<osg::Image> studs;
+    {
+        BrickGrid grid;
+        grid.cellSize = {1.0, 1.0, 1.3}; // a height that no other test has
+        const std::vector<BrickNeighbors> neighbors(1);
+        const osg::ref_ptr<GridOcclusionTextures> textures = new GridOcclusionTextures(getState(), grid, neighbors);
+        table = textures->getTable().getImage();
+        studs = textures->getStuds().getImage();
+    }
+    EXPECT_TRUE(table.valid());
+    EXPECT_TRUE(studs.valid());
 }
 
 TEST_F(ContextBricksTest, BricksInQuickSuccessionKeepTheirDistantOcclusion)
