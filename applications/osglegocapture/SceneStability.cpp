@@ -95,6 +95,7 @@ JsonValue SceneStability::toJson() const
         weakest = {{"lower", osgLego::toJson(*worst, worstReport.weakest->lower)},
                    {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
     JsonValue falling = JsonValue::createArray();
+    JsonValue unknown = JsonValue::createArray();
     bool stands = true;
     bool safe = true;
     std::size_t numComponents = 0;
@@ -103,6 +104,8 @@ JsonValue SceneStability::toJson() const
     {
         for (const std::uint32_t part : report.falling)
             falling.append(osgLego::toJson(*model, part));
+        for (const std::uint32_t part : report.unknown)
+            unknown.append(osgLego::toJson(*model, part));
         stands = stands && report.stands;
         safe = safe && report.safe;
         numComponents += report.numComponents;
@@ -112,7 +115,9 @@ JsonValue SceneStability::toJson() const
             {"stands", stands},
             {"safe", safe},
             {"margin", worstReport.margin},
+            {"marginIsBound", worstReport.isMarginBound},
             {"falling", falling},
+            {"unknown", unknown},
             {"weakest", weakest},
             {"components", numComponents},
             {"milliseconds", std::round(1000.0 * milliseconds) / 1000.0}};

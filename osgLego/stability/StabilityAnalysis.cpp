@@ -52,7 +52,7 @@ public:
         report.numComponents = select(parts);
         for (const std::uint32_t part : parts)
             if (!_isHeld[part]) drop(part, report);
-        if (!report.stands) report.margin = -1.0;
+        if (report.falls()) report.margin = -1.0;
         const std::vector<Component> components = findComponents(parts);
         std::vector<std::optional<ComponentStability>> results(components.size());
         tbb::parallel_for(std::size_t(0), components.size(),
@@ -68,6 +68,7 @@ public:
         }
         _cache = std::move(cache);
         std::sort(report.falling.begin(), report.falling.end());
+        std::sort(report.unknown.begin(), report.unknown.end());
         return report;
     }
 
@@ -162,8 +163,12 @@ private:
             report.weakest = result.weakest;
             leastMargin = margin;
         }
+        if (margin < report.margin || (margin == report.margin && !result.isTensionBound))
+            report.isMarginBound = result.isTensionBound;
         report.margin = std::min(report.margin, margin);
-        report.stands = report.stands && result.falling.empty();
+        report.stands = report.stands && result.isKnown && result.falling.empty();
+        if (!result.isKnown)
+            report.unknown.insert(report.unknown.end(), component.parts.begin(), component.parts.end());
         report.safe = report.safe && result.tension <= StabilityReport::SAFE_CAPACITY;
         for (const std::uint32_t body : result.falling)
             drop(component.parts[body], report);
