@@ -1,6 +1,7 @@
 #include <osgLego/StabilityReport.h>
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace osgLego
@@ -29,6 +30,9 @@ std::string StabilityReport::toString() const
                  : isMarginBound ? ", but maybe not safely"
                                  : ", but not safely")
              << ", with a margin of " << (isMarginBound ? "at least " : "") << std::lround(100.0 * margin) << " %";
+    if (stands && tippingAngle)
+        text << "; on a table that tilts, it would tip as a whole at " << std::fixed << std::setprecision(1)
+             << *tippingAngle << " degrees";
     if (!unknown.empty())
         text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";
     return text.str();

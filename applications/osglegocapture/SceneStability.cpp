@@ -98,6 +98,7 @@ JsonValue SceneStability::toJson() const
     JsonValue unknown = JsonValue::createArray();
     bool stands = true;
     bool safe = true;
+    std::optional<double> tippingAngle;
     std::size_t numComponents = 0;
     double milliseconds = 0.0;
     for (const auto& [model, report] : _models)
@@ -108,6 +109,8 @@ JsonValue SceneStability::toJson() const
             unknown.append(osgLego::toJson(*model, part));
         stands = stands && report.stands;
         safe = safe && report.safe;
+        if (report.tippingAngle)
+            tippingAngle = std::min(tippingAngle.value_or(*report.tippingAngle), *report.tippingAngle);
         numComponents += report.numComponents;
         milliseconds += report.milliseconds;
     }
@@ -116,6 +119,7 @@ JsonValue SceneStability::toJson() const
             {"safe", safe},
             {"margin", worstReport.margin},
             {"marginIsBound", worstReport.isMarginBound},
+            {"tippingAngle", tippingAngle ? JsonValue(*tippingAngle) : JsonValue()},
             {"falling", falling},
             {"unknown", unknown},
             {"weakest", weakest},

@@ -3,6 +3,7 @@
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/ComponentSolver.h>
 #include <osgLego/stability/ContactFinder.h>
+#include <osgLego/stability/TippingAngle.h>
 
 #include <algorithm>
 #include <iterator>
@@ -67,6 +68,7 @@ public:
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
+        if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(components, report);
         std::sort(report.falling.begin(), report.falling.end());
         std::sort(report.unknown.begin(), report.unknown.end());
         return report;
@@ -143,6 +145,17 @@ private:
     {
         if (const auto place = _cache.find(component.parts); place != _cache.end()) return place->second;
         return solveComponent(_boxes, component.parts, component.contacts, isCancelled);
+    }
+
+    std::optional<double> findTippingAngle(const std::vector<Component>& components,
+                                           const StabilityReport& report) const
+    {
+        if (report.falls()) return 0.0;
+        if (!report.stands || components.empty()) return std::nullopt;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Component& component : components)
+            least = std::min(least, osgLego::findTippingAngle(_boxes, component.parts, _lowest));
+        return least;
     }
 
     static void drop(std::uint32_t part, StabilityReport& report)
