@@ -74,7 +74,9 @@ private:
 };
 
 /** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context, or if all pixels of the
- * last frame are equal. */
+ * picture that the viewer has drawn last are equal. */
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer);
+/** Likewise for a picture that the viewer has drawn elsewhere. */
+void checkBricks(const LegoNode& lego, const FrameViewer& viewer, const osg::Image& picture);
 
 } // namespace osgLego

@@ -6,6 +6,8 @@
 #include <osgLego/data/StudOcclusion.h>
 #include <osgLego/gl/SharedBetweenViewers.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -21,8 +23,14 @@ namespace
 /** Creates the image of a table for cells of a height and a radius, in pitches. */
 using CreateImage = osg::ref_ptr<osg::Image> (*)(double height, double radius);
 
-/** The image of a table. The one asked for last is kept, since a viewer that opens after the last one has closed usually
- * shows cells of the same height. */
+// The heights of cells, in pitches, between which tables are exact: the time to create one grows with the number of
+// cells within the radius, and stored bricks may be as flat as a file says.
+constexpr double LEAST_HEIGHT = 0.1;
+constexpr double MOST_HEIGHT = 10.0;
+constexpr double HEIGHT_STEP = 1e-6; // heights that differ by rounding alone share a table
+
+/** The image of a table. The one asked for last is kept, since a viewer that opens after the last one has closed
+ * usually shows cells of the same height. */
 osg::ref_ptr<osg::Image> getImage(CreateImage create, double height)
 {
     static SharedObjects<std::pair<CreateImage, double>, osg::Image> images;
@@ -54,8 +62,9 @@ osg::ref_ptr<osg::Texture2D> createTable(CreateImage create, double height)
 osg::ref_ptr<osg::Texture2D> getTable(CreateImage create, const BrickGrid& grid)
 {
     static SharedObjects<std::pair<CreateImage, double>, osg::Texture2D> tables;
-    const double height = grid.cellSize[grid.getUpIndex()] / grid.getPitch();
-    return tables.findOrCreate({create, height}, [=] { return createTable(create, height); });
+    const double height = std::clamp(grid.cellSize[grid.getUpIndex()] / grid.getPitch(), LEAST_HEIGHT, MOST_HEIGHT);
+    const double shared = std::round(height / HEIGHT_STEP) * HEIGHT_STEP;
+    return tables.findOrCreate({create, shared}, [=] { return createTable(create, shared); });
 }
 
 GlBuffer uploadBuffer(const osg::State& state, std::span<const BrickNeighbors> neighbors)

@@ -213,6 +213,24 @@ TEST_F(ContextBricksTest, TablesOfGridOcclusionRemainForTheNextViewer)
     EXPECT_TRUE(studs.valid());
 }
 
+TEST_F(ContextBricksTest, GridsShareTablesUnlessTheirCellsHaveOtherProportions)
+{
+    const auto create = [this](double pitch, double height)
+    {
+        BrickGrid grid;
+        grid.cellSize = {pitch, pitch, height};
+        const std::vector<BrickNeighbors> neighbors(1);
+        return osg::ref_ptr<GridOcclusionTextures>(new GridOcclusionTextures(getState(), grid, neighbors));
+    };
+    const osg::ref_ptr<GridOcclusionTextures> plates = create(1.0, 0.4);
+    for (const double pitch : {0.1, 0.3, 0.7, 1.1, 3.3, 6.9})
+        EXPECT_EQ(&create(pitch, 0.4 * pitch)->getTable(), &plates->getTable()) << pitch;
+    EXPECT_NE(&create(1.0, 1.2)->getTable(), &plates->getTable());
+    // In cells that are as flat as this, rays would meet a million of them within the radius.
+    const osg::ref_ptr<GridOcclusionTextures> flat = create(1.0, 1e-6);
+    EXPECT_EQ(&create(1.0, 0.1)->getTable(), &flat->getTable());
+}
+
 TEST_F(ContextBricksTest, BricksInQuickSuccessionKeepTheirDistantOcclusion)
 {
     const auto show = [this](std::uint64_t revision)
