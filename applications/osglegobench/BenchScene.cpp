@@ -116,16 +116,13 @@ osg::ref_ptr<osg::Image> FrameViewer::read() const
 
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer)
 {
-    checkBricks(lego, viewer, *viewer.read());
+    if (lego.isLegolized(viewer.getContextID())) return;
+    const std::string failure = lego.getFailure(viewer.getContextID());
+    throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
 }
 
-void checkBricks(const LegoNode& lego, const FrameViewer& viewer, const osg::Image& picture)
+void checkPicture(const osg::Image& picture)
 {
-    if (!lego.isLegolized(viewer.getContextID()))
-    {
-        const std::string failure = lego.getFailure(viewer.getContextID());
-        throw std::runtime_error(failure.empty() ? "the frame shows no bricks" : failure);
-    }
     const std::span bytes(picture.data(), picture.getTotalSizeInBytes());
     // All pixels are equal if each byte equals the one that is a pixel before it.
     if (std::equal(bytes.begin() + picture.getPixelSizeInBits() / 8, bytes.end(), bytes.begin()))

@@ -17,8 +17,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double PLATE_HEIGHT = 0.4; // of the pitch
-
 /** The centre of mass, in pitches, above a table. */
 Eigen::Vector3d findMassCenter(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts, int table)
 {
@@ -27,12 +25,10 @@ Eigen::Vector3d findMassCenter(std::span<const PartBox> boxes, std::span<const s
     for (const std::uint32_t part : parts)
     {
         const PartBox& box = boxes[part];
-        sum += 0.5 * box.mass *
-               Eigen::Vector3d(box.low.x + box.high.x, box.low.y + box.high.y,
-                               PLATE_HEIGHT * (box.low.z + box.high.z - 2 * table));
+        sum += 0.5 * box.mass * (toPitches(box.low) + toPitches(box.high));
         mass += box.mass;
     }
-    return sum / mass;
+    return sum / mass - toPitches({0, 0, table});
 }
 
 } // namespace

@@ -36,8 +36,14 @@ osg::ref_ptr<osg::Image> getImage(CreateImage create, double height)
     static SharedObjects<std::pair<CreateImage, double>, osg::Image> images;
     static std::mutex mutex;
     static std::map<CreateImage, osg::ref_ptr<osg::Image>> kept;
-    osg::ref_ptr<osg::Image> image = images.findOrCreate(
-        {create, height}, [=] { return create(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS); });
+    const auto createImage = [=]
+    {
+        osg::ref_ptr<osg::Image> image = create(height, AmbientOcclusionSettings::RADIUS_IN_BRICKS);
+        // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
+        image->setDataVariance(osg::Object::DYNAMIC);
+        return image;
+    };
+    osg::ref_ptr<osg::Image> image = images.findOrCreate({create, height}, createImage);
     const std::lock_guard lock(mutex);
     kept[create] = image;
     return image;
@@ -45,10 +51,8 @@ osg::ref_ptr<osg::Image> getImage(CreateImage create, double height)
 
 osg::ref_ptr<osg::Texture2D> createTable(CreateImage create, double height)
 {
-    const osg::ref_ptr<osg::Image> image = getImage(create, height);
-    // Prevents OSG from dropping the image once it is loaded, since other contexts may need it later.
-    image->setDataVariance(osg::Object::DYNAMIC);
-    osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture = new SharedBetweenViewers<osg::Texture2D>(image);
+    osg::ref_ptr<SharedBetweenViewers<osg::Texture2D>> texture =
+        new SharedBetweenViewers<osg::Texture2D>(getImage(create, height));
     texture->setInternalFormat(GL_RGBA8);
     texture->setResizeNonPowerOfTwoHint(false);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
