@@ -52,6 +52,12 @@ TEST(TippingAngle, IsThatOfTheNearestEdgeInAnyDirection)
     EXPECT_NEAR(report.tippingAngle.value(), toDegrees((1.0 - share) / (HEIGHT * (0.5 + share))), 1e-9);
 }
 
+TEST(TippingAngle, IsMeasuredFromTheLowestParts)
+{
+    EXPECT_NEAR(computeStability(*createPartModel({createBrick({20, 20, 7}, 2, 2)}))->tippingAngle.value(),
+                toDegrees(1.0 / (0.5 * HEIGHT)), 1e-9);
+}
+
 TEST(TippingAngle, IsTheLeastOfAllPieces)
 {
     const std::vector<Part> parts{createBrick({10, 10, 0}, 4, 2), createBrick({20, 20, 0}, 1, 1),
