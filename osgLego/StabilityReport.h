@@ -55,8 +55,9 @@ struct OSGLEGO_EXPORT StabilityReport
     /** For each part, the share of CAPACITY that its most loaded contact point bears, at least 0; 1 for parts that
      * fall, and not a number for those in `unknown`. */
     std::vector<float> loads;
-    /** The angle in degrees, from 0 to 90, by which the table can be tilted in any direction before a piece tips over
-     * as a whole about an edge of its foot, if nothing slides and all joints hold; the joints may give way before. 0 if
+    /** The angle in degrees, from 0 to 90, by which the table can be tilted in any direction before a piece that
+     * studs hold together tips over about an edge of its foot, if nothing slides and all joints hold; the joints may
+     * give way before. 0 if
      * parts fall, and unset on a base plate, for no parts and if it is unknown whether the model stands. */
     std::optional<double> tippingAngle;
     std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately

@@ -68,7 +68,7 @@ public:
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
-        if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(components, report);
+        if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(parts, report);
         std::sort(report.falling.begin(), report.falling.end());
         std::sort(report.unknown.begin(), report.unknown.end());
         return report;
@@ -147,14 +147,21 @@ private:
         return solveComponent(_boxes, component.parts, component.contacts, isCancelled);
     }
 
-    std::optional<double> findTippingAngle(const std::vector<Component>& components,
-                                           const StabilityReport& report) const
+    /** Each piece that studs hold together tips by itself: neighbours only push it. */
+    std::optional<double> findTippingAngle(std::span<const std::uint32_t> parts, const StabilityReport& report) const
     {
         if (report.falls()) return 0.0;
-        if (!report.stands || components.empty()) return std::nullopt;
+        if (!report.stands || parts.empty()) return std::nullopt;
+        PartSets studs(_boxes.size());
+        for (const Contact& contact : _contacts)
+            if (contact.kind == Contact::STUDS && _isSelected[contact.lower] && _isSelected[contact.upper])
+                studs.join(contact.lower, contact.upper);
+        std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
+        for (const std::uint32_t part : parts)
+            pieces[studs.find(part)].push_back(part);
         double least = std::numeric_limits<double>::infinity();
-        for (const Component& component : components)
-            least = std::min(least, osgLego::findTippingAngle(_boxes, component.parts, _lowest));
+        for (const auto& [root, piece] : pieces)
+            least = std::min(least, osgLego::findTippingAngle(_boxes, piece, _lowest));
         return least;
     }
 

@@ -8,9 +8,9 @@
 namespace osgLego
 {
 
-/** The angle by which a table can be tilted, in any direction, before parts that touch each other tip over as a whole
- * about an edge of the convex hull of their lowest faces, in degrees, from 0 to 90. Nothing slides, and all joints
- * hold.
+/** The angle by which a table can be tilted, in any direction, before parts that studs hold together tip over as a
+ * whole about an edge of the convex hull of their lowest faces, in degrees, from 0 to 90. Nothing slides, and all
+ * joints hold.
  * @param boxes those of all parts of the model.
  * @param parts at least one, as indices into `boxes`, of which `lowest` is the lower face of at least one.
  * @param lowest the height of the table, in plates.

@@ -65,6 +65,15 @@ TEST(TippingAngle, IsTheLeastOfAllPieces)
     EXPECT_NEAR(computeStability(*createPartModel(parts))->tippingAngle.value(), toDegrees(0.5 / HEIGHT), 1e-9);
 }
 
+TEST(TippingAngle, TowersThatStandSideBySideTipOneByOne)
+{
+    std::vector<Part> parts;
+    for (int layer = 0; layer < 10; ++layer)
+        for (const int x : {20, 21, 22})
+            parts.push_back(createBrick({x, 20, layer}, 1, 4));
+    EXPECT_NEAR(computeStability(*createPartModel(parts))->tippingAngle.value(), toDegrees(0.5 / (5.0 * HEIGHT)), 1e-9);
+}
+
 TEST(TippingAngle, IsUnsetOnAPlateAndZeroForModelsThatFall)
 {
     EXPECT_FALSE(computeColumn(40, 2, 2, BuildingBase::PLATE).tippingAngle);
