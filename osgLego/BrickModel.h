@@ -69,8 +69,9 @@ public:
 
     const BrickGrid& getGrid() const { return _grid; }
     const std::vector<Brick>& getBricks() const { return _bricks; }
-    /** Whether a brick is in a cell that the mesh does not cover: in the interior, or in a column that supports the
-     * model. False if that is not known, as for models that were read from files. @param brick its index. */
+    /** Whether a brick is in a cell that the mesh does not cover: in the interior, in a join of two pieces, or in a
+     * column that supports the model. False if that is not known, as for models that were read from files. @param brick
+     * its index. */
     bool isAdded(std::size_t brick) const { return !_isAdded.empty() && _isAdded[brick]; }
     /** The number of bricks with at least one open side; only these are drawn. */
     std::size_t getNumVisible() const;

@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 namespace osgLego
 {
@@ -14,19 +15,54 @@ std::string counted(std::size_t count, const char* singular, const char* plural)
     return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
+std::string describe(const glm::ivec3& cell)
+{
+    return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ")";
+}
+
+/** One sentence on the joins of pieces, and one on those that are left. */
+std::string describe(const ConnectionStatistics& connection)
+{
+    if (connection.numPiecesBefore <= 1) return "connections: the model is one piece without changes";
+    std::string text = "connections: " + std::to_string(connection.numPiecesBefore) + " pieces became " +
+                       (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces)) + " by " +
+                       counted(connection.numAddedCells, "added cell", "added cells") + " and " +
+                       counted(connection.numRecolored, "cell", "cells") + " in another colour";
+    for (const LoosePiece& piece : connection.loose)
+        text += "\n  not joined: " + counted(piece.numParts, "part", "parts") + " in the cells " +
+                describe(piece.lower) + " to " + describe(piece.upper);
+    return text;
+}
+
+/** The changes by which a model was made to stand. */
+std::vector<std::string> listChanges(const SupportStatistics& support)
+{
+    std::vector<std::string> changes;
+    if (support.isLaidAgain) changes.emplace_back("parts were laid again");
+    if (support.numHiddenCells > 0)
+        changes.push_back(counted(support.numHiddenCells, "hidden cell was added", "hidden cells were added"));
+    if (support.numColumns > 0)
+        changes.push_back(counted(support.numColumns, "column", "columns") + " of " +
+                          counted(support.numColumnParts, "part", "parts") +
+                          (support.numColumns == 1 ? " was" : " were") + " added");
+    return changes;
+}
+
 /** One sentence on the changes by which a model was made to stand. */
 std::string describe(const SupportStatistics& support)
 {
+    const std::vector<std::string> changes = listChanges(support);
+    if (changes.empty())
+        return std::string("support: ") +
+               (support.stands ? "the model stands without it" : "nothing was found that helps; the model still falls");
     std::string text = "support: ";
-    if (!support.isLaidAgain && support.numColumns == 0)
-        text += support.stands ? "the model stands without it" : "nothing was found that helps";
-    if (support.isLaidAgain) text += "parts were laid again";
-    if (support.numColumns > 0)
-        text += (support.isLaidAgain ? ", and " : "") + counted(support.numColumns, "column", "columns") + " of " +
-                counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") +
-                " added";
-    const bool wasChanged = support.isLaidAgain || support.numColumns > 0;
-    return text + (!support.stands ? "; the model still falls" : wasChanged ? "; the model stands" : "");
+    for (std::size_t index = 0; index < changes.size(); ++index)
+        text += (index == 0 ? "" : index + 1 == changes.size() ? ", and " : ", ") + changes[index];
+    if (support.numPropped > 0)
+        return text + "; " +
+               counted(support.numPropped, "loose piece stands on a column of its own",
+                       "loose pieces stand on columns of their own");
+    return text + (support.stands ? "; the model stands" : "; the model still falls");
 }
 
 } // namespace
@@ -48,6 +84,7 @@ std::string LayoutStatistics::toString() const
         text << '\n'
              << counted(numUnavailable, "part has a size that was never made in its colour",
                         "parts have sizes that were never made in their colour");
+    if (connection) text << '\n' << describe(*connection);
     if (support) text << '\n' << describe(*support);
     return text.str();
 }

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace osgLego
 {
@@ -12,11 +15,32 @@ namespace osgLego
 /** The means by which a model was made to stand (LegoSettings::Parts::support). */
 struct SupportStatistics
 {
-    bool stands = true;             //!< whether it stands now
+    bool stands = true;             //!< whether it stands now, without pieces of `numPropped`
     bool isLaidAgain = false;       //!< whether some parts were laid again
+    std::size_t numHiddenCells = 0; //!< cells added inside, where nobody sees them
     std::size_t numColumns = 0;     //!< columns added below the model
     std::size_t numColumnParts = 0; //!< their parts
+    std::size_t numPropped = 0;     //!< pieces that stand on columns of their own alone, not as parts of the model
     double milliseconds = 0.0;      //!< the time taken
+};
+
+/** A piece of a model that nothing joins to the rest. */
+struct LoosePiece
+{
+    std::size_t numParts = 0;
+    glm::ivec3 lower{0}; //!< the lowest cell of the grid along each axis
+    glm::ivec3 upper{0}; //!< the highest one
+};
+
+/** The changes by which the pieces of a model were joined (LegoSettings::Parts::connect). */
+struct ConnectionStatistics
+{
+    std::size_t numPiecesBefore = 1; //!< pieces of the first layout
+    std::size_t numPieces = 1;       //!< pieces that are left
+    std::size_t numAddedCells = 0;   //!< cells added to join pieces
+    std::size_t numRecolored = 0;    //!< cells that got another colour
+    std::vector<LoosePiece> loose;   //!< the pieces that are left apart from the largest, the larger ones first
+    double milliseconds = 0.0;       //!< the time taken
 };
 
 /** Figures of the parts that cells were joined to (LegoSettings::Parts::set). Times are in milliseconds. */
@@ -37,12 +61,13 @@ struct OSGLEGO_EXPORT LayoutStatistics
     std::size_t numUnavailable = 0; //!< parts of a size that was never made in their colour
     /** The mean difference (CIEDE2000) between visible cells and the colour of their surface: 1 is just noticeable. */
     double meanColorError = 0.0;
-    double maximumColorError = 0.0;           //!< the largest such difference
-    std::optional<SupportStatistics> support; //!< unset unless LegoSettings::Parts::support is on
-    double palette = 0.0;                     //!< the time taken to look up colours
-    double fill = 0.0;                        //!< likewise to find interior cells
-    double layout = 0.0;                      //!< likewise to lay parts
-    double figures = 0.0;                     //!< likewise to compute these figures
+    double maximumColorError = 0.0;                 //!< the largest such difference
+    std::optional<ConnectionStatistics> connection; //!< unset unless LegoSettings::Parts::connect or support is on
+    std::optional<SupportStatistics> support;       //!< unset unless LegoSettings::Parts::support is on
+    double palette = 0.0;                           //!< the time taken to look up colours
+    double fill = 0.0;                              //!< likewise to find interior cells
+    double layout = 0.0;                            //!< likewise to lay parts
+    double figures = 0.0;                           //!< likewise to compute these figures
 
     /** A report in a few lines of English, without the times. */
     std::string toString() const;

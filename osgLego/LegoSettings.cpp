@@ -155,6 +155,7 @@ void addParts(Table& table)
     parts.add("effort", &Parts::effort,
               Choice<Effort>{{"instant", Effort::INSTANT}, {"normal", Effort::NORMAL}, {"best", Effort::BEST}},
               "the work spent on the layout");
+    parts.add("connect", &Parts::connect, Switch(), "join the pieces of a model of parts to one");
     parts.add("support", &Parts::support, Switch(), "change a falling model of parts so that it stands");
 }
 
@@ -262,6 +263,8 @@ std::string checkParts(const LegoSettings& settings)
         return "dither is on without a palette; expected palette=ldraw or a file";
     if (settings.parts.set != PartSet::NONE && settings.grid.proportions == Proportions::CUBE)
         return "bad value 'cube' for proportions; expected brick or plate with parts";
+    if (settings.parts.connect && settings.parts.set == PartSet::NONE)
+        return "connect is on without parts; expected parts=bricks";
     if (settings.parts.support && settings.parts.set == PartSet::NONE)
         return "support is on without parts; expected parts=bricks";
     const LegoSettings::Voxelization& voxelization = settings.voxelization;

@@ -220,9 +220,10 @@ struct OSGLEGO_EXPORT LegoSettings
          * source has moved also keeps parts of the layout before; legolizeOnCpu() does not. */
         std::uint32_t seed = 0;
         Effort effort = Effort::NORMAL;
-        /** Whether a falling model of parts is changed so that it stands: its parts are laid again and, if that does
-         * not suffice, columns are added.
-         */
+        /** Whether the pieces of a model of parts are joined to one, by cells in other colours and additional cells. */
+        bool connect = false;
+        /** Whether a falling model of parts is changed so that it stands: its pieces are joined, its parts are laid
+         * again and, if that does not suffice, hidden cells and columns are added. */
         bool support = false;
 
         bool operator==(const Parts&) const = default;

@@ -24,6 +24,8 @@ void addLayoutCommand(BenchCommandLine& commands);
 void addStabilityCommand(BenchCommandLine& commands);
 /** Building orders beside the order layer by layer. Prints a table unless JSON goes to a file. */
 void addBuildingCommand(BenchCommandLine& commands);
+/** Pieces of layouts before and after they are joined. Prints a table unless JSON goes to a file. */
+void addConnectCommand(BenchCommandLine& commands);
 /** Times to cancel legolizations, and on one and two threads. Prints a table unless JSON goes to a file. */
 void addLiveCommand(BenchCommandLine& commands);
 

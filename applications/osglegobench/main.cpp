@@ -22,6 +22,7 @@ int run(int argc, char** argv)
     addLayoutCommand(commands);
     addStabilityCommand(commands);
     addBuildingCommand(commands);
+    addConnectCommand(commands);
     addLiveCommand(commands);
     return commands.run(argc, argv);
 }

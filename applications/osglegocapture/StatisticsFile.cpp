@@ -48,11 +48,20 @@ JsonValue toJson(const LayoutStatistics& layout)
                    {"fill", rounded(layout.fill)},
                    {"layout", rounded(layout.layout)},
                    {"figures", rounded(layout.figures)}}}});
+    if (layout.connection)
+        json["connection"] = {{"piecesBefore", layout.connection->numPiecesBefore},
+                              {"pieces", layout.connection->numPieces},
+                              {"addedCells", layout.connection->numAddedCells},
+                              {"recoloredCells", layout.connection->numRecolored},
+                              {"loose", layout.connection->loose.size()},
+                              {"milliseconds", rounded(layout.connection->milliseconds)}};
     if (layout.support)
         json["support"] = {{"stands", layout.support->stands},
                            {"laidAgain", layout.support->isLaidAgain},
+                           {"hiddenCells", layout.support->numHiddenCells},
                            {"columns", layout.support->numColumns},
                            {"columnParts", layout.support->numColumnParts},
+                           {"propped", layout.support->numPropped},
                            {"milliseconds", rounded(layout.support->milliseconds)}};
     return json;
 }

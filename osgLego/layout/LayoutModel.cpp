@@ -99,6 +99,12 @@ std::vector<PaletteColor> collectColors(const FilledCells& cells)
     return colors;
 }
 
+glm::ivec3 toGridCell(const glm::ivec3& place, const BrickGrid& grid)
+{
+    const std::array<int, 3> cell = exchangeAxes(std::array{place.x, place.y, place.z}, grid);
+    return {cell[0], cell[1], cell[2]};
+}
+
 osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
                                            const std::vector<PaletteColor>& colors, const std::vector<Brick>& covered)
 {

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace osgLego
 {
 
@@ -21,6 +23,9 @@ LaidParts moveParts(const LaidParts& parts, const BrickGrid& from, const BrickGr
 
 /** The colours of all covered cells, for models without a palette, as colours in which every size was made. */
 std::vector<PaletteColor> collectColors(const FilledCells& cells);
+
+/** The cell of a grid at a place of a layout of its cells. */
+glm::ivec3 toGridCell(const glm::ivec3& place, const BrickGrid& grid);
 
 /** The model of a layout in the grid of its cells.
  * @param covered as in BrickModel::createOfParts(). */

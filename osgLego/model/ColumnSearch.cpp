@@ -2,6 +2,7 @@
 
 #include <osgLego/data/CellKeys.h>
 #include <osgLego/data/UnionFind.h>
+#include <osgLego/model/LaidBox.h>
 #include <osgLego/model/LayoutStanding.h>
 
 #include <algorithm>
@@ -55,14 +56,6 @@ SupportedLayout addTo(const SupportedLayout& bare, const std::vector<SupportColu
     std::sort(layout.parts.begin(), layout.parts.end(), isLower<LaidPart>);
     std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isLower<LayoutCell>);
     return layout;
-}
-
-BuildingBox toBox(const LaidPart& part)
-{
-    BuildingBox box;
-    box.lower = {part.place[0], part.place[1], part.place[2]};
-    box.upper = box.lower + glm::ivec3(part.size[0], part.size[1], part.size[2]);
-    return box;
 }
 
 /** Groups of parts that touch each other, the largest first. @param members indices of parts. */

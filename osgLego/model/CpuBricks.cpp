@@ -35,6 +35,7 @@ void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork&
 {
     LegoSettings settings = source.settings;
     settings.parts.effort = Effort::INSTANT;
+    settings.parts.connect = false;
     settings.parts.support = false;
     PreviousLayout layout;
     // Its parts may have been laid with more effort.

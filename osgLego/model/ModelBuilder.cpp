@@ -3,6 +3,8 @@
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/LayoutModel.h>
+#include <osgLego/model/ConnectionBuilder.h>
+#include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/SupportBuilder.h>
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
@@ -13,6 +15,7 @@
 #include <span>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <osg/Timer>
 
@@ -85,6 +88,41 @@ struct Layout
     LaidParts parts;
 };
 
+/** The pieces of a layout apart from the largest. */
+std::vector<LoosePiece> listLoosePieces(const LaidParts& parts, const BrickGrid& grid)
+{
+    const LayoutPieces pieces(parts);
+    std::vector<LoosePiece> loose;
+    for (std::uint32_t index = 1; index < pieces.getCount(); ++index)
+    {
+        glm::ivec3 lower = pieces.getCells(index).front();
+        glm::ivec3 upper = lower;
+        for (const glm::ivec3& cell : pieces.getCells(index))
+        {
+            lower = glm::min(lower, cell);
+            upper = glm::max(upper, cell);
+        }
+        loose.push_back({pieces.countParts(index), toGridCell(lower, grid), toGridCell(upper, grid)});
+    }
+    return loose;
+}
+
+/** Join the pieces of a layout. @return false if it was cancelled. */
+bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const BrickGrid& grid, Layout& layout,
+             LayoutStatistics& statistics)
+{
+    Stopwatch stopwatch;
+    ConnectionBuilder builder(options, costs);
+    JoinedLayout joined{std::move(layout.problem), std::move(layout.parts), {}};
+    if (!builder.build(joined)) return false;
+    layout.problem = std::move(joined.problem);
+    layout.parts = std::move(joined.parts);
+    statistics.connection = builder.getStatistics();
+    statistics.connection->loose = listLoosePieces(layout.parts, grid);
+    statistics.connection->milliseconds = stopwatch.lap();
+    return true;
+}
+
 /** Change a falling layout so that it stands. @return false if it was cancelled. */
 bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& statistics)
 {
@@ -92,7 +130,8 @@ bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& sta
     if (!SupportBuilder(options).build(supported)) return false;
     layout.problem = std::move(supported.problem);
     layout.parts = std::move(supported.parts);
-    statistics.support = {supported.stands, supported.isLaidAgain, supported.numColumns, supported.numColumnParts};
+    statistics.support = {supported.stands,     supported.isLaidAgain,    supported.numHiddenCells,
+                          supported.numColumns, supported.numColumnParts, supported.numPropped};
     return true;
 }
 
@@ -149,12 +188,13 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
         _warning = describeLeak(_settings.parts.fill);
     statistics.fill = stopwatch.lap();
     if (_settings.parts.set == PartSet::NONE) return BrickModel::create(cells.getGrid(), std::move(filled.bricks));
-    return lay(filled, cells.getGrid(), statistics);
+    return lay(filled, cells, statistics);
 }
 
-osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const BrickGrid& grid,
+osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const BrickModel& surface,
                                                  LayoutStatistics& statistics)
 {
+    const BrickGrid& grid = surface.getGrid();
     Stopwatch stopwatch;
     std::vector<PaletteColor> colors = collectColors(cells);
     if (const Palette* palette = _lookup.getPalette())
@@ -173,6 +213,10 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     layout->parts = layOut(layout->problem, options, previous);
     if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
+    if ((_settings.parts.connect || _settings.parts.support) &&
+        !connect(options, RecoloringCosts(surface, colors), grid, *layout, statistics))
+        return nullptr;
+    stopwatch.lap();
     if (_settings.parts.support)
     {
         if (!support(options, *layout, statistics)) return nullptr;

@@ -70,7 +70,8 @@ public:
 
 private:
     bool isCancelled() const { return _isCancelled && _isCancelled(); }
-    osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickGrid& grid, LayoutStatistics& statistics);
+    osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickModel& surface,
+                                       LayoutStatistics& statistics);
 
     LegoSettings _settings;
     PaletteLookup _lookup;

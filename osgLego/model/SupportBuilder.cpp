@@ -1,12 +1,15 @@
 #include <osgLego/model/SupportBuilder.h>
 
 #include <osgLego/model/ColumnSearch.h>
+#include <osgLego/model/HiddenCells.h>
+#include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/LayoutStanding.h>
 #include <osgLego/search/Layout.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace osgLego
@@ -18,6 +21,7 @@ namespace
 /** The number of attempts to lay parts again, for small and for large models; the stability of large ones takes long to
  * compute. */
 constexpr std::array<int, 2> NUM_ATTEMPTS{6, 2};
+constexpr std::array<int, 2> NUM_THICKENINGS{3, 1};
 constexpr std::size_t LARGE_MODEL = 2000; // parts
 /** The distance from weak parts within which parts are laid again, in cells; each attempt adds to it. */
 constexpr int REACH = 3;
@@ -65,6 +69,31 @@ LaidParts removeNear(const LaidParts& parts, const std::vector<std::uint32_t>& w
     return rest;
 }
 
+bool isLower(const LayoutCell& cell, const LayoutCell& other)
+{
+    return std::tie(cell.place[2], cell.place[1], cell.place[0]) <
+           std::tie(other.place[2], other.place[1], other.place[0]);
+}
+
+/** Count the pieces that reach the ground, and each other, through columns alone.
+ * @param pieces those without columns, the largest first. */
+std::size_t countPropped(const LayoutPieces& pieces, const SupportedLayout& layout)
+{
+    if (layout.numColumns == 0) return 0;
+    const LayoutPieces joined(layout.parts);
+    const int ground = layout.problem.cells.front().place[2];
+    const std::uint32_t main = joined.find(pieces.getCells(0).front());
+    std::size_t count = 0;
+    for (std::size_t piece = 1; piece < pieces.getCount(); ++piece)
+    {
+        const std::vector<glm::ivec3>& cells = pieces.getCells(piece);
+        const bool isOnGround =
+            std::any_of(cells.begin(), cells.end(), [&](const glm::ivec3& cell) { return cell.z == ground; });
+        if (!isOnGround && joined.find(cells.front()) != main) ++count;
+    }
+    return count;
+}
+
 } // namespace
 
 bool SupportBuilder::build(SupportedLayout& layout)
@@ -72,9 +101,13 @@ bool SupportBuilder::build(SupportedLayout& layout)
     const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _options.isCancelled);
     if (!report) return false;
     _report = *report;
+    _options.progress = nullptr;
     if (!_report.stands && !layAgain(layout)) return false;
+    if (!_report.stands && !thicken(layout)) return false;
+    const LayoutPieces pieces(layout.parts);
     if (!_report.stands && !ColumnSearch(layout, _report, _options.isCancelled).run()) return false;
-    layout.stands = _report.stands;
+    layout.numPropped = countPropped(pieces, layout);
+    layout.stands = _report.stands && layout.numPropped == 0;
     return true;
 }
 
@@ -86,18 +119,48 @@ bool SupportBuilder::layAgain(SupportedLayout& layout)
     {
         const LaidParts kept = removeNear(layout.parts, findWeakParts(_report), (attempt + 1) * REACH);
         LayoutOptions options = _options;
-        options.progress = nullptr;
         options.bond = BOND;
         options.seed += SEED_STEP * static_cast<std::uint32_t>(attempt + 1);
-        LaidParts parts = layOut(layout.problem, options, kept);
-        if (parts.empty()) return false;
-        const std::optional<StabilityReport> report = computeStanding(layout.problem, parts, _options.isCancelled);
-        if (!report) return false;
-        if (!standsBetter(*report, _report)) continue;
-        _report = *report;
-        layout.parts = std::move(parts);
-        layout.isLaidAgain = true;
+        SupportedLayout other = layout;
+        other.parts = layOut(layout.problem, options, kept);
+        other.isLaidAgain = true;
+        if (other.parts.empty() || !keepIfBetter(layout, std::move(other))) return false;
     }
+    return true;
+}
+
+/** Add hidden cells near the weak parts, and keep the best result. */
+bool SupportBuilder::thicken(SupportedLayout& layout)
+{
+    const int numAttempts = NUM_THICKENINGS[layout.parts.size() < LARGE_MODEL ? 0 : 1];
+    for (int attempt = 0; attempt < numAttempts && !_report.stands; ++attempt)
+    {
+        const std::vector<std::uint32_t> weak = findWeakParts(_report);
+        const std::vector<LayoutCell> added = findHiddenCells(layout.problem, layout.parts, weak, attempt + 1);
+        if (added.empty()) continue;
+        SupportedLayout other = layout;
+        std::vector<LayoutCell>& cells = other.problem.cells;
+        const auto middle = cells.insert(cells.end(), added.begin(), added.end());
+        std::inplace_merge(cells.begin(), middle, cells.end(), isLower);
+        LayoutOptions options = _options;
+        options.bond = BOND;
+        other.parts = layOut(other.problem, options, removeNear(layout.parts, weak, attempt + 1 + REACH));
+        other.isLaidAgain = true;
+        other.numHiddenCells += added.size();
+        if (other.parts.empty() || !keepIfBetter(layout, std::move(other))) return false;
+    }
+    return true;
+}
+
+/** Replace a layout by another one if that is more stable and has no more pieces. @return false if it was cancelled. */
+bool SupportBuilder::keepIfBetter(SupportedLayout& layout, SupportedLayout&& other)
+{
+    const std::optional<StabilityReport> report = computeStanding(other.problem, other.parts, _options.isCancelled);
+    if (!report) return false;
+    if (!standsBetter(*report, _report)) return true;
+    if (LayoutPieces(other.parts).getCount() > LayoutPieces(layout.parts).getCount()) return true;
+    _report = *report;
+    layout = std::move(other);
     return true;
 }
 

@@ -10,8 +10,8 @@ namespace osgLego
 /** Changes a layout that falls, or has floating parts, so that it stands on a table.
  *
  * First, parts near those that fall, and near the weakest joint, are laid again with greater costs of stacked seams, so
- * that bricks cross the weak place. Only if the model still falls are columns added below it (ColumnSearch). A layout
- * that stands is left unchanged.
+ * that bricks cross the weak place. Then cells are added there that nobody sees. Only if the model still falls are
+ * columns added below it (ColumnSearch). No change adds pieces. A layout that stands is left unchanged.
  *
  * Usage:
  *
@@ -29,6 +29,8 @@ public:
 
 private:
     bool layAgain(SupportedLayout& layout);
+    bool thicken(SupportedLayout& layout);
+    bool keepIfBetter(SupportedLayout& layout, SupportedLayout&& other);
 
     LayoutOptions _options;
     StabilityReport _report; //!< of the present layout

@@ -1,9 +1,11 @@
 #include <osgLego/model/SupportColumns.h>
 
 #include <osgLego/data/CellKeys.h>
+#include <osgLego/model/CellExposure.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -97,6 +99,23 @@ SupportColumn SupportColumns::widen(const SupportColumn& column) const
     return column;
 }
 
+/** How much each column would be seen, in quarters of the mean exposure of its cells. */
+std::vector<int> SupportColumns::getVisibilities(const std::vector<SupportColumn>& columns) const
+{
+    constexpr double STEPS = 4.0;
+    const CellExposure exposure(_problem);
+    std::vector<int> visibilities;
+    visibilities.reserve(columns.size());
+    for (const SupportColumn& column : columns)
+    {
+        double sum = 0.0;
+        for (int z = 0; z < column.height; ++z)
+            sum += exposure.get(column.place + glm::ivec3(0, 0, z));
+        visibilities.push_back(static_cast<int>(STEPS * sum / column.height));
+    }
+    return visibilities;
+}
+
 std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>& below) const
 {
     std::vector<SupportColumn> places;
@@ -127,6 +146,12 @@ std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>
                                          { return other.place == column.place && other.width == column.width; });
         if (!isKnown) chosen.push_back(column);
     };
+    const std::vector<int> visibilities = getVisibilities(places);
+    const auto rankOf = [&](const SupportColumn& column) {
+        return std::pair(visibilities[static_cast<std::size_t>(&column - places.data())],
+                         glm::length(offsetOf(column)));
+    };
+    choose([&](const SupportColumn& column, const SupportColumn& other) { return rankOf(column) < rankOf(other); });
     choose([&](const SupportColumn& column, const SupportColumn& other)
            { return glm::length(offsetOf(column)) < glm::length(offsetOf(other)); });
     for (const glm::dvec2& direction : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1),

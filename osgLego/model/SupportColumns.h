@@ -33,7 +33,8 @@ class SupportColumns
 public:
     SupportColumns(const LayoutProblem& problem, const LaidParts& parts);
 
-    /** Columns below some parts: at the outermost places in eight directions, and in the middle.
+    /** Columns below some parts: first where the column is seen least, then in the middle and at the outermost places
+     * in eight directions.
      * @param below indices of parts. @return none if no place below them is free. */
     std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
 
@@ -43,6 +44,7 @@ public:
 private:
     bool isFree(const glm::ivec3& cell) const;
     SupportColumn makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const;
+    std::vector<int> getVisibilities(const std::vector<SupportColumn>& columns) const;
     SupportColumn widen(const SupportColumn& column) const;
 
     const LayoutProblem& _problem;

@@ -10,12 +10,14 @@ namespace osgLego
 /** A layout, and the means by which it was made to stand. */
 struct SupportedLayout
 {
-    LayoutProblem problem; //!< with the cells of columns
+    LayoutProblem problem; //!< with the cells that were added
     LaidParts parts;
     bool stands = true;
     bool isLaidAgain = false;       //!< whether parts differ from those of the first layout
+    std::size_t numHiddenCells = 0; //!< cells added where nobody sees them
     std::size_t numColumns = 0;     //!< columns added below the model
     std::size_t numColumnParts = 0; //!< their parts
+    std::size_t numPropped = 0;     //!< pieces of the model that stand on columns of their own alone
 };
 
 } // namespace osgLego

@@ -42,12 +42,30 @@ TEST(LayoutStatistics, TheReportSaysHowTheModelWasMadeToStand)
         const std::string text = layout.toString();
         return text.substr(text.rfind('\n') + 1);
     };
-    EXPECT_EQ(describe({true, false, 0, 0}), "support: the model stands without it");
-    EXPECT_EQ(describe({true, true, 0, 0}), "support: parts were laid again; the model stands");
-    EXPECT_EQ(describe({true, false, 1, 4}), "support: 1 column of 4 parts was added; the model stands");
-    EXPECT_EQ(describe({false, true, 2, 1}),
+    EXPECT_EQ(describe({true, false, 0, 0, 0, 0}), "support: the model stands without it");
+    EXPECT_EQ(describe({true, true, 0, 0, 0, 0}), "support: parts were laid again; the model stands");
+    EXPECT_EQ(describe({true, false, 0, 1, 4, 0}), "support: 1 column of 4 parts was added; the model stands");
+    EXPECT_EQ(describe({false, true, 0, 2, 1, 0}),
               "support: parts were laid again, and 2 columns of 1 part were added; the model still falls");
-    EXPECT_EQ(describe({false, false, 0, 0}), "support: nothing was found that helps; the model still falls");
+    EXPECT_EQ(describe({false, false, 0, 0, 0, 0}), "support: nothing was found that helps; the model still falls");
+    EXPECT_EQ(describe({true, true, 12, 1, 3, 0}),
+              "support: parts were laid again, 12 hidden cells were added, and 1 column of 3 parts was added; "
+              "the model stands");
+    EXPECT_EQ(describe({false, false, 0, 2, 8, 2}),
+              "support: 2 columns of 8 parts were added; 2 loose pieces stand on columns of their own");
+}
+
+TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)
+{
+    LayoutStatistics layout;
+    const auto describe = [&] { return layout.toString().substr(layout.toString().find("connections")); };
+    layout.connection = ConnectionStatistics{};
+    EXPECT_EQ(describe(), "connections: the model is one piece without changes");
+    layout.connection = ConnectionStatistics{20, 1, 35, 12, {}, 0.0};
+    EXPECT_EQ(describe(), "connections: 20 pieces became one by 35 added cells and 12 cells in another colour");
+    layout.connection = ConnectionStatistics{3, 2, 1, 1, {{4, {1, 2, 3}, {5, 6, 7}}}, 0.0};
+    EXPECT_EQ(describe(), "connections: 3 pieces became 2 by 1 added cell and 1 cell in another colour\n"
+                          "  not joined: 4 parts in the cells (1, 2, 3) to (5, 6, 7)");
 }
 
 } // namespace

@@ -39,7 +39,7 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(settings.getEdgeLimit(), 0.5);
     const LegoSettings parts =
         test::parseSettings("palette=a.csv,colors=6,dither=on,fill=shell,shell=3,parts=bricks,seed=7,effort=best,"
-                            "support=on,progress=0.25,show=load");
+                            "connect=on,support=on,progress=0.25,show=load");
     EXPECT_EQ(parts.colors.palette, "a.csv");
     EXPECT_EQ(parts.colors.count, 6u);
     EXPECT_TRUE(parts.colors.dither);
@@ -48,6 +48,7 @@ TEST(LegoSettings, EveryKeyIsRead)
     EXPECT_EQ(parts.parts.set, PartSet::BRICKS);
     EXPECT_EQ(parts.parts.seed, 7u);
     EXPECT_EQ(parts.parts.effort, Effort::BEST);
+    EXPECT_TRUE(parts.parts.connect);
     EXPECT_TRUE(parts.parts.support);
     EXPECT_EQ(parts.view.progress, 0.25);
     EXPECT_EQ(parts.view.show, Show::LOAD);
@@ -93,7 +94,7 @@ TEST(LegoSettings, TheTextFormRoundTrips)
     for (const char* text :
          {"64", "1", "1024,proportions=brick", "64,up=y,edge=0.0625", "64,look=plain", "64,device=cpu",
           "64,palette=ldraw,colors=12,dither=on",
-          "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant,support=on",
+          "32,proportions=plate,fill=shell,shell=4,parts=bricks,seed=9,effort=instant,connect=on,support=on",
           "32,drawing=splats,progress=0.5,show=load", "cell=0.1,origin=-1.5:0:1e+17,size=1:1024:2560,look=plain",
           "cell=2,up=y,anchor=world", "cell=1e-09,origin=0:0:0",
           "7,proportions=plate,up=y,method=points,target=addressed,fbo=16,edge=3.25,device=gpu,look=plain"})
@@ -287,6 +288,7 @@ TEST(LegoSettings, MistakesAreReportedWithTheExpectedValues)
     EXPECT_EQ(errorOf("shell=0"), "bad value '0' for shell; expected a whole number of cells, 1 to 1024");
     EXPECT_EQ(errorOf("parts=plates"), "bad value 'plates' for parts; expected none or bricks");
     EXPECT_EQ(errorOf("seed=-1"), "bad value '-1' for seed; expected a whole number, 0 to 4294967295");
+    EXPECT_EQ(errorOf("connect=on"), "connect is on without parts; expected parts=bricks");
     EXPECT_EQ(errorOf("support=1"), "bad value '1' for support; expected off or on");
     EXPECT_EQ(errorOf("support=on"), "support is on without parts; expected parts=bricks");
     EXPECT_EQ(errorOf("progress=1.5"), "bad value '1.5' for progress; expected a number, 0 to 1");

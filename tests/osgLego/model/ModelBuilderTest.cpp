@@ -1,7 +1,6 @@
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
-#include <osgLego/Stability.h>
 #include <osgLego/flattening/LegoSource.h>
 #include <osgLego/flattening/SceneTriangles.h>
 #include <osgLego/model/CpuBricks.h>
@@ -149,53 +148,6 @@ TEST(ModelBuilder, AProgramMayEndALayout)
     EXPECT_FALSE(model);
     EXPECT_GE(last, 0.0);
     EXPECT_LT(last, 1.0);
-}
-
-TEST(ModelBuilder, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
-{
-    osg::ref_ptr<osg::Group> roofAndFloor = new osg::Group;
-    roofAndFloor->addChild(createTriangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}));
-    roofAndFloor->addChild(createTriangle({0, 0, 4}, {8, 0, 4}, {0, 8, 4}));
-    for (const char* settings : {"10,parts=bricks", "10,parts=bricks,proportions=plate"})
-    {
-        LegoStatistics statistics;
-        const auto bare = legolize(*roofAndFloor, settings, &statistics);
-        EXPECT_FALSE(statistics.layout->support);
-        EXPECT_FALSE(computeStability(*bare)->stands);
-        const auto model = legolize(*roofAndFloor, std::string(settings) + ",support=on", &statistics);
-        EXPECT_TRUE(computeStability(*model)->stands);
-        ASSERT_TRUE(statistics.layout->support);
-        const SupportStatistics& support = *statistics.layout->support;
-        EXPECT_TRUE(support.stands);
-        EXPECT_GE(support.numColumns, 1u);
-        EXPECT_EQ(statistics.layout->numParts, model->getParts().size());
-        EXPECT_GT(model->getBricks().size(), bare->getBricks().size());
-        for (const Brick& brick : bare->getBricks())
-            EXPECT_TRUE(model->find(brick.getCell()));
-    }
-}
-
-TEST(ModelBuilder, SupportAddsNoColumnWithoutWhichTheModelStands)
-{
-    osg::ref_ptr<osg::Node> car = createRacingCar();
-    const osg::ref_ptr<const BrickModel> bare = legolize(*car, "22,parts=bricks,effort=instant");
-    LegoStatistics statistics;
-    const osg::ref_ptr<const BrickModel> model =
-        legolize(*car, "22,parts=bricks,effort=instant,support=on", &statistics);
-    ASSERT_TRUE(statistics.layout->support->stands);
-    std::set<std::array<std::uint16_t, 2>> columns;
-    const auto isAdded = [&bare](const Part& part) { return !bare->find(part.getCell()); };
-    const auto placeOf = [](const Part& part) { return std::array{part.cell[0], part.cell[1]}; };
-    for (const Part& part : model->getParts())
-        if (isAdded(part)) columns.insert(placeOf(part));
-    ASSERT_EQ(columns.size(), statistics.layout->support->numColumns);
-    ASSERT_GT(columns.size(), 1u);
-    for (const auto& column : columns)
-    {
-        std::vector<Part> rest = model->getParts();
-        std::erase_if(rest, [&](const Part& part) { return isAdded(part) && placeOf(part) == column; });
-        EXPECT_FALSE(computeStability(*BrickModel::createOfParts(model->getGrid(), std::move(rest)))->stands);
-    }
 }
 
 TEST(ModelBuilder, AnOpenSurfaceHasNoInteriorWhichAWarningSays)

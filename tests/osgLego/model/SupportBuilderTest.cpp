@@ -99,7 +99,7 @@ TEST(SupportBuilder, PutsColumnsUnderAModelThatTipsOver)
     EXPECT_FALSE(layout.isLaidAgain) << "no other layout is better";
 }
 
-TEST(SupportBuilder, PutsColumnsUnderPartsThatFloat)
+TEST(SupportBuilder, DoesNotLetALoosePieceOnAColumnOfItsOwnCountAsStanding)
 {
     const LayoutProblem problem = drawProblem(
         {{"aa......", "aa......"}, {"aa......", "aa......"}, {"aa....aa", "aa....aa"}, {"aa....aa", "aa....aa"}});
@@ -110,8 +110,9 @@ TEST(SupportBuilder, PutsColumnsUnderPartsThatFloat)
         if (z >= 2) parts.push_back({{6, 0, z}, {2, 2, 1}});
     }
     const SupportedLayout layout = support(problem, parts);
-    EXPECT_TRUE(layout.stands);
-    EXPECT_TRUE(stands(layout));
+    EXPECT_FALSE(layout.stands);
+    EXPECT_TRUE(stands(layout)) << "nothing falls";
+    EXPECT_EQ(layout.numPropped, 1u);
     EXPECT_EQ(layout.numColumns, 1u);
     EXPECT_EQ(layout.numColumnParts, 2u);
 }
@@ -303,7 +304,8 @@ TEST(SupportBuilder, EachGroupOfFloatingPartsGetsAColumnBelowItsMiddle)
     const LaidParts parts{{{8, 0, 0}, {1, 2, 1}}, {{0, 0, 2}, {8, 2, 1}}, {{SECOND, 0, 2}, {8, 2, 1}}};
     const SupportedLayout bare = createLayout(parts, {SECOND + 8, 2, 3});
     const SupportedLayout layout = support(bare.problem, bare.parts);
-    EXPECT_TRUE(layout.stands);
+    EXPECT_TRUE(stands(layout));
+    EXPECT_EQ(layout.numPropped, 1u) << "besides the largest piece";
     EXPECT_EQ(layout.numColumns, 2u);
     for (const int x : {3, SECOND + 3})
         EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(),
@@ -319,7 +321,8 @@ TEST(SupportBuilder, ColumnsBelowNeighborsDoNotOverlap)
     const LaidParts parts{{{0, 0, 0}}, {{4, 0, 1}}, {{6, 0, 1}}};
     const SupportedLayout bare = createLayout(parts, {7, 2, 2});
     const SupportedLayout layout = support(bare.problem, bare.parts);
-    EXPECT_TRUE(layout.stands);
+    EXPECT_TRUE(stands(layout));
+    EXPECT_EQ(layout.numPropped, 2u);
     EXPECT_EQ(layout.numColumns, 2u);
     EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(), LaidPart{{4, 0, 0}, {2, 2, 1}}), 1);
     EXPECT_EQ(std::count(layout.parts.begin(), layout.parts.end(), LaidPart{{6, 0, 0}}), 1);

@@ -1,0 +1,206 @@
+#include <osgLego/model/ConnectionBuilder.h>
+
+#include <osgLego/model/JoinPruning.h>
+#include <osgLego/model/JoinSearch.h>
+#include <osgLego/search/Layout.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The additional cost of cells that did not help. */
+constexpr double PENALTY = 2.0;
+/** The distance from changed cells within which parts are laid again, in cells: sideways, and up or down. */
+constexpr glm::ivec3 REACH{3, 3, 1};
+/** The difference of the seeds of two rounds. */
+constexpr std::uint32_t SEED_OF_ROUND = 0x85ebca6bu;
+
+bool isCellLower(const LayoutCell& cell, const LayoutCell& other)
+{
+    return std::tie(cell.place[2], cell.place[1], cell.place[0]) <
+           std::tie(other.place[2], other.place[1], other.place[0]);
+}
+
+glm::ivec3 toVector(const std::array<std::uint16_t, 3>& place)
+{
+    return {place[0], place[1], place[2]};
+}
+
+LayoutCell toLayoutCell(const glm::ivec3& cell)
+{
+    return {
+        {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y), static_cast<std::uint16_t>(cell.z)}};
+}
+
+/** The cells that joins add or change. */
+std::vector<glm::ivec3> collectChanged(const std::vector<Join>& joins)
+{
+    std::vector<glm::ivec3> cells;
+    for (const Join& join : joins)
+    {
+        for (const std::vector<Join::Change>* changes : {&join.added, &join.recolored})
+            for (const Join::Change& change : *changes)
+                cells.push_back(change.cell);
+        cells.push_back(join.begin);
+        cells.push_back(join.end);
+    }
+    return cells;
+}
+
+/** The cells with the changes of some joins. */
+LayoutProblem applyJoins(const std::vector<Join>& joins, const LayoutProblem& problem)
+{
+    LayoutProblem changed = problem;
+    for (const Join& join : joins)
+        for (const Join::Change& change : join.recolored)
+        {
+            const auto cell =
+                std::lower_bound(changed.cells.begin(), changed.cells.end(), toLayoutCell(change.cell), isCellLower);
+            cell->color = change.color;
+        }
+    for (const Join& join : joins)
+        for (const Join::Change& change : join.added)
+            changed.cells.push_back(toLayoutCell(change.cell));
+    std::sort(changed.cells.begin(), changed.cells.end(), isCellLower);
+    // Two joins may have a cell in common.
+    const auto isSame = [](const LayoutCell& cell, const LayoutCell& other) { return cell.place == other.place; };
+    changed.cells.erase(std::unique(changed.cells.begin(), changed.cells.end(), isSame), changed.cells.end());
+    return changed;
+}
+
+bool isNear(const LaidPart& part, const glm::ivec3& cell)
+{
+    const glm::ivec3 lower = toVector(part.place);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const int last = lower[axis] + part.size[static_cast<std::size_t>(axis)] - 1;
+        if (lower[axis] - cell[axis] > REACH[axis] || cell[axis] - last > REACH[axis]) return false;
+    }
+    return true;
+}
+
+/** The parts that are not near any of the cells. */
+LaidParts keepOthers(const LaidParts& parts, const std::vector<glm::ivec3>& cells)
+{
+    LaidParts kept;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(kept),
+                 [&](const LaidPart& part) {
+                     return std::none_of(cells.begin(), cells.end(),
+                                         [&](const glm::ivec3& cell) { return isNear(part, cell); });
+                 });
+    return kept;
+}
+
+/** @param cells some of the others, in another colour or not. */
+std::size_t countRecolored(const std::vector<LayoutCell>& cells, const std::vector<LayoutCell>& others)
+{
+    std::size_t count = 0;
+    auto other = others.begin();
+    for (const LayoutCell& cell : cells)
+    {
+        while (other->place != cell.place)
+            ++other;
+        if (other->color != cell.color) ++count;
+    }
+    return count;
+}
+
+} // namespace
+
+ConnectionBuilder::ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs) :
+    _options(options), _costs(costs)
+{
+    _options.progress = nullptr;
+}
+
+bool ConnectionBuilder::build(JoinedLayout& layout)
+{
+    _penalties.clear();
+    std::optional<LayoutPieces> pieces(layout.parts);
+    _statistics = {};
+    _statistics.numPiecesBefore = pieces->getCount();
+    const std::vector<LayoutCell> cells = layout.problem.cells;
+    for (int numFailures = 0; pieces->getCount() > 1 && numFailures < MOST_FAILURES;)
+    {
+        const std::vector<Join> joins = findJoins(layout, *pieces);
+        if (isCancelled()) return false;
+        if (joins.empty()) break;
+        std::optional<JoinedLayout> joined = layAgain(layout, joins);
+        if (!joined) return false;
+        const LayoutPieces found(joined->parts);
+        const bool isBetter = found.getCount() < pieces->getCount();
+        penalizeFailed(joins, found, isBetter);
+        numFailures = isBetter ? 0 : numFailures + 1;
+        if (!isBetter) continue;
+        layout = std::move(*joined);
+        pieces = found;
+    }
+    removeUnneededCells(layout);
+    _statistics.numAddedCells = layout.added.size();
+    _statistics.numRecolored = countRecolored(cells, layout.problem.cells);
+    _statistics.numPieces = pieces->getCount();
+    return true;
+}
+
+/** Lay the parts near some joins again. @return nothing if it was cancelled. */
+std::optional<JoinedLayout> ConnectionBuilder::layAgain(const JoinedLayout& layout, const std::vector<Join>& joins)
+{
+    _options.seed += SEED_OF_ROUND;
+    JoinedLayout joined{applyJoins(joins, layout.problem), {}, layout.added};
+    joined.parts = layOut(joined.problem, _options, keepOthers(layout.parts, collectChanged(joins)));
+    if (joined.parts.empty()) return std::nullopt;
+    for (const Join& join : joins)
+        for (const Join::Change& change : join.added)
+            joined.added.push_back(change.cell);
+    return joined;
+}
+
+/** Make joins more expensive that did not join their pieces. If all did, but other parts came loose, all of them. */
+void ConnectionBuilder::penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter)
+{
+    const auto hasFailed = [&](const Join& join) { return pieces.find(join.begin) != pieces.find(join.end); };
+    const bool isAny = isBetter || std::any_of(joins.begin(), joins.end(), hasFailed);
+    for (const Join& join : joins)
+        if (!isAny || hasFailed(join)) penalize(join);
+}
+
+/** Make the cells of a join, and direct steps near it, more expensive. */
+void ConnectionBuilder::penalize(const Join& join)
+{
+    for (const std::vector<Join::Change>* changes : {&join.added, &join.recolored})
+        for (const Join::Change& change : *changes)
+            _penalties[toCellKey(change.cell)] += PENALTY;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+            _penalties[toCellKey(join.begin + glm::ivec3(x, y, 0))] += PENALTY;
+}
+
+/** The cheapest joins after which all pieces that can be joined are one, the smallest pieces first. */
+std::vector<Join> ConnectionBuilder::findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const
+{
+    PieceMap map(layout.problem, pieces);
+    const CellExposure exposure(layout.problem);
+    JoinSearch search(map, exposure, _costs, _penalties);
+    std::vector<Join> joins;
+    for (auto piece = static_cast<std::uint32_t>(pieces.getCount() - 1); piece > 0 && !isCancelled(); --piece)
+    {
+        if (map.getUnion(piece) == map.getUnion(0)) continue;
+        std::optional<Join> join = search.find(map.getUnion(piece));
+        if (!join) continue;
+        map.add(*join);
+        joins.push_back(std::move(*join));
+    }
+    return joins;
+}
+
+} // namespace osgLego

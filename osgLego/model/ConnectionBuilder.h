@@ -1,0 +1,67 @@
+#pragma once
+
+#include <osgLego/LayoutStatistics.h>
+#include <osgLego/layout/LayoutProblem.h>
+#include <osgLego/model/Join.h>
+#include <osgLego/model/JoinSearch.h>
+#include <osgLego/model/LayoutPieces.h>
+#include <osgLego/model/RecoloringCosts.h>
+#include <osgLego/search/LayoutOptions.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Cells, the parts that cover them, and the cells that were added to join pieces. */
+struct JoinedLayout
+{
+    LayoutProblem problem;
+    LaidParts parts;
+    std::vector<glm::ivec3> added; //!< cells that join pieces
+};
+
+/** Joins the pieces of a layout to one, by as few changes of its cells as it finds.
+ *
+ * In each round, every piece but the largest looks for its cheapest join to another one (JoinSearch): cells in another
+ * colour, or additional cells, hidden ones first. Parts around these are laid again. Joins that fail become more
+ * expensive. Rounds end when one piece is left, when no piece can be joined, or when MOST_FAILURES rounds in a row have
+ * joined none.
+ *
+ * Usage:
+ *
+ *     const RecoloringCosts costs(*cells, colors);
+ *     JoinedLayout layout{problem, parts};
+ *     ConnectionBuilder builder(options, costs);
+ *     if (!builder.build(layout)) ... // cancelled
+ *
+ * The result is the same for any number of threads. The costs must exist as long as this object. */
+class ConnectionBuilder
+{
+public:
+    static constexpr int MOST_FAILURES = 10;
+
+    ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs);
+
+    /** Change cells and parts. @return false if it was cancelled. */
+    bool build(JoinedLayout& layout);
+
+    /** The figures of the last build(), apart from the time. */
+    const ConnectionStatistics& getStatistics() const { return _statistics; }
+
+private:
+    bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
+    std::vector<Join> findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const;
+    std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins);
+    void penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter);
+    void penalize(const Join& join);
+
+    LayoutOptions _options;
+    const RecoloringCosts& _costs;
+    JoinSearch::Penalties _penalties;
+    ConnectionStatistics _statistics;
+};
+
+} // namespace osgLego

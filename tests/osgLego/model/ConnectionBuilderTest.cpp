@@ -1,0 +1,109 @@
+#include "ConnectionModels.h"
+
+#include <osgLego/layout/LayoutCheck.h>
+#include <osgLego/model/ConnectionBuilder.h>
+#include <osgLego/search/Layout.h>
+
+#include "../layout/LaidModel.h"
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Lay the cells, join the pieces, and check all that holds for every model. */
+JoinedLayout connect(const ColoredCells& cells, ConnectionStatistics& statistics)
+{
+    JoinedLayout layout{cells.problem, layOut(cells.problem, {}), {}};
+    ConnectionBuilder builder({}, cells.costs);
+    EXPECT_TRUE(builder.build(layout));
+    statistics = builder.getStatistics();
+    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    EXPECT_EQ(static_cast<std::size_t>(LaidModel(layout.problem, layout.parts).countComponents()),
+              statistics.numPieces);
+    EXPECT_EQ(layout.problem.cells.size(), cells.problem.cells.size() + statistics.numAddedCells);
+    EXPECT_EQ(layout.added.size(), statistics.numAddedCells);
+    return layout;
+}
+
+TEST(ConnectionBuilder, LeavesOnePieceUnchanged)
+{
+    const ColoredCells cells = drawColoredCells({{"aaaa", "aaaa"}, {"cccc", "cccc"}});
+    ConnectionStatistics statistics;
+    const JoinedLayout layout = connect(cells, statistics);
+    EXPECT_EQ(layout.problem.cells, cells.problem.cells);
+    EXPECT_EQ(layout.parts, layOut(cells.problem, {}));
+    EXPECT_EQ(statistics.numPiecesBefore, 1u);
+    EXPECT_EQ(statistics.numPieces, 1u);
+}
+
+TEST(ConnectionBuilder, JoinsAChessboardOfTowers)
+{
+    const ColoredCells cells =
+        drawColoredCells({{"acac", "caca", "acac"}, {"acac", "caca", "acac"}, {"....", "....", "...."}});
+    ConnectionStatistics statistics;
+    connect(cells, statistics);
+    EXPECT_EQ(statistics.numPiecesBefore, 12u);
+    EXPECT_EQ(statistics.numPieces, 1u);
+    EXPECT_LE(statistics.numAddedCells + statistics.numRecolored, 12u) << "a roof would suffice";
+}
+
+TEST(ConnectionBuilder, CountsCellsInAnotherColor)
+{
+    const ColoredCells cells = drawColoredCells({{"aaaab", "aaaaa"}, {"aaaa.", "aaaa."}});
+    ConnectionStatistics statistics;
+    const JoinedLayout layout = connect(cells, statistics);
+    EXPECT_EQ(statistics.numPiecesBefore, 2u);
+    EXPECT_EQ(statistics.numPieces, 1u);
+    EXPECT_EQ(statistics.numAddedCells, 0u);
+    EXPECT_EQ(statistics.numRecolored, 1u);
+}
+
+TEST(ConnectionBuilder, LeavesPiecesThatAreFarAway)
+{
+    const std::string far = "aa" + std::string(60, '.') + "c";
+    ConnectionStatistics statistics;
+    const ColoredCells cells = drawColoredCells({{far}, {far}, {far}});
+    const JoinedLayout layout = connect(cells, statistics);
+    EXPECT_EQ(statistics.numPieces, 2u);
+    EXPECT_EQ(statistics.numAddedCells, 0u);
+    EXPECT_EQ(layout.problem.cells, cells.problem.cells);
+}
+
+TEST(ConnectionBuilder, KeepsNoPartWithoutWhichTheModelIsOnePiece)
+{
+    // Two halves of a closed box.
+    const std::vector<std::string> wall(6, "aaaaccc");
+    const std::vector<std::string> ring{"aaaaccc", "a.....c", "a.....c", "a.....c", "a.....c", "aaaaccc"};
+    const ColoredCells cells = drawColoredCells({wall, ring, ring, ring, wall});
+    ConnectionStatistics statistics;
+    const JoinedLayout layout = connect(cells, statistics);
+    EXPECT_EQ(statistics.numPieces, 1u);
+    EXPECT_GT(statistics.numAddedCells, 0u);
+    for (std::size_t part = 0; part < layout.parts.size(); ++part)
+    {
+        const LaidPart& laid = layout.parts[part];
+        if (laid.place[0] == 0 || laid.place[1] == 0 || laid.place[2] == 0 || laid.place[0] + laid.size[0] == 7 ||
+            laid.place[1] + laid.size[1] == 6 || laid.place[2] == 4)
+            continue;
+        LaidParts rest = layout.parts;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part));
+        EXPECT_GT(LayoutPieces(rest).getCount(), 1u);
+    }
+}
+
+TEST(ConnectionBuilder, CanBeCancelled)
+{
+    const ColoredCells cells = drawColoredCells({{"acac", "caca"}, {"acac", "caca"}, {"....", "...."}});
+    JoinedLayout layout{cells.problem, layOut(cells.problem, {}), {}};
+    LayoutOptions options;
+    options.isCancelled = [] { return true; };
+    EXPECT_FALSE(ConnectionBuilder(options, cells.costs).build(layout));
+}
+
+} // namespace
+
+} // namespace osgLego
