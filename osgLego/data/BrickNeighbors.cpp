@@ -36,18 +36,27 @@ struct Run
  * along the first axis after it. */
 using Layers = std::array<std::array<std::uint8_t, BLOCK_CELLS>, BLOCK_CELLS>;
 
+glm::uvec3 getCell(const BrickPoint& point)
+{
+    return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
+}
+
 /** A block of cells, some of which are covered. */
 struct Block
 {
     glm::ivec3 place{0};
     std::size_t firstRun = NONE;
     std::array<Layers, 3> layers{}; // by axis
-};
 
-glm::uvec3 getCell(const BrickPoint& point)
-{
-    return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
-}
+    /** Cover the cell of a point. */
+    void add(const BrickPoint& point)
+    {
+        const glm::uvec3 cell = getCell(point) % static_cast<unsigned int>(BLOCK_CELLS);
+        layers[0][cell.x][cell.z] |= static_cast<std::uint8_t>(1u << cell.y);
+        layers[1][cell.y][cell.x] |= static_cast<std::uint8_t>(1u << cell.z);
+        layers[2][cell.z][cell.y] |= static_cast<std::uint8_t>(1u << cell.x);
+    }
+};
 
 /** The number of a point's block. Blocks begin at -1, beside the grid; no number is 0. */
 CellKey getBlockKey(const BrickPoint& point)
@@ -55,29 +64,54 @@ CellKey getBlockKey(const BrickPoint& point)
     return toCellKey(glm::ivec3(getCell(point) / static_cast<unsigned int>(BLOCK_CELLS)) + 2);
 }
 
+std::vector<Run> findRuns(std::span<const BrickPoint> points)
+{
+    // Counted first, since new memory takes longer than that.
+    const auto isFirst = [&](std::size_t index)
+    { return index == 0 || getBlockKey(points[index]) != getBlockKey(points[index - 1]); };
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < points.size(); ++index)
+        count += isFirst(index) ? 1 : 0;
+    std::vector<Run> runs;
+    runs.reserve(count);
+    for (std::size_t index = 0; index < points.size(); ++index)
+    {
+        if (isFirst(index)) runs.push_back({index, index, NONE});
+        runs.back().end = index + 1;
+    }
+    return runs;
+}
+
 /** The blocks of points. */
 class BlockTable
 {
 public:
-    explicit BlockTable(std::span<const BrickPoint> points)
+    explicit BlockTable(std::span<const BrickPoint> points) : _runs(findRuns(points))
     {
-        std::size_t begin = 0;
-        for (std::size_t end = 1; end <= points.size(); ++end)
+        _slots.resize(std::bit_ceil(2 * _runs.size() + 1));
+        _blocks.reserve(_runs.size());
+        for (std::size_t run = 0; run < _runs.size(); ++run)
         {
-            const CellKey key = getBlockKey(points[begin]);
-            if (end < points.size() && getBlockKey(points[end]) == key) continue;
-            addRun(key, points[begin], {begin, end, NONE});
-            begin = end;
+            const BrickPoint& first = points[_runs[run].begin];
+            Slot& slot = _slots[findSlot(getBlockKey(first))];
+            if (slot.key == EMPTY)
+            {
+                slot = {getBlockKey(first), static_cast<std::uint32_t>(_blocks.size())};
+                _blocks.push_back({glm::ivec3(getCell(first) / static_cast<unsigned int>(BLOCK_CELLS)), NONE, {}});
+            }
+            Block& block = _blocks[slot.block];
+            _runs[run].next = std::exchange(block.firstRun, run);
+            for (std::size_t index = _runs[run].begin; index < _runs[run].end; ++index)
+                block.add(points[index]);
         }
     }
 
-    std::vector<Block>& getBlocks() { return _blocks; }
+    const std::vector<Block>& getBlocks() const { return _blocks; }
     const std::vector<Run>& getRuns() const { return _runs; }
 
     /** The block at a place; null if none of its cells is covered. */
     const Block* find(const glm::ivec3& place) const
     {
-        if (_slots.empty()) return nullptr;
         const Slot& slot = _slots[findSlot(toCellKey(place + 2))];
         return slot.key == EMPTY ? nullptr : &_blocks[slot.block];
     }
@@ -88,32 +122,8 @@ private:
     struct Slot
     {
         CellKey key = EMPTY;
-        std::size_t block = 0;
+        std::uint32_t block = 0;
     };
-
-    void addRun(CellKey key, const BrickPoint& first, const Run& run)
-    {
-        if (2 * (_blocks.size() + 1) > _slots.size()) grow();
-        Slot& slot = _slots[findSlot(key)];
-        if (slot.key == EMPTY)
-        {
-            slot = {key, _blocks.size()};
-            _blocks.push_back({glm::ivec3(getCell(first) / static_cast<unsigned int>(BLOCK_CELLS)), NONE, {}});
-        }
-        _runs.push_back(run);
-        _runs.back().next = std::exchange(_blocks[slot.block].firstRun, _runs.size() - 1);
-    }
-
-    void grow()
-    {
-        constexpr std::size_t FEWEST = 64;
-        _slots.assign(std::max(FEWEST, 4 * _slots.size()), Slot());
-        for (std::size_t block = 0; block < _blocks.size(); ++block)
-        {
-            const CellKey key = toCellKey(_blocks[block].place + 2);
-            _slots[findSlot(key)] = {key, block};
-        }
-    }
 
     /** The slot of a key, or the one that is free for it: the first such slot after its hash. */
     std::size_t findSlot(CellKey key) const
@@ -125,23 +135,11 @@ private:
         return slot;
     }
 
+    std::vector<Run> _runs;
     // A hash table with open addressing, at least half of whose slots are free, since each block looks 26 others up.
     std::vector<Slot> _slots;
     std::vector<Block> _blocks;
-    std::vector<Run> _runs;
 };
-
-void fillLayers(Block& block, const std::vector<Run>& runs, std::span<const BrickPoint> points)
-{
-    for (std::size_t run = block.firstRun; run != NONE; run = runs[run].next)
-        for (const BrickPoint& point : points.subspan(runs[run].begin, runs[run].end - runs[run].begin))
-        {
-            const glm::uvec3 place = getCell(point) % static_cast<unsigned int>(BLOCK_CELLS);
-            block.layers[0][place.x][place.z] |= static_cast<std::uint8_t>(1u << place.y);
-            block.layers[1][place.y][place.x] |= static_cast<std::uint8_t>(1u << place.z);
-            block.layers[2][place.z][place.y] |= static_cast<std::uint8_t>(1u << place.x);
-        }
-}
 
 /** A block and the 26 around it, x first; null for those without covered cells. */
 using NearBlocks = std::array<const Block*, 27>;
@@ -329,8 +327,7 @@ private:
 
 std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> points)
 {
-    BlockTable table(points);
-    std::vector<Block>& blocks = table.getBlocks();
+    const BlockTable table(points);
     const std::vector<Run>& runs = table.getRuns();
     std::vector<BrickNeighbors> result(points.size());
     const auto findNeighbors = [&](const Block& block)
@@ -341,12 +338,7 @@ std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> poi
                 result[index] = surroundings.find(points[index]);
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate(
-        [&]
-        {
-            oneapi::tbb::parallel_for_each(blocks, [&](Block& block) { fillLayers(block, runs, points); });
-            oneapi::tbb::parallel_for_each(blocks, findNeighbors);
-        });
+    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for_each(table.getBlocks(), findNeighbors); });
     return result;
 }
 
