@@ -63,6 +63,7 @@ std::string readSettings(const std::string& text, CaptureOptions& options)
 
 std::string readOcclusion(const std::string& text, CaptureOptions& options)
 {
+    if (text.empty()) return badValue("--occlusion", text, "off, grid, screen or both, then settings");
     options.isOcclusionGiven = true;
     static const std::map<std::string, BrickOcclusion, std::less<>> KINDS{{"off", BrickOcclusion::OFF},
                                                                           {"grid", BrickOcclusion::GRID},

@@ -4,8 +4,10 @@
 #include "ExitCode.h"
 #include "SceneReach.h"
 
+#include <cmath>
 #include <string>
 
+#include <osg/BoundingSphere>
 #include <osg/Camera>
 #include <osg/Vec4>
 
@@ -59,12 +61,17 @@ double ScenePicture::estimateMemory(const CaptureOptions& options, const Capture
 
 void ScenePicture::placeCamera()
 {
+    const osg::BoundingSphere bound = _scene.getBound();
+    if (!(bound.radius() < 0.0f) && !(std::isfinite(bound.radius()) && std::isfinite(bound.center().length())))
+        throw CaptureError(EXIT_BAD_INPUT,
+                           "the mesh reaches to infinity, so no camera sees it; expected coordinates that "
+                           "are finite as 32-bit numbers");
     const double aspect = static_cast<double>(_options.width) / _options.height;
     CaptureCamera place(_options.view, _scene.getUpAxis(), aspect);
     if (_options.view.distance > 0.0)
-        place.moveToDistance(_scene.getBound());
+        place.moveToDistance(bound);
     else
-        place.moveToFit(_scene.getBound(), [this](SceneReach& reach) { _scene.addTo(reach); });
+        place.moveToFit(bound, [this](SceneReach& reach) { _scene.addTo(reach); });
     place.apply(_renderer.getCamera());
 }
 

@@ -2,14 +2,15 @@
 
 #include <osgLego/data/CellKeys.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
+#include <utility>
 
 #include <glm/common.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for_each.h>
 #include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
@@ -20,66 +21,98 @@ namespace
 
 constexpr int REACH = 3; // the greatest distance of a neighbour, in cells
 
-/** The cells of a block, of which the bits of a byte are those along x. */
-using Block = std::array<std::array<std::uint8_t, BrickPoints::BLOCK_SIDE>, BrickPoints::BLOCK_SIDE>;
+constexpr int BLOCK_CELLS = BrickPoints::BLOCK_SIDE; // along each side
+constexpr std::size_t NONE = SIZE_MAX;
 
 /** Consecutive points in one block. */
 struct Run
 {
-    glm::ivec3 block;
     std::size_t begin;
     std::size_t end;
+    std::size_t next; // run in the same block, or NONE
 };
 
-constexpr unsigned int BLOCK_CELLS = BrickPoints::BLOCK_SIDE;
+/** The covered cells of a block, by the places along an axis and along the second axis after it; the bits are those
+ * along the first axis after it. */
+using Layers = std::array<std::array<std::uint8_t, BLOCK_CELLS>, BLOCK_CELLS>;
 
 glm::uvec3 getCell(const BrickPoint& point)
 {
     return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
 }
 
+/** A block of cells, some of which are covered. */
+struct Block
+{
+    glm::ivec3 place{0};
+    std::size_t firstRun = NONE;
+    std::array<Layers, 3> layers{}; // by axis
+
+    /** Cover the cell of a point. */
+    void add(const BrickPoint& point)
+    {
+        const glm::uvec3 cell = getCell(point) % static_cast<unsigned int>(BLOCK_CELLS);
+        layers[0][cell.x][cell.z] |= static_cast<std::uint8_t>(1u << cell.y);
+        layers[1][cell.y][cell.x] |= static_cast<std::uint8_t>(1u << cell.z);
+        layers[2][cell.z][cell.y] |= static_cast<std::uint8_t>(1u << cell.x);
+    }
+};
+
+/** The number of a point's block. Blocks begin at -1, beside the grid; no number is 0. */
+CellKey getBlockKey(const BrickPoint& point)
+{
+    return toCellKey(glm::ivec3(getCell(point) / static_cast<unsigned int>(BLOCK_CELLS)) + 2);
+}
+
 std::vector<Run> findRuns(std::span<const BrickPoint> points)
 {
+    // Counted first, since new memory takes longer than that.
+    const auto isFirst = [&](std::size_t index)
+    { return index == 0 || getBlockKey(points[index]) != getBlockKey(points[index - 1]); };
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < points.size(); ++index)
+        count += isFirst(index) ? 1 : 0;
     std::vector<Run> runs;
+    runs.reserve(count);
     for (std::size_t index = 0; index < points.size(); ++index)
     {
-        const glm::ivec3 block(getCell(points[index]) / BLOCK_CELLS);
-        if (runs.empty() || runs.back().block != block) runs.push_back({block, index, index});
+        if (isFirst(index)) runs.push_back({index, index, NONE});
         runs.back().end = index + 1;
     }
     return runs;
 }
 
-/** The covered cells, in blocks. */
-class CoveredCells
+/** The blocks of points. */
+class BlockTable
 {
 public:
-    CoveredCells(std::span<const BrickPoint> points, const std::vector<Run>& runs) :
-        _slots(std::bit_ceil(2 * runs.size() + 1))
+    explicit BlockTable(std::span<const BrickPoint> points) : _runs(findRuns(points))
     {
-        _blocks.reserve(runs.size());
-        for (const Run& run : runs)
+        _slots.resize(std::bit_ceil(2 * _runs.size() + 1));
+        _blocks.reserve(_runs.size());
+        for (std::size_t run = 0; run < _runs.size(); ++run)
         {
-            const CellKey key = keyOf(run.block);
-            Slot& slot = _slots[findSlot(key)];
+            const BrickPoint& first = points[_runs[run].begin];
+            Slot& slot = _slots[findSlot(getBlockKey(first))];
             if (slot.key == EMPTY)
             {
-                slot = {key, _blocks.size()};
-                _blocks.emplace_back();
+                slot = {getBlockKey(first), static_cast<std::uint32_t>(_blocks.size())};
+                _blocks.push_back({glm::ivec3(getCell(first) / static_cast<unsigned int>(BLOCK_CELLS)), NONE, {}});
             }
             Block& block = _blocks[slot.block];
-            for (const BrickPoint& point : points.subspan(run.begin, run.end - run.begin))
-            {
-                const glm::uvec3 place = getCell(point) % BLOCK_CELLS;
-                block[place.z][place.y] |= static_cast<std::uint8_t>(1u << place.x);
-            }
+            _runs[run].next = std::exchange(block.firstRun, run);
+            for (std::size_t index = _runs[run].begin; index < _runs[run].end; ++index)
+                block.add(points[index]);
         }
     }
 
-    /** The cells of a block; null if none is covered. */
-    const Block* find(const glm::ivec3& block) const
+    const std::vector<Block>& getBlocks() const { return _blocks; }
+    const std::vector<Run>& getRuns() const { return _runs; }
+
+    /** The block at a place; null if none of its cells is covered. */
+    const Block* find(const glm::ivec3& place) const
     {
-        const Slot& slot = _slots[findSlot(keyOf(block))];
+        const Slot& slot = _slots[findSlot(toCellKey(place + 2))];
         return slot.key == EMPTY ? nullptr : &_blocks[slot.block];
     }
 
@@ -89,11 +122,8 @@ private:
     struct Slot
     {
         CellKey key = EMPTY;
-        std::size_t block = 0;
+        std::uint32_t block = 0;
     };
-
-    /** Blocks begin at -1, beside the grid; no key is EMPTY. */
-    static CellKey keyOf(const glm::ivec3& block) { return toCellKey(block + 2); }
 
     /** The slot of a key, or the one that is free for it: the first such slot after its hash. */
     std::size_t findSlot(CellKey key) const
@@ -105,58 +135,102 @@ private:
         return slot;
     }
 
-    // A hash table with open addressing, at least half of whose slots are free, since each block looks 27 keys up.
+    std::vector<Run> _runs;
+    // A hash table with open addressing, at least half of whose slots are free, since each block looks 26 others up.
     std::vector<Slot> _slots;
     std::vector<Block> _blocks;
 };
 
-/** The cells of a block and around it. */
-class Surroundings
+/** A block and the 26 around it, x first; null for those without covered cells. */
+using NearBlocks = std::array<const Block*, 27>;
+
+NearBlocks findNearBlocks(const BlockTable& blocks, const glm::ivec3& place)
+{
+    NearBlocks found;
+    std::size_t next = 0;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x)
+                found[next++] = blocks.find(place + glm::ivec3(x, y, z));
+    return found;
+}
+
+/** Along an axis, the squares of 3 x 3 cells across it around the cells of a block, and up to REACH outside. The axes
+ * `u` and `v` of a square are the two that follow the axis. */
+template <int AXIS>
+class Squares
 {
 public:
-    Surroundings(const CoveredCells& cells, const glm::ivec3& block)
+    explicit Squares(const NearBlocks& blocks)
     {
-        for (int z = -1; z <= 1; ++z)
-            for (int y = -1; y <= 1; ++y)
-                add({find(cells, block + glm::ivec3(-1, y, z)), find(cells, block + glm::ivec3(0, y, z)),
-                     find(cells, block + glm::ivec3(1, y, z))},
-                    y, z);
+        Rows rows{};
+        for (std::size_t number = 0; number < blocks.size(); ++number)
+        {
+            const auto place = static_cast<int>(number);
+            const glm::ivec3 step(place % 3 - 1, place / 3 % 3 - 1, place / 9 - 1);
+            if (blocks[number]) add(blocks[number]->layers[AXIS], {step[AXIS], step[U], step[V]}, rows);
+        }
+        for (std::size_t layer = 0; layer < rows.size(); ++layer)
+            for (std::size_t row = 0; row < BLOCK_CELLS; ++row)
+                _joined[layer * BLOCK_CELLS + row] = std::uint32_t{rows[layer][row]} |
+                                                     std::uint32_t{rows[layer][row + 1]} << BITS |
+                                                     std::uint32_t{rows[layer][row + 2]} << (2 * BITS);
     }
 
-    /** Cells along x: those from -REACH to REACH are the lowest bits.
-     * @param cell the middle of the row, from the lower corner of the block. */
-    std::uint32_t getRow(const glm::ivec3& cell) const { return _rows[placeOf(cell.y, cell.z)] >> cell.x; }
+    /** The squares along the axis through a cell: that around the cell, then those with higher coordinates, BLOCK_CELLS
+     * apart; before it, those with lower ones. @param place, v of the cell in the block, along the axis and v. */
+    const std::uint32_t* find(unsigned int place, unsigned int v) const
+    {
+        return &_joined[(place + REACH) * BLOCK_CELLS + v];
+    }
+
+    /** The bits of two squares, (u + 1) + 3 * (v + 1) + 9 for the second. @param u of their middles. */
+    static std::uint32_t unpack(std::uint32_t first, std::uint32_t second, unsigned int u)
+    {
+        constexpr std::uint64_t BOTH = 1ull << 32 | 1ull;
+        const std::uint64_t rows = (first | std::uint64_t{second} << 32) >> u;
+        const std::uint64_t squares =
+            (rows & 7u * BOTH) | (rows >> (BITS - 3) & 0x38u * BOTH) | (rows >> (2 * BITS - 6) & 0x1c0u * BOTH);
+        return static_cast<std::uint32_t>(squares | squares >> (32 - 9));
+    }
 
 private:
-    static constexpr int WIDTH = BrickPoints::BLOCK_SIDE + 2 * REACH;
+    static constexpr int U = (AXIS + 1) % 3;
+    static constexpr int V = (AXIS + 2) % 3;
+    static constexpr int BITS = BLOCK_CELLS + 2; // of a row, with a cell on each side
 
-    static std::size_t placeOf(int y, int z) { return static_cast<std::size_t>(y + REACH + WIDTH * (z + REACH)); }
+    /** The rows of each layer, likewise. */
+    using Rows = std::array<std::array<std::uint16_t, std::size_t{BITS}>, std::size_t{BLOCK_CELLS + 2 * REACH}>;
 
-    static const Block& find(const CoveredCells& cells, const glm::ivec3& block)
+    /** Add the cells of a block. @param step to it, along the axis, u and v. */
+    static void add(const Layers& layers, const glm::ivec3& step, Rows& rows)
     {
-        static constexpr Block EMPTY{};
-        const Block* found = cells.find(block);
-        return found ? *found : EMPTY;
+        if (step[1] == 0) addRows(layers, step, rows, [](unsigned int bits) { return bits << 1; });
+        if (step[1] < 0) addRows(layers, step, rows, [](unsigned int bits) { return bits >> (BLOCK_CELLS - 1); });
+        if (step[1] > 0)
+            addRows(layers, step, rows, [](unsigned int bits) { return (bits & 1u) << (BLOCK_CELLS + 1); });
     }
 
-    /** Add the rows of three blocks along x. @param y, z the place of these from that of the block, -1 to 1. */
-    void add(const std::array<std::reference_wrapper<const Block>, 3>& blocks, int y, int z)
+    template <typename Move>
+    static void addRows(const Layers& layers, const glm::ivec3& step, Rows& rows, const Move& move)
     {
-        constexpr int LENGTH = BrickPoints::BLOCK_SIDE;
-        const glm::ivec2 first = LENGTH * glm::ivec2(y, z);
-        const glm::ivec2 begin = glm::max(first, -REACH);
-        const glm::ivec2 end = glm::min(first + LENGTH, LENGTH + REACH);
-        for (glm::ivec2 place = begin; place.y < end.y; ++place.y)
-            for (place.x = begin.x; place.x < end.x; ++place.x)
-            {
-                const glm::uvec2 in(place - first);
-                const auto rowOf = [&](std::size_t block) -> std::uint32_t { return blocks[block].get()[in.y][in.x]; };
-                _rows[placeOf(place.x, place.y)] = rowOf(0) >> (LENGTH - REACH) | rowOf(1) << REACH |
-                                                   (rowOf(2) << (LENGTH + REACH) & ((1u << WIDTH) - 1u));
-            }
+        const int begin = std::max(BLOCK_CELLS * step[0], -REACH);
+        const int end = std::min(BLOCK_CELLS * step[0] + BLOCK_CELLS, BLOCK_CELLS + REACH);
+        const auto add = [&](std::uint16_t& row, std::uint8_t bits) { row |= static_cast<std::uint16_t>(move(bits)); };
+        for (int layer = begin; layer < end; ++layer)
+        {
+            const auto& added = layers[static_cast<std::size_t>(layer - BLOCK_CELLS * step[0])];
+            auto& row = rows[static_cast<std::size_t>(layer + REACH)];
+            if (step[2] < 0) add(row[0], added[BLOCK_CELLS - 1]);
+            if (step[2] > 0) add(row[BLOCK_CELLS + 1], added[0]);
+            if (step[2] == 0)
+                for (std::size_t place = 0; place < BLOCK_CELLS; ++place)
+                    add(row[place + 1], added[place]);
+        }
     }
 
-    std::array<std::uint32_t, std::size_t{WIDTH} * WIDTH> _rows{};
+    std::array<std::uint32_t, std::size_t{BLOCK_CELLS * (BLOCK_CELLS + 2 * REACH)}>
+        _joined; // three rows, from the one before v on
 };
 
 constexpr std::size_t NUM_SQUARES = 512; // of 3 x 3 cells, as bits x + 3 * y
@@ -184,102 +258,87 @@ constexpr SquareBits createSquareBits(int z)
     return all;
 }
 
-/** Each square of cells with both axes exchanged. */
-constexpr SquareBits createExchanged()
+/** The open sides of a brick. */
+struct OpenSides
 {
-    SquareBits all{};
-    for (std::size_t square = 0; square < NUM_SQUARES; ++square)
-        for (int cell = 0; cell < 9; ++cell)
-            if (square >> cell & 1u) all[square] |= 1u << (cell / 3 + 3 * (cell % 3));
+    std::array<std::uint8_t, 6> sides{};
+    std::uint8_t count = 0;
+};
+
+constexpr std::array<OpenSides, 64> createOpenSides()
+{
+    std::array<OpenSides, 64> all{};
+    for (std::size_t bits = 0; bits < all.size(); ++bits)
+        for (unsigned int side = 0; side < 6; ++side)
+            if (bits >> side & 1u) all[bits].sides[all[bits].count++] = static_cast<std::uint8_t>(side);
     return all;
 }
 
-/** Collects the bits of a brick's neighbours. */
-class NeighborBits
+/** The cells of a block and around it. */
+class Surroundings
 {
 public:
-    /** @param cell from the lower corner of the block. */
-    NeighborBits(const Surroundings& surroundings, const glm::ivec3& cell) : _surroundings(surroundings), _cell(cell)
-    {
-        for (int z = -1; z <= 1; ++z)
-            for (int y = -1; y <= 1; ++y)
-                _rows[static_cast<std::size_t>(y + 1 + 3 * (z + 1))] = getRow(y, z);
-    }
+    explicit Surroundings(const NearBlocks& blocks) : _alongX(blocks), _alongY(blocks), _alongZ(blocks) {}
 
-    BrickNeighbors find(unsigned int openSides)
+    /** The neighbours of a brick in the block. */
+    BrickNeighbors find(const BrickPoint& point) const
     {
         static constexpr std::array<SquareBits, 3> SQUARES{createSquareBits(-1), createSquareBits(0),
                                                            createSquareBits(1)};
-        add(SQUARES[0][joinRows(_rows[0], _rows[1], _rows[2])] | SQUARES[1][joinRows(_rows[3], _rows[4], _rows[5])] |
-                SQUARES[2][joinRows(_rows[6], _rows[7], _rows[8])],
-            20);
-        const int numLayers = std::popcount(openSides) < 5 ? 2 : 1;
-        for (unsigned int left = openSides; left != 0; left &= left - 1)
+        static constexpr std::array<OpenSides, 64> OPEN_SIDES = createOpenSides();
+        const unsigned int x = point[0] % BLOCK_CELLS;
+        const unsigned int y = (point[0] >> 16) % BLOCK_CELLS;
+        const unsigned int z = point[1] % BLOCK_CELLS;
+        const std::array lines{_alongX.find(x, z), _alongY.find(y, x), _alongZ.find(z, y)};
+        const std::array places{y, z, x};
+        const auto unpack = [&](std::size_t axis, int first, int second) {
+            return Squares<0>::unpack(lines[axis][first * BLOCK_CELLS], lines[axis][second * BLOCK_CELLS],
+                                      places[axis]);
+        };
+        const OpenSides& open = OPEN_SIDES[point[1] >> 16 & 63u];
+        const bool hasThird = open.count < 5;
+        const std::uint32_t known = hasThird ? 0x3ffffu : 0x1ffu;
+        std::array<std::uint32_t, 5> words{SQUARES[0][unpack(2, -1, -1) & 0x1ffu] |
+                                           SQUARES[1][unpack(2, 0, 0) & 0x1ffu] | SQUARES[2][unpack(2, 1, 1) & 0x1ffu]};
+        unsigned int next = 20;
+        const auto add = [&](std::uint8_t side, std::uint64_t mask)
         {
-            const int side = std::countr_zero(left);
-            for (int layer = 0; layer < numLayers; ++layer)
-                add(findLayer(side / 2, side % 2 == 1 ? 2 + layer : -2 - layer), 9);
-        }
-        return _bits;
+            const int sign = side % 2 * 2 - 1;
+            const std::uint64_t cells = unpack(side / 2, 2 * sign, 3 * sign) & mask;
+            words[next / 32] |= static_cast<std::uint32_t>(cells << next % 32);
+            words[next / 32 + 1] |= static_cast<std::uint32_t>(cells << next % 32 >> 32);
+            next += hasThird ? 18 : 9;
+        };
+        // The number of sides is hard to predict: for most bricks, these two are all.
+        add(open.sides[0], open.count > 0 ? known : 0);
+        add(open.sides[1], open.count > 1 ? known : 0);
+        for (std::size_t number = 2; number < open.count; ++number)
+            add(open.sides[number], known);
+        return {words[0], words[1], words[2]};
     }
 
 private:
-    std::uint32_t getRow(int y, int z) const { return _surroundings.getRow(_cell + glm::ivec3(0, y, z)); }
-
-    /** The square of the cells at x, -1 to 1, in three rows. */
-    static std::uint32_t joinRows(std::uint32_t first, std::uint32_t second, std::uint32_t third)
-    {
-        const auto cellsOf = [](std::uint32_t row) { return row >> (REACH - 1) & 7u; };
-        return cellsOf(first) | cellsOf(second) << 3 | cellsOf(third) << 6;
-    }
-
-    void add(std::uint64_t bits, unsigned int count)
-    {
-        bits <<= _next % 32;
-        _bits[_next / 32] |= static_cast<std::uint32_t>(bits);
-        if (bits >> 32 != 0) _bits[_next / 32 + 1] |= static_cast<std::uint32_t>(bits >> 32);
-        _next += count;
-    }
-
-    /** The nine cells at a distance from the brick, with axes in the order of BrickNeighbors. */
-    std::uint32_t findLayer(int axis, int distance) const
-    {
-        static constexpr SquareBits EXCHANGED = createExchanged();
-        if (axis == 2) return joinRows(getRow(-1, distance), getRow(0, distance), getRow(1, distance));
-        if (axis == 1) return EXCHANGED[joinRows(getRow(distance, -1), getRow(distance, 0), getRow(distance, 1))];
-        std::uint32_t bits = 0;
-        for (std::size_t row = 0; row < _rows.size(); ++row)
-            bits |= (_rows[row] >> (distance + REACH) & 1u) << row;
-        return bits;
-    }
-
-    const Surroundings& _surroundings;
-    glm::ivec3 _cell;
-    std::array<std::uint32_t, 9> _rows{}; // of cells along x, (y + 1) + 3 * (z + 1)
-    BrickNeighbors _bits{};
-    std::size_t _next = 0;
+    Squares<0> _alongX;
+    Squares<1> _alongY;
+    Squares<2> _alongZ;
 };
 
 } // namespace
 
 std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> points)
 {
-    const std::vector<Run> runs = findRuns(points);
-    const CoveredCells cells(points, runs);
+    const BlockTable table(points);
+    const std::vector<Run>& runs = table.getRuns();
     std::vector<BrickNeighbors> result(points.size());
-    const auto findNeighbors = [&](std::size_t number)
+    const auto findNeighbors = [&](const Block& block)
     {
-        const Run& run = runs[number];
-        const Surroundings surroundings(cells, run.block);
-        for (std::size_t index = run.begin; index < run.end; ++index)
-        {
-            const glm::ivec3 cell(getCell(points[index]) % BLOCK_CELLS);
-            result[index] = NeighborBits(surroundings, cell).find(points[index][1] >> 16 & 63u);
-        }
+        const Surroundings surroundings(findNearBlocks(table, block.place));
+        for (std::size_t run = block.firstRun; run != NONE; run = runs[run].next)
+            for (std::size_t index = runs[run].begin; index < runs[run].end; ++index)
+                result[index] = surroundings.find(points[index]);
     };
     // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate([&]
-                                          { oneapi::tbb::parallel_for(std::size_t(0), runs.size(), findNeighbors); });
+    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for_each(table.getBlocks(), findNeighbors); });
     return result;
 }
 

@@ -134,7 +134,8 @@ osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& g
         if (cells.getCellsPerVoxel() == glm::ivec3(1))
             return new DistantOcclusion(cells, findFaceOcclusion(cells, points, reach), true);
     }
-    const VoxelGrid voxels(grid, points, std::max(1.0, std::ceil(longest / MAXIMUM_SIZE)), reach);
+    const int most = near == NearOcclusion::GRID ? MAXIMUM_CELLS : MAXIMUM_SIZE;
+    const VoxelGrid voxels(grid, points, std::max(1.0, std::ceil(longest / most)), reach);
     return new DistantOcclusion(voxels, findDistantOcclusion(voxels, reach), false);
 }
 

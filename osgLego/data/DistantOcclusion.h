@@ -46,9 +46,9 @@ enum class NearOcclusion
 class DistantOcclusion : public osg::Referenced
 {
 public:
-    /** The greatest number of voxels along an axis, without the border. */
+    /** The greatest number of voxels along an axis for NearOcclusion::PICTURE, without the border. */
     static constexpr int MAXIMUM_SIZE = 64;
-    /** Likewise, if voxels are cells. */
+    /** Likewise for NearOcclusion::GRID: up to it, voxels are cells. */
     static constexpr int MAXIMUM_CELLS = 128;
     static constexpr int BORDER = VoxelGrid::BORDER;
     /** The greatest distance of occluders, in pitches: a quarter of the longest side of the grid. */

@@ -7,7 +7,7 @@ namespace osgLego
 {
 
 /** Create the table of the light that the cells in front of a brick's face hide from it, for each arrangement of these
- * cells: near occlusion in closed form, without a picture.
+ * cells: near occlusion as sums over 576 directions of each quadrant, without a picture.
  *
  * The directions above a face fall into four quadrants. Seen from inside the cell in front of the face, those of a
  * quadrant meet only the cells of the same quadrant: the column in front of the face, its two neighbours, and the one

@@ -182,6 +182,15 @@ TEST(DistantOcclusion, LargeGridsHaveLargeVoxels)
     EXPECT_EQ(occlusion->getCellsPerVoxel(), glm::ivec3(16, 16, 40));
 }
 
+TEST(DistantOcclusion, VoxelsOfTheGridAreNoLargerThanTheLimitAsks)
+{
+    BrickGrid grid;
+    grid.dimensions = {132, 132, 132};
+    const auto createFor = [&](NearOcclusion near) { return DistantOcclusion::create(grid, {}, near); };
+    EXPECT_EQ(createFor(NearOcclusion::GRID)->getCellsPerVoxel(), glm::ivec3(2));
+    EXPECT_EQ(createFor(NearOcclusion::PICTURE)->getCellsPerVoxel(), glm::ivec3(3));
+}
+
 } // namespace
 
 } // namespace osgLego::test
