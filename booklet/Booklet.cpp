@@ -16,6 +16,7 @@
 #include <osgLego/Palette.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ public:
     void write(const std::string& fileName, osg::GraphicsContext& context) const;
 
 private:
+    void checkView() const;
     void checkCancellation() const;
     void report(double share, const std::string& work) const;
     osg::ref_ptr<const BrickModel> findModel() const;
@@ -56,6 +58,20 @@ private:
     const LegoNode& _lego;
     const BookletOptions& _options;
 };
+
+void BookletWriter::checkView() const
+{
+    const BuildingView& view = _options.view;
+    // Written so that NaN is rejected.
+    if (std::isfinite(view.azimuth) && view.elevation >= BuildingView::LEAST_ELEVATION &&
+        view.elevation <= BuildingView::MOST_ELEVATION)
+        return;
+    throw BookletFailure(
+        Reason::BAD_VIEW,
+        fmt::format(
+            "a booklet can't be seen from {},{}; expected an azimuth in degrees, and {} to {} degrees of elevation",
+            view.azimuth, view.elevation, BuildingView::LEAST_ELEVATION, BuildingView::MOST_ELEVATION));
+}
 
 void BookletWriter::checkCancellation() const
 {
@@ -91,6 +107,7 @@ osg::ref_ptr<const BuildingPlan> BookletWriter::createPlan(const BrickModel& mod
 {
     PlanningOptions planning;
     planning.base = _options.base;
+    planning.view = _options.view;
     planning.checksStability = model.getParts().size() <= MOST_CHECKED_PARTS;
     planning.isCancelled = _options.isCancelled;
     planning.progress = [this](double share) { report(PLANNING_SHARE * share, "planning the order of building"); };
@@ -146,6 +163,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
         throw BookletFailure(Reason::BAD_STEPS,
                              fmt::format("{} has no steps {}-{}; expected FIRST-LAST, counted from 1",
                                          _options.modelName, _options.steps->first, _options.steps->last));
+    checkView();
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(_lego.getSettings(), error);
     // Stored bricks don't need the file of their palette: LDraw's codes name their colours.
@@ -160,7 +178,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     BookletRenderer renderer(context);
 
     const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks);
-    const BookletModel model(*bricks, *plan, colors);
+    const BookletModel model(*bricks, *plan, colors, _options.base);
     BookletFacts facts;
     setSteps(model.getMainChapter().steps.size(), facts);
     const osg::ref_ptr<LegoNode> planned = new LegoNode;
@@ -174,7 +192,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
     facts.downloads = createDownloads(name, model.getPartsList(), *planned);
     checkCancellation();
-    BookletPictures pictures(model, renderer);
+    BookletPictures pictures(model, renderer, _options.view);
     writePage(fileName, model, facts, pictures);
 }
 

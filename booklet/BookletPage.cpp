@@ -104,7 +104,7 @@ void BookletPage::write(std::ostream& stream)
 std::size_t BookletPage::countPictures() const
 {
     constexpr std::size_t COVER_AND_END = 2;
-    return COVER_AND_END + _model.getKinds().size() +
+    return COVER_AND_END + _model.getKinds().size() + (_model.getBasePlate() ? 1 : 0) +
            countStepPictures(_model.getMainChapter(), _facts.firstStep, _facts.endStep);
 }
 
@@ -154,9 +154,11 @@ void BookletPage::writeFacts()
     const glm::dvec3 size = _model.getSize();
     constexpr double PITCH = 8.0;
     const std::size_t numSteps = _model.getMainChapter().steps.size();
-    std::string steps = formatNumber(numSteps);
+    std::string steps = formatNumber(_model.getNumSteps());
+    if (_model.getNumSteps() > numSteps)
+        steps += fmt::format(", {} of them in submodels", formatNumber(_model.getNumSteps() - numSteps));
     if (_facts.endStep - _facts.firstStep < numSteps)
-        steps = fmt::format("{} to {} of {}", _facts.firstStep + 1, _facts.endStep, steps);
+        steps = fmt::format("{} to {} of {}", _facts.firstStep + 1, _facts.endStep, formatNumber(numSteps));
     const std::vector<std::pair<std::string, std::string>> rows{
         {"Parts", formatNumber(_model.getNumParts())},
         {"Pieces", formatNumber(_model.getNumPieces())},
@@ -193,7 +195,22 @@ void BookletPage::writePartsList()
         writeDetails(row);
         *_stream << "</li>\n";
     }
+    if (_model.getBasePlate()) writeBasePlate();
     *_stream << "</ul>\n</section>\n";
+}
+
+/** The base plate at the end of the parts, none of which it is. */
+void BookletPage::writeBasePlate()
+{
+    const BasePlate& plate = *_model.getBasePlate();
+    _progress("base plate");
+    const BookletPicture picture = _pictures.drawBasePlate();
+    *_stream << "<li class=\"base-plate\">";
+    writeImage(picture, fmt::format("{} in green", plate.getName()));
+    *_stream << "<p><span class=\"quantity\">" << plate.getQuantity() << "×</span> <span><span class=\"name\">"
+             << plate.getName() << "</span> <span class=\"code\">" << plate.getNumber()
+             << "</span></span> <span>Green, drawn smaller</span> <span class=\"code\"><span>BrickLink\u00a06</span> "
+             << "<span>LDraw\u00a02</span></span></p></li>\n";
 }
 
 /** The text below the picture of a part: all that is needed to order it. */

@@ -50,6 +50,7 @@ private:
     void writeCover();
     void writeFacts();
     void writePartsList();
+    void writeBasePlate();
     void writeDetails(const PartsList::Row& row);
     void writeSteps();
     void writeSubmodels(const BookletStep& step);

@@ -24,6 +24,7 @@ constexpr double LARGEST_HEIGHT = 1400;  // pixels
 constexpr double LARGEST_PITCH = 120;    // pixels; larger bricks would look odd beside those of the parts lists
 constexpr double PART_DENSITY = 3.0;     // pictures of parts are small, and printed as large
 constexpr double PART_PITCH = 20.0;      // pixels of CSS
+constexpr double LARGEST_PLATE = 500;    // pixels of the width of a base plate in lists
 constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
 constexpr double LARGEST_SUBMODEL = 900; // pixels along each side of a submodel in lists
 constexpr double ARROW_LENGTH = 3.0;     // pitches
@@ -34,6 +35,13 @@ BookletFrame addMargin(BookletFrame frame)
 {
     frame.lowest -= MARGIN;
     frame.highest += MARGIN;
+    return frame;
+}
+
+BookletFrame unite(BookletFrame frame, const BookletFrame& other)
+{
+    frame.lowest = glm::min(frame.lowest, other.lowest);
+    frame.highest = glm::max(frame.highest, other.highest);
     return frame;
 }
 
@@ -108,11 +116,28 @@ osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 
 } // namespace
 
-BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer) :
-    _model(model), _renderer(renderer), _shown(NONE)
+BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front) :
+    _model(model), _renderer(renderer), _front(front), _shown(NONE)
 {
+    if (model.getBasePlate())
+    {
+        _plate = model.getBasePlate()->createModel(false);
+        _fadedPlate = model.getBasePlate()->createModel(true);
+    }
     for (const BookletChapter& chapter : model.getChapters())
         _scales.push_back(findScale(chapter));
+}
+
+/** Whether the base plate, if there is one, is below the parts of a chapter: submodels are built beside it. */
+bool BookletPictures::isOnPlate(const BookletChapter& chapter) const
+{
+    return _plate && &chapter == &_model.getMainChapter();
+}
+
+BookletFrame BookletPictures::findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const
+{
+    const BookletFrame frame = camera.findFrame(*chapter.model);
+    return isOnPlate(chapter) ? unite(frame, camera.findFrame(*_plate)) : frame;
 }
 
 /** The part of the picture that a step needs: as high as the parts in place and the arrows, and as wide as the finished
@@ -123,8 +148,9 @@ BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const Boo
     std::vector<Part> placed;
     for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
         placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
-    const BookletFrame whole = camera.findFrame(chapter.model->getParts());
+    const BookletFrame whole = findWholeFrame(chapter, camera);
     BookletFrame frame = camera.findFrame(placed);
+    if (isOnPlate(chapter)) frame = unite(frame, camera.findFrame(*_plate));
     frame.lowest.x = whole.lowest.x;
     frame.highest.x = whole.highest.x;
     for (const BookletArrow& arrow : findArrows(step, camera))
@@ -157,11 +183,16 @@ BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter)
     Scale scale;
     for (const BookletStep& step : chapter.steps)
     {
-        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isUpsideDown});
+        const BookletCamera camera = createCamera(chapter, step);
         scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
     }
     scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
     return scale;
+}
+
+BookletCamera BookletPictures::createCamera(const BookletChapter& chapter, const BookletStep& step) const
+{
+    return {chapter.model->getGrid(), {step.turns, step.isUpsideDown, _front}};
 }
 
 void BookletPictures::show(std::size_t chapter)
@@ -177,12 +208,29 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     const osg::ref_ptr<const BrickModel> model = createModelOfKind(_model.getKinds()[kind]);
     _renderer.setModel(*model, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
-    _renderer.setUpsideDown(false);
+    _renderer.setBase(nullptr);
     _renderer.setOcclusion(false);
     _shown = NONE;
     const BookletCamera camera(model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
     const glm::ivec2 size = roundToPixels(frame, PART_PITCH * PART_DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
+}
+
+BookletPicture BookletPictures::drawBasePlate()
+{
+    const BrickModel& plate = *_plate;
+    // One plate of several is enough.
+    const osg::ref_ptr<const BrickModel> one = BrickModel::createOfParts(plate.getGrid(), {plate.getParts().front()});
+    _renderer.setModel(*one, *createPlanOfOnePart());
+    _renderer.setPlaced(1, 0);
+    _renderer.setBase(nullptr);
+    _renderer.setOcclusion(false);
+    _shown = NONE;
+    const BookletCamera camera(one->getGrid(), {});
+    BookletFrame frame = addMargin(camera.findFrame(*one));
+    const glm::ivec2 size =
+        roundToPixels(frame, std::min(LARGEST_PLATE / frame.getSize().x, PART_PITCH * PART_DENSITY));
     return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
 }
 
@@ -199,11 +247,11 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    _renderer.setUpsideDown(false);
     const bool isSubmodel = chapter > 0;
+    _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
     _renderer.setOcclusion(!isSubmodel);
-    const BookletCamera camera(own.model->getGrid(), {});
-    BookletFrame frame = addMargin(camera.findFrame(own.model->getParts()));
+    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
+    BookletFrame frame = addMargin(findWholeFrame(own, camera));
     const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
     const glm::dvec2 fitting = largest / frame.getSize();
     const double pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
@@ -217,10 +265,10 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
-    _renderer.setUpsideDown(shown.isUpsideDown);
+    _renderer.setBase(isOnPlate(own) ? _fadedPlate.get() : nullptr);
     _renderer.setOcclusion(false);
 
-    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isUpsideDown});
+    const BookletCamera camera = createCamera(own, shown);
     const double pixels = _scales[chapter].pixels;
     BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
     const glm::ivec2 size = roundToPixels(frame, pixels);

@@ -54,6 +54,7 @@ struct CaptureOptions
     int height = 720;
     int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
+    bool isViewGiven = false; //!< whether the command line has a view, and not its default
     CaptureProbe probe;
     bool hasOcclusion = false; //!< whether there is an AmbientOcclusionScene
     BrickOcclusion brickOcclusion = BrickOcclusion::GRID;

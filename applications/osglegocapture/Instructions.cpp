@@ -36,6 +36,7 @@ void throwIf(const std::optional<BookletError>& error)
     if (error->reason == Reason::CANCELLED) Cancellation::check(error->message);
     switch (error->reason)
     {
+    case Reason::BAD_VIEW:
     case Reason::BAD_STEPS:
         throw CaptureError(EXIT_BAD_OPTIONS, error->message);
     case Reason::NO_PLUGIN:
@@ -78,6 +79,7 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
 {
     BookletOptions booklet;
     booklet.base = options.base.value_or(BuildingBase::TABLE);
+    if (options.isViewGiven) booklet.view = {options.view.azimuth, options.view.elevation};
     if (options.bookletSteps) booklet.steps = {options.bookletSteps->first, options.bookletSteps->second};
     booklet.stability = stability;
     booklet.modelName = nameModel(options);

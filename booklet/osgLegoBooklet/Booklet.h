@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/LegoNode.h>
+#include <osgLego/PlanningOptions.h>
 #include <osgLego/Stability.h>
 #include <osgLegoBooklet/Export.h>
 
@@ -26,6 +27,8 @@ struct BookletOptions
 
     /** The surface on which the model stands while it is built. */
     BuildingBase base = BuildingBase::TABLE;
+    /** The front of the booklet: the view of the cover, and of steps before any quarter turn. */
+    BuildingView view;
     std::optional<StepRange> steps; //!< unset: all steps
     /** The stability of the node's bricks on `base`, if it is known already; it is computed otherwise. */
     std::optional<StabilityReport> stability;
@@ -44,6 +47,7 @@ struct BookletError
     enum class Reason
     {
         BAD_MODEL, //!< there are no parts, or not of the shapes of bricks and plates, or the palette can't be read
+        BAD_VIEW,  //!< BookletOptions::view has an elevation outside the range of BuildingView
         BAD_STEPS, //!< BookletOptions::steps has no step of the model
         NO_PLUGIN, //!< the plugin osgdb_ldraw was not found
         NO_GL,     //!< the context can't draw bricks

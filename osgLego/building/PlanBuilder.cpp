@@ -120,7 +120,7 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
             result.push_back(parts[index]);
         return result;
     };
-    StepViews views(graph.getBoxes(), getCellHeight());
+    StepViews views(graph.getBoxes(), getCellHeight(), _options.view);
     std::vector<BuildingStep> steps;
     for (const AssemblyStep& assembly : builder.build())
     {

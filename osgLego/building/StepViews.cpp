@@ -1,7 +1,5 @@
 #include <osgLego/building/StepViews.h>
 
-#include <osgLego/BuildingPlan.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,20 +15,20 @@ namespace
 {
 
 constexpr double DEGREE = std::numbers::pi / 180.0;
-constexpr double AZIMUTH = BuildingStep::AZIMUTH * DEGREE;
-constexpr double ELEVATION = BuildingStep::ELEVATION * DEGREE;
 
 /** The direction to the eye, in cells. */
-glm::dvec3 getDirection(int turns, double cellHeight)
+glm::dvec3 getDirection(const BuildingView& view, int turns, double cellHeight)
 {
-    const double azimuth = AZIMUTH + 0.5 * std::numbers::pi * turns;
-    return {std::sin(azimuth) * std::cos(ELEVATION), -std::cos(azimuth) * std::cos(ELEVATION),
-            std::sin(ELEVATION) / cellHeight};
+    const double azimuth = view.azimuth * DEGREE + 0.5 * std::numbers::pi * turns;
+    const double elevation = view.elevation * DEGREE;
+    return {std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation) / cellHeight};
 }
 
 } // namespace
 
-StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight) : _boxes(boxes), _cellHeight(cellHeight)
+StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view) :
+    _boxes(boxes), _cellHeight(cellHeight), _view(view)
 {
     if (boxes.empty()) return;
     _lower = boxes.front().lower;
@@ -80,7 +78,7 @@ int StepViews::show(const std::vector<std::uint32_t>& parts)
 
 std::size_t StepViews::countVisible(const std::vector<std::uint32_t>& parts, int turns) const
 {
-    const glm::dvec3 toEye = getDirection(turns, _cellHeight);
+    const glm::dvec3 toEye = getDirection(_view, turns, _cellHeight);
     return static_cast<std::size_t>(
         std::count_if(parts.begin(), parts.end(), [&](std::uint32_t part) { return isVisible(_boxes[part], toEye); }));
 }
@@ -119,6 +117,7 @@ bool StepViews::isHidden(glm::dvec3 place, const glm::dvec3& toEye) const
         int next = -1;
         for (int axis = 0; axis < 3; ++axis)
         {
+            if (toEye[axis] == 0.0) continue;
             const double bound = toEye[axis] > 0.0 ? cell[axis] + 1.0 : cell[axis];
             const double length = (bound - place[axis]) / toEye[axis];
             if (next < 0 || length < way)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/PlanningOptions.h>
 #include <osgLego/stability/JointGraph.h>
 
 #include <vector>
@@ -11,16 +12,17 @@ namespace osgLego
 
 /** Chooses the direction from which each step of a model or submodel is shown, with as few quarter turns as possible.
  *
- * The first view is from the front right, from BuildingStep::AZIMUTH and ELEVATION.
- * Another one is chosen when other parts hide at least half of the new ones.
+ * The first view is a given one, from the front right by default. Another one is chosen when other parts hide at least
+ * half of the new ones.
  *
  * One thread. */
 class StepViews
 {
 public:
     /** @param boxes those of all parts; they must outlive this object.
-     * @param cellHeight the height of a cell, in studs. */
-    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight);
+     * @param cellHeight the height of a cell, in studs.
+     * @param view without turns. */
+    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view = {});
 
     /** Put parts in place. @return the quarter turns, 0 to 3, counter-clockwise from above, that show them. */
     int show(const std::vector<std::uint32_t>& parts);
@@ -33,6 +35,7 @@ private:
 
     const std::vector<BuildingBox>& _boxes;
     double _cellHeight;
+    BuildingView _view;
     glm::ivec3 _lower{0};
     glm::ivec3 _size{0};
     std::vector<bool> _isCovered; // cells

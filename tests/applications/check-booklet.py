@@ -223,6 +223,15 @@ def check_wanted_list(text, parts):
         fail(f"the .xml has {counts}; expected {expected}")
 
 
+def check_cover(page, document, is_whole):
+    """The cover counts the steps of the .mpd, those of submodels included."""
+    facts = {own.children[0].get_text(): own.children[1].get_text() for own in page.elements
+             if own.tag == "div" and [child.tag for child in own.children] == ["dt", "dd"]}
+    number = sum(len(steps) for steps in document.files.values())
+    if is_whole and facts["Steps"].split(",")[0] != str(number):
+        fail(f"the cover counts {facts['Steps']} steps, and the .mpd {number}")
+
+
 def main():
     name, first, last, *models = sys.argv[1:]
     with open(name, encoding="utf-8") as file:
@@ -245,6 +254,7 @@ def main():
             original = Document(file.read())
         if document.find_places(document.main) != original.find_places(original.main):
             fail(f"the .mpd has other parts, colours or places than {model}")
+    check_cover(page, document, last == "all")
     section, written, begin = page.find_id("steps"), document.files[document.main], int(first)
     steps = find_steps(section)
     end = len(written) if last == "all" else int(last)

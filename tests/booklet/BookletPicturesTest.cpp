@@ -245,6 +245,75 @@ TEST_F(BookletPicturesTest, StepsAreShownFromTheDirectionThatTheirTurnsSay)
     }
 }
 
+TEST_F(BookletPicturesTest, ColorsLookAlikeBeforeAndAfterATurn)
+{
+    // A turn shows other sides of a square brick at the same places of the picture; upside down, its bottom is on top.
+    for (const std::array<std::uint8_t, 3> shown : {std::array<std::uint8_t, 3>{244, 244, 244}, {250, 200, 10}})
+    {
+        const std::vector<Part> parts{{{0, 0, 0}, {4, 4, 1}, shown, Part::NO_CODE}};
+        const auto bricks = BrickModel::createOfParts(createPartGrid({4, 4, 1}, HEIGHT_OF_BRICK), parts);
+        std::array<Color, 3> before;
+        for (int turns = 0; turns < 4; ++turns)
+        {
+            BuildingStep step = createStep({0});
+            step.turns = turns;
+            const BookletModel model(*bricks, *BuildingPlan::create(1, {step}), {});
+            const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 0));
+            const StepPicture place({0, false}, parts, 1, {pixels.getWidth(), pixels.getHeight()});
+            const std::array<glm::dvec3, 3> places{
+                {{2, 0, 0.5}, {4, 2, 0.5}, {2, 2, 1}}}; // the left, the right, the top
+            for (std::size_t side = 0; side < places.size(); ++side)
+            {
+                const Color color = pixels.getColor(place.find(places[side]));
+                if (turns == 0) before[side] = color;
+                EXPECT_NEAR(color.red, before[side].red, 0.02) << turns << " turns, side " << side;
+                EXPECT_NEAR(color.green, before[side].green, 0.02) << turns << " turns, side " << side;
+                EXPECT_NEAR(color.blue, before[side].blue, 0.02) << turns << " turns, side " << side;
+            }
+        }
+    }
+}
+
+TEST_F(BookletPicturesTest, TheFrontIsTheGivenViewForTheCoverAndForSteps)
+{
+    // A row of a red and a blue brick, seen from the back: the red end is on the right.
+    const std::vector<Part> parts{{{0, 0, 0}, {4, 2, 1}, RED, 4}, {{4, 0, 0}, {4, 2, 1}, BLUE, 1}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 1}, HEIGHT_OF_BRICK), parts);
+    const BookletModel model(*bricks, *BuildingPlan::create(2, {createStep({0, 1})}), Palette::getKnownColors());
+    BookletPictures pictures(model, _renderer, {213.0, BuildingStep::ELEVATION});
+    for (const BookletPicture& picture : {pictures.drawStep(0, 0), pictures.drawFinished(0)})
+    {
+        const Pixels pixels(picture);
+        const StepPicture place({2, false}, parts, 2, {pixels.getWidth(), pixels.getHeight()});
+        EXPECT_TRUE(pixels.getColor(place.find({2, 2, 0.5})).isRed());
+        EXPECT_FALSE(pixels.getColor(place.find({6, 2, 0.5})).isRed());
+    }
+}
+
+TEST_F(BookletPicturesTest, ModelsOnABasePlateAreShownOnIt)
+{
+    const std::vector<Part> parts{{{0, 0, 0}, {4, 4, 1}, RED, 4}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({4, 4, 1}, HEIGHT_OF_BRICK), parts);
+    const BookletModel model(*bricks, *BuildingPlan::create(1, {createStep({0})}), Palette::getKnownColors(),
+                             BuildingBase::PLATE);
+    BookletPictures pictures(model, _renderer);
+    // The plate has 16 x 8 studs.
+    const Projection projection(0, false);
+    const double width = projection.project({16, 8, 0}).x - projection.project({0, 0, 0}).x + 2.0 * MARGIN;
+    for (const BookletPicture& picture : {pictures.drawStep(0, 0), pictures.drawFinished(0)})
+    {
+        const Pixels pixels(picture);
+        const double scale = pixels.getWidth() / width;
+        // From the middle of the front of the plate: its near corner is the lowest point, its right the rightmost one.
+        const glm::dvec2 place = projection.project({5.5, 0.5, 0.0}) - projection.project({0, 0, -0.2});
+        const glm::dvec2 lowest = projection.project({16, 0, 0}) - projection.project({0, 0, 0});
+        const Color color =
+            pixels.getColor({(place.x + MARGIN) * scale, pixels.getHeight() - (place.y - lowest.y + MARGIN) * scale});
+        EXPECT_GT(color.green, color.red + 0.03);
+        EXPECT_GT(color.green, color.blue);
+    }
+}
+
 TEST_F(BookletPicturesTest, StepsFromBelowShowTheModelUpsideDown)
 {
     // A blue brick on a red one; both in a submodel that hangs from a beam on a column.
