@@ -72,8 +72,7 @@ void BasePlate::choose(const glm::ivec2& footprint)
 
 std::string BasePlate::getName() const
 {
-    return fmt::format("Base\u00a0plate\u00a0{}\u202f×\u202f{}", std::min(_size.x, _size.y),
-                       std::max(_size.x, _size.y));
+    return fmt::format("Base plate {}\u202f×\u202f{}", std::min(_size.x, _size.y), std::max(_size.x, _size.y));
 }
 
 std::size_t BasePlate::getQuantity() const

@@ -8,10 +8,10 @@
 #include "BookletPage.h"
 #include "BookletPictures.h"
 #include "BookletRenderer.h"
-#include "BookletText.h"
 
 #include <common/LegolizeName.h>
 #include <common/PictureRenderer.h>
+#include <common/ReadableName.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/Palette.h>
 
@@ -188,9 +188,11 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     planned->setBuildingPlan(plan);
 
     const std::string name = osgDB::getStrippedName(fileName);
-    facts.title = titleOf(name);
+    facts.title = _options.title.empty() ? toReadableName(fileName) : _options.title;
+    facts.author = _options.author;
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
-    facts.downloads = createDownloads(name, model.getPartsList(), *planned);
+    facts.downloads =
+        createDownloads(name, model.getPartsList(), *planned, {facts.title, _options.author, _options.license});
     checkCancellation();
     BookletPictures pictures(model, renderer, _options.view);
     writePage(fileName, model, facts, pictures);

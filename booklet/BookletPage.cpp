@@ -135,7 +135,9 @@ void BookletPage::writeCover()
 {
     _progress("cover");
     *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1>" << escapedForMarkup(_facts.title)
-             << "</h1>\n<p class=\"subtitle\">Building instructions</p>\n<figure class=\"picture\">";
+             << "</h1>\n<p class=\"subtitle\">Building instructions"
+             << (_facts.author.empty() ? std::string() : " by " + escapedForMarkup(_facts.author))
+             << "</p>\n<figure class=\"picture\">";
     writeImage(_pictures.drawFinished(0), "The finished model: " + _facts.title);
     *_stream << "</figure>\n";
     if (!_facts.warnings.empty())

@@ -25,6 +25,7 @@ struct BookletDownload
 struct BookletFacts
 {
     std::string title;
+    std::string author;                //!< empty: none on the cover
     std::vector<std::string> warnings; //!< sentences for the cover
     std::vector<BookletDownload> downloads;
     std::size_t firstStep = 0; //!< the main steps to write

@@ -71,6 +71,9 @@ struct CaptureOptions
     std::string instructions; //!< the folder for a booklet; empty: none
     /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
     std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
+    std::string title;               //!< of the booklet and its model; empty: the readable name of the mesh
+    std::string author;              //!< likewise; empty: none
+    std::string license;             //!< of the booklet's model in LDraw's format; empty: none
     bool isBookletConfirmed = false; //!< whether a very large booklet is confirmed
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`

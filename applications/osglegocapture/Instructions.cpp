@@ -82,6 +82,9 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
     if (options.isViewGiven) booklet.view = {options.view.azimuth, options.view.elevation};
     if (options.bookletSteps) booklet.steps = {options.bookletSteps->first, options.bookletSteps->second};
     booklet.stability = stability;
+    booklet.title = options.title;
+    booklet.author = options.author;
+    booklet.license = options.license;
     booklet.modelName = nameModel(options);
     booklet.isCancelled = Cancellation::isRequested;
     booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };

@@ -32,6 +32,9 @@ struct BookletOptions
     std::optional<StepRange> steps; //!< unset: all steps
     /** The stability of the node's bricks on `base`, if it is known already; it is computed otherwise. */
     std::optional<StabilityReport> stability;
+    std::string title;   //!< of the booklet and its model; empty: the readable name of the file, such as "Small Tower"
+    std::string author;  //!< likewise; empty: none on the cover, and osgLego in the model
+    std::string license; //!< of the model in LDraw's format, the text after !LICENSE; empty: no such line
     /** How messages name the model, such as "'tower.mpd'". */
     std::string modelName = "the model";
     /** Called regularly, from any thread; the booklet is not written if it returns true. May be empty. */
@@ -67,7 +70,8 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
 
 /** Write a booklet of building instructions: one HTML page that needs no other file. docs/instructions.md describes it.
  *
- * The title of the booklet, and the names of the files that readers can save from it, follow from the name of its file.
+ * The names of the files that readers can save from it follow from the name of its file, and so does the title unless
+ * one is given.
  * The file is written atomically, and its folder is created if only the folder is missing; if the function fails, an
  * older file is unchanged and a new folder is removed.
  *

@@ -24,7 +24,7 @@ TEST(BasePlateTest, IsTheSmallestOnWhichAModelFits)
 {
     EXPECT_EQ(BasePlate(*createModel({8, 16})).getNumber(), "3865");
     EXPECT_EQ(BasePlate(*createModel({9, 16})).getNumber(), "3867");
-    EXPECT_EQ(BasePlate(*createModel({30, 12})).getName(), "Base\u00a0plate\u00a016\u202f×\u202f32");
+    EXPECT_EQ(BasePlate(*createModel({30, 12})).getName(), "Base plate 16\u202f×\u202f32");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getNumber(), "4186");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getQuantity(), 1u);
 }

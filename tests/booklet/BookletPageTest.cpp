@@ -147,11 +147,11 @@ TEST(BookletPage, TheCoverCountsTheStepsOfSubmodelsToo)
 
 TEST(BookletPage, ListsABasePlateThatIsNoPartOfTheModel)
 {
-    const std::string plate = "1× Base\u00a0plate\u00a08\u202f×\u202f16 3865 Green, drawn smaller";
+    const std::string plate = "1× Base plate 8\u202f×\u202f16 3865 Green, drawn smaller";
     const std::string onPlate = write(createTower({.base = BuildingBase::PLATE}));
     EXPECT_NE(toVisibleText(findElement(onPlate, "parts")).find(plate), std::string::npos);
     EXPECT_NE(onPlate.find("<dt>Parts</dt><dd>6</dd>"), std::string::npos);
-    EXPECT_EQ(toVisibleText(write(createTower())).find("Base\u00a0plate"), std::string::npos);
+    EXPECT_EQ(toVisibleText(write(createTower())).find("Base plate"), std::string::npos);
 }
 
 TEST(BookletPage, TheCoverNamesTheStepsOfAnExtract)
