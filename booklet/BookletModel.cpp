@@ -104,6 +104,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         own.numUnheld = static_cast<std::size_t>(std::count_if(
             placed.back().begin(), placed.back().end(),
             [&unheld](std::uint32_t part) { return std::binary_search(unheld.begin(), unheld.end(), part); }));
+        own.numDirect = step.parts.size();
         own.numNew = placed.back().size();
         own.numPlaced = all.size();
     }

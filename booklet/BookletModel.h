@@ -37,6 +37,7 @@ struct BookletStep
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
+    std::size_t numDirect = 0; //!< the parts that this step puts in place, without those of submodels; they come first
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
 
     /** Whether parts fall after this step, other than those that nothing holds anyway. */

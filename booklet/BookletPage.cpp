@@ -329,7 +329,7 @@ void BookletPage::writeArrows(const BookletStep& step, const BookletPicture& pic
     {
         const BookletArrow& arrow = picture.arrows[index];
         *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
-        if (picture.arrows.size() > 1)
+        if (step.submodels.size() > 1 && index < step.submodels.size())
             *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
                                     arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
                                     _model.getChapters()[step.submodels[index]].letter);

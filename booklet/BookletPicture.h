@@ -27,7 +27,7 @@ struct BookletPicture
     int width = 0;                    //!< pixels
     int height = 0;                   //!< pixels
     double density = 1.0;             //!< pixels per pixel of CSS (1/96 inch)
-    std::vector<BookletArrow> arrows; //!< one to each submodel that is attached
+    std::vector<BookletArrow> arrows; //!< one to each submodel, and then to each hidden part
 };
 
 /** Draws the pictures of a booklet. One thread. */

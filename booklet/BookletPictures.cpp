@@ -1,12 +1,14 @@
 #include "BookletPictures.h"
 
 #include "BookletFailure.h"
+#include "HiddenParts.h"
 
 #include <common/PictureBuffer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <OpenImageIO/filesystem.h>
@@ -153,7 +155,7 @@ BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const Boo
     if (isOnPlate(chapter)) frame = unite(frame, camera.findFrame(*_plate));
     frame.lowest.x = whole.lowest.x;
     frame.highest.x = whole.highest.x;
-    for (const BookletArrow& arrow : findArrows(step, camera))
+    for (const BookletArrow& arrow : findArrows(chapter, step, camera))
     {
         frame.lowest = glm::min(frame.lowest, arrow.tail);
         frame.highest = glm::max(frame.highest, arrow.tail);
@@ -161,8 +163,22 @@ BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const Boo
     return addMargin(frame);
 }
 
-/** The arrows to the submodels that a step attaches, in pitches in the plane of the picture. */
-std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, const BookletCamera& camera) const
+/** The new parts of a step that others hide, as indices into the parts of the chapter's model. */
+const std::vector<std::uint32_t>& BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                              const BookletCamera& camera) const
+{
+    const auto [known, isNew] = _hidden.try_emplace(&step);
+    if (!isNew) return known->second;
+    const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
+    known->second =
+        findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
+    return known->second;
+}
+
+/** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the picture.
+ */
+std::vector<BookletArrow> BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                                      const BookletCamera& camera) const
 {
     std::vector<BookletArrow> arrows;
     for (const std::size_t submodel : step.submodels)
@@ -173,6 +189,16 @@ std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, c
         arrow.tip.x = arrow.tail.x = 0.5 * (frame.lowest.x + frame.highest.x);
         arrow.tip.y = frame.highest.y + ARROW_WIDTH;
         arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
+        arrows.push_back(arrow);
+    }
+    for (const std::uint32_t part : findHidden(chapter, step, camera))
+    {
+        const Part& hidden = chapter.model->getParts()[part];
+        const BookletFrame frame = camera.findFrame(std::span(&hidden, 1));
+        BookletArrow arrow;
+        arrow.width = ARROW_WIDTH;
+        arrow.tip = 0.5 * (frame.lowest + frame.highest);
+        arrow.tail = arrow.tip + glm::dvec2(0.0, ARROW_LENGTH);
         arrows.push_back(arrow);
     }
     return arrows;
@@ -275,7 +301,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletPicture picture = encode(*_renderer.draw(camera, frame, size), DENSITY);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
-    for (const BookletArrow& arrow : findArrows(shown, camera))
+    for (const BookletArrow& arrow : findArrows(own, shown, camera))
         picture.arrows.push_back({toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels});
     return picture;
 }

@@ -6,6 +6,8 @@
 #include "BookletRenderer.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -37,7 +39,10 @@ private:
     bool isOnPlate(const BookletChapter& chapter) const;
     BookletFrame findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const;
     BookletFrame findFrame(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera) const;
-    std::vector<BookletArrow> findArrows(const BookletStep& step, const BookletCamera& camera) const;
+    std::vector<BookletArrow> findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                         const BookletCamera& camera) const;
+    const std::vector<std::uint32_t>& findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                 const BookletCamera& camera) const;
     Scale findScale(const BookletChapter& chapter) const;
     BookletCamera createCamera(const BookletChapter& chapter, const BookletStep& step) const;
     void show(std::size_t chapter);
@@ -46,8 +51,9 @@ private:
     const BookletModel& _model;
     BookletRenderer& _renderer;
     BuildingView _front;
-    osg::ref_ptr<const BrickModel> _plate;      // null without a base plate
-    osg::ref_ptr<const BrickModel> _fadedPlate; // likewise
+    osg::ref_ptr<const BrickModel> _plate;                                    // null without a base plate
+    osg::ref_ptr<const BrickModel> _fadedPlate;                               // likewise
+    mutable std::map<const BookletStep*, std::vector<std::uint32_t>> _hidden; // parts of steps that are known
     std::vector<Scale> _scales;
     std::size_t _shown;                      // the chapter that the renderer shows
     std::optional<BookletPicture> _finished; // the model
