@@ -2,12 +2,14 @@
 
 #include "BookletFailure.h"
 #include "HiddenParts.h"
+#include "NewPartOutline.h"
 
 #include <common/PictureBuffer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -31,6 +33,7 @@ constexpr double MARGIN = 0.15;          // pitches around a model, for outlines
 constexpr double LARGEST_SUBMODEL = 900; // pixels along each side of a submodel in lists
 constexpr double ARROW_LENGTH = 3.0;     // pitches
 constexpr double ARROW_WIDTH = 0.45;     // pitches
+constexpr double LETTER_SPACE = 3.0;     // pitches between the tails of arrows with letters
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
 BookletFrame addMargin(BookletFrame frame)
@@ -62,6 +65,28 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     const glm::ivec2 size = glm::max(glm::ivec2(glm::ceil(frame.getSize() * pixels - 1e-6)), glm::ivec2(1));
     frame.highest = frame.lowest + glm::dvec2(size) / pixels;
     return size;
+}
+
+/** Move the tails of arrows apart, to one height, so that their letters are beside no other arrow. */
+void spread(std::vector<BookletArrow>& arrows)
+{
+    std::vector<std::size_t> order(arrows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return arrows[a].tip.x < arrows[b].tip.x; });
+    double highest = std::numeric_limits<double>::lowest();
+    for (const BookletArrow& arrow : arrows)
+        highest = std::max(highest, arrow.tail.y);
+    double shift = 0.0;
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+        BookletArrow& arrow = arrows[order[place]];
+        arrow.tail.y = highest;
+        if (place > 0) arrow.tail.x = std::max(arrow.tail.x, arrows[order[place - 1]].tail.x + LETTER_SPACE);
+        shift += (arrow.tail.x - arrow.tip.x) / static_cast<double>(arrows.size());
+    }
+    for (BookletArrow& arrow : arrows)
+        arrow.tail.x -= shift; // to both sides
 }
 
 /** A file format, and its quality for OpenImageIO. */
@@ -158,7 +183,8 @@ BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const Boo
     for (const BookletArrow& arrow : findArrows(chapter, step, camera))
     {
         frame.lowest = glm::min(frame.lowest, arrow.tail);
-        frame.highest = glm::max(frame.highest, arrow.tail);
+        const double letter = step.submodels.size() > 1 ? LETTER_SPACE : 0.0;
+        frame.highest = glm::max(frame.highest, arrow.tail + glm::dvec2(letter, 0.0));
     }
     return addMargin(frame);
 }
@@ -191,6 +217,7 @@ std::vector<BookletArrow> BookletPictures::findArrows(const BookletChapter& chap
         arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
         arrows.push_back(arrow);
     }
+    if (arrows.size() > 1) spread(arrows);
     for (const std::uint32_t part : findHidden(chapter, step, camera))
     {
         const Part& hidden = chapter.model->getParts()[part];
@@ -298,7 +325,11 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const double pixels = _scales[chapter].pixels;
     BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
     const glm::ivec2 size = roundToPixels(frame, pixels);
-    BookletPicture picture = encode(*_renderer.draw(camera, frame, size), DENSITY);
+    const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
+    const glm::ivec2 small = glm::max(size / 2, 1);
+    const osg::ref_ptr<osg::Image> dark = _renderer.drawNewParts(camera, frame, small, {0, 0, 0});
+    NewPartOutline(*dark, *_renderer.drawNewParts(camera, frame, small, {255, 255, 255})).draw(*image);
+    BookletPicture picture = encode(*image, DENSITY);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
     for (const BookletArrow& arrow : findArrows(own, shown, camera))

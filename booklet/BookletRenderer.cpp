@@ -1,5 +1,7 @@
 #include "BookletRenderer.h"
 
+#include <vector>
+
 #include <osg/Quat>
 
 namespace osgLego
@@ -43,6 +45,7 @@ BookletRenderer::BookletRenderer(osg::GraphicsContext& context) :
 void BookletRenderer::setModel(const BrickModel& model, const BuildingPlan& plan)
 {
     _model = &model;
+    _plan = &plan;
     _lego->setStoredBricks(&model);
     _lego->setBuildingPlan(&plan);
 }
@@ -74,6 +77,8 @@ void BookletRenderer::setPlaced(std::size_t numPlaced, std::size_t numNew)
 {
     _lego->setBuildProgress(static_cast<double>(numPlaced) / static_cast<double>(_model->getParts().size()));
     _lego->setNumNewParts(numNew);
+    _numPlaced = numPlaced;
+    _numNew = numNew;
 }
 
 osg::ref_ptr<osg::Image> BookletRenderer::draw(const BookletCamera& camera, const BookletFrame& frame,
@@ -81,6 +86,17 @@ osg::ref_ptr<osg::Image> BookletRenderer::draw(const BookletCamera& camera, cons
 {
     place(camera, frame);
     return _renderer.draw(size, WHITE);
+}
+
+osg::ref_ptr<osg::Image> BookletRenderer::drawNewParts(const BookletCamera& camera, const BookletFrame& frame,
+                                                       const glm::ivec2& size, const std::array<std::uint8_t, 3>& color)
+{
+    const auto first = _plan->getOrder().begin() + static_cast<std::ptrdiff_t>(_numPlaced - _numNew);
+    const std::vector<std::size_t> parts(first, first + static_cast<std::ptrdiff_t>(_numNew));
+    _lego->setHighlightedParts(parts, color);
+    osg::ref_ptr<osg::Image> picture = draw(camera, frame, size);
+    _lego->setHighlightedParts({}, color);
+    return picture;
 }
 
 osg::ref_ptr<osg::Image> BookletRenderer::drawTransparent(const BookletCamera& camera, const BookletFrame& frame,

@@ -69,7 +69,8 @@ void StepBuilder::shorten(UnitList& units) const
     for (const bool isTurning : {false, true})
         for (UnitList shorter = units; _queue->getWeight(shorter) >= UnitQueue::LEAST; shorter.pop_back())
         {
-            if (!canShow(shorter, isTurning)) continue;
+            const bool leavesOne = shorter.size() < units.size() && _queue->getNumOpen() == shorter.size() + 1;
+            if (leavesOne || !canShow(shorter, isTurning)) continue;
             units = shorter;
             return;
         }

@@ -1,4 +1,5 @@
 #include <booklet/BookletPictures.h>
+#include <booklet/NewPartOutline.h>
 
 #include "BookletModels.h"
 
@@ -274,6 +275,41 @@ TEST_F(BookletPicturesTest, ColorsLookAlikeBeforeAndAfterATurn)
     }
 }
 
+TEST_F(BookletPicturesTest, NewPartsHaveAnOutlineOfEnoughContrastOnModelsOfOneColor)
+{
+    // An old brick on the left, and a new one beside it; in white, grey, black, yellow, red, blue and tan.
+    for (const std::array<std::uint8_t, 3> shown : {std::array<std::uint8_t, 3>{244, 244, 244},
+                                                    {150, 150, 150},
+                                                    {33, 33, 33},
+                                                    {250, 200, 10},
+                                                    RED,
+                                                    BLUE,
+                                                    {215, 186, 140}})
+    {
+        const std::vector<Part> parts{{{0, 0, 0}, {4, 2, 1}, shown}, {{4, 0, 0}, {4, 2, 1}, shown}};
+        const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 1}, HEIGHT_OF_BRICK), parts);
+        const auto plan = BuildingPlan::create(2, {createStep({0}), createStep({1})});
+        const BookletModel model(*bricks, *plan, {});
+        const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 1));
+        const StepPicture place({0, false}, parts, 2, {pixels.getWidth(), pixels.getHeight()});
+        const auto toPixel = [](const Color& color)
+        {
+            const auto toByte = [](double value) { return static_cast<std::uint8_t>(std::lround(255.0 * value)); };
+            return PixelColor{toByte(color.red), toByte(color.green), toByte(color.blue)};
+        };
+        // The line is a few pixels wide, to the left of the seam on the front, and below the lower edge on the right.
+        for (const auto& [edge, outwards] :
+             {std::pair(glm::dvec3(4, 0, 0.5), glm::dvec2(-1, 0)), std::pair(glm::dvec3(6, 0, 0), glm::dvec2(0, 1))})
+        {
+            const PixelColor line = toPixel(pixels.getColor(place.find(edge) + 3.0 * outwards));
+            const PixelColor beside = toPixel(pixels.getColor(place.find(edge) + 20.0 * outwards));
+            EXPECT_GE(getContrast(line, beside), NewPartOutline::LEAST_CONTRAST)
+                << static_cast<int>(shown[0]) << " " << static_cast<int>(line[0]) << "," << static_cast<int>(line[1])
+                << "," << static_cast<int>(line[2]) << " beside " << static_cast<int>(beside[0]);
+        }
+    }
+}
+
 TEST_F(BookletPicturesTest, TheFrontIsTheGivenViewForTheCoverAndForSteps)
 {
     // A row of a red and a blue brick, seen from the back: the red end is on the right.
@@ -363,6 +399,33 @@ TEST_F(BookletPicturesTest, ArrowsLeadFromAboveToTheTopOfSubmodels)
     EXPECT_LT(arrow.tail.y, arrow.tip.y - place.getScale()) << "it points downwards";
     EXPECT_GT(arrow.tail.y, 0.0) << "all of it is in the picture";
     EXPECT_TRUE(BookletPictures(model, _renderer).drawStep(1, 0).arrows.empty());
+}
+
+TEST_F(BookletPicturesTest, ArrowsAndTheirLettersAreApart)
+{
+    // Three submodels of one brick each, one behind the other: their middles are near each other in the picture.
+    std::vector<Part> parts{{{0, 0, 0}, {8, 8, 1}, RED, 4}};
+    std::vector<Submodel> submodels;
+    for (std::uint16_t place = 0; place < 3; ++place)
+    {
+        const auto x = static_cast<std::uint16_t>(2 * place);
+        parts.push_back({{x, x, 1}, {2, 2, 1}, BLUE, 1});
+        submodels.push_back({{createStep({place + 1u})}});
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({8, 8, 2}, HEIGHT_OF_BRICK), parts);
+    const auto plan = BuildingPlan::create(4, {createStep({0}, {0, 1, 2})}, submodels);
+    const BookletModel model(*bricks, *plan, Palette::getKnownColors());
+    const BookletPicture picture = BookletPictures(model, _renderer).drawStep(0, 0);
+    ASSERT_EQ(picture.arrows.size(), 3u);
+    std::vector<double> tails;
+    for (const BookletArrow& arrow : picture.arrows)
+        tails.push_back(arrow.tail.x);
+    std::sort(tails.begin(), tails.end());
+    const double width = picture.arrows[0].width;
+    // A letter is as wide as three shafts at most, beside the shaft of its arrow, whose head is as wide.
+    for (const std::size_t tail : {1, 2})
+        EXPECT_GT(tails[tail] - tails[tail - 1], 5.0 * width);
+    EXPECT_LT(tails.back() + 4.0 * width, picture.width) << "the last letter is in the picture";
 }
 
 TEST_F(BookletPicturesTest, StepsOfAChapterAreAsWideAsItsWidestView)

@@ -1,0 +1,154 @@
+#include "NewPartOutline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr int WIDTH = 3;           // of the line, in pixels of the smaller pictures
+constexpr int BESIDE = 3;          // the width of the surroundings beside the line
+constexpr float EDGE = 0.4f;       // the share of a new part in a pixel from which the pixel belongs to it
+constexpr float DIFFERENT = 0.25f; // the difference between a part in black and in white
+
+// From the most to the least noticeable among bricks and their black lines.
+constexpr std::array<PixelColor, 5> CANDIDATES{
+    {{0xc8, 0x10, 0x2e}, {0x00, 0x33, 0xa0}, {0x00, 0x00, 0x00}, {0xff, 0xe0, 0x30}, {0xff, 0xff, 0xff}}};
+
+double toLinear(std::uint8_t channel)
+{
+    const double value = channel / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double getLuminance(const PixelColor& color)
+{
+    return 0.2126 * toLinear(color[0]) + 0.7152 * toLinear(color[1]) + 0.0722 * toLinear(color[2]);
+}
+
+PixelColor getPixel(const osg::Image& picture, int x, int y)
+{
+    const unsigned char* data = picture.data(static_cast<unsigned int>(x), static_cast<unsigned int>(y));
+    return {data[0], data[1], data[2]};
+}
+
+/** The share of new parts in each pixel. */
+std::vector<float> findShares(const osg::Image& dark, const osg::Image& light)
+{
+    std::vector<float> shares;
+    for (int y = 0; y < dark.t(); ++y)
+        for (int x = 0; x < dark.s(); ++x)
+        {
+            const PixelColor before = getPixel(dark, x, y);
+            const PixelColor after = getPixel(light, x, y);
+            int difference = 0;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                difference = std::max(difference, std::abs(after[channel] - before[channel]));
+            shares.push_back(std::min(static_cast<float>(difference) / (DIFFERENT * 255.0f), 1.0f));
+        }
+    return shares;
+}
+
+/** The largest of the values around each pixel, in a square. */
+std::vector<float> dilate(const std::vector<float>& values, int width, int height, int reach)
+{
+    const auto dilateRows = [reach](const std::vector<float>& from, int length, int count, int step, int next)
+    {
+        std::vector<float> to(from.size());
+        for (int row = 0; row < count; ++row)
+            for (int place = 0; place < length; ++place)
+            {
+                float most = 0.0f;
+                for (int near = std::max(place - reach, 0); near <= std::min(place + reach, length - 1); ++near)
+                    most = std::max(most, from[static_cast<std::size_t>(row * next + near * step)]);
+                to[static_cast<std::size_t>(row * next + place * step)] = most;
+            }
+        return to;
+    };
+    return dilateRows(dilateRows(values, width, height, 1, width), height, width, width, 1);
+}
+
+} // namespace
+
+double getContrast(const PixelColor& color, const PixelColor& other)
+{
+    constexpr double GLARE = 0.05;
+    const auto [low, high] = std::minmax({getLuminance(color), getLuminance(other)});
+    return (high + GLARE) / (low + GLARE);
+}
+
+NewPartOutline::NewPartOutline(const osg::Image& dark, const osg::Image& light) : _width(dark.s()), _height(dark.t())
+{
+    const std::vector<float> shares = findShares(dark, light);
+    _ring = dilate(shares, _width, _height, WIDTH);
+    _outside = dilate(shares, _width, _height, WIDTH + BESIDE);
+    for (std::size_t pixel = 0; pixel < shares.size(); ++pixel)
+    {
+        _outside[pixel] = std::max(_outside[pixel] - _ring[pixel], 0.0f);
+        _ring[pixel] = shares[pixel] > EDGE ? 0.0f : _ring[pixel];
+    }
+}
+
+/** The value at a place between pixels, which is in pixels. */
+float NewPartOutline::findShare(const std::vector<float>& shares, double x, double y) const
+{
+    const int left = std::clamp(static_cast<int>(std::floor(x - 0.5)), 0, _width - 1);
+    const int low = std::clamp(static_cast<int>(std::floor(y - 0.5)), 0, _height - 1);
+    const int right = std::min(left + 1, _width - 1);
+    const int high = std::min(low + 1, _height - 1);
+    const auto across = static_cast<float>(std::clamp(x - 0.5 - left, 0.0, 1.0));
+    const auto up = static_cast<float>(std::clamp(y - 0.5 - low, 0.0, 1.0));
+    const auto at = [&](int column, int row) { return shares[static_cast<std::size_t>(row * _width + column)]; };
+    return (1.0f - up) * ((1.0f - across) * at(left, low) + across * at(right, low)) +
+           up * ((1.0f - across) * at(left, high) + across * at(right, high));
+}
+
+/** The first colour with enough contrast to nearly all of the surroundings or, if there is none, that with the most. */
+PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
+{
+    constexpr std::size_t FEW = 100; // a hundredth of the surroundings may have less contrast
+    std::vector<PixelColor> surroundings;
+    for (int y = 0; y < _height; ++y)
+        for (int x = 0; x < _width; ++x)
+            if (_outside[static_cast<std::size_t>(y * _width + x)] > 0.5f)
+                surroundings.push_back(getPixel(picture, x * picture.s() / _width, y * picture.t() / _height));
+    if (surroundings.empty()) return CANDIDATES.front();
+    PixelColor best{};
+    double most = 0.0;
+    for (const PixelColor& candidate : CANDIDATES)
+    {
+        std::vector<double> contrasts;
+        contrasts.reserve(surroundings.size());
+        for (const PixelColor& color : surroundings)
+            contrasts.push_back(getContrast(candidate, color));
+        const auto place = contrasts.begin() + static_cast<std::ptrdiff_t>(contrasts.size() / FEW);
+        std::nth_element(contrasts.begin(), place, contrasts.end());
+        if (*place >= LEAST_CONTRAST) return candidate;
+        if (*place <= most) continue;
+        most = *place;
+        best = candidate;
+    }
+    return best;
+}
+
+PixelColor NewPartOutline::draw(osg::Image& picture) const
+{
+    const PixelColor color = chooseColor(picture);
+    for (int y = 0; y < picture.t(); ++y)
+        for (int x = 0; x < picture.s(); ++x)
+        {
+            const float share = findShare(_ring, (x + 0.5) * _width / picture.s(), (y + 0.5) * _height / picture.t());
+            if (share == 0.0f) continue;
+            unsigned char* data = picture.data(static_cast<unsigned int>(x), static_cast<unsigned int>(y));
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                data[channel] = static_cast<unsigned char>(
+                    std::lround((1.0f - share) * data[channel] + share * static_cast<float>(color[channel])));
+        }
+    return color;
+}
+
+} // namespace osgLego
