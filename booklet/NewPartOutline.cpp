@@ -111,6 +111,7 @@ float NewPartOutline::findShare(const std::vector<float>& shares, double x, doub
 PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
 {
     constexpr std::size_t FEW = 100; // a hundredth of the surroundings may have less contrast
+    constexpr double RESERVE = 1.1;  // for antialiasing, and for the losses of JPEG
     std::vector<PixelColor> surroundings;
     for (int y = 0; y < _height; ++y)
         for (int x = 0; x < _width; ++x)
@@ -127,7 +128,7 @@ PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
             contrasts.push_back(getContrast(candidate, color));
         const auto place = contrasts.begin() + static_cast<std::ptrdiff_t>(contrasts.size() / FEW);
         std::nth_element(contrasts.begin(), place, contrasts.end());
-        if (*place >= LEAST_CONTRAST) return candidate;
+        if (*place >= RESERVE * LEAST_CONTRAST) return candidate;
         if (*place <= most) continue;
         most = *place;
         best = candidate;
