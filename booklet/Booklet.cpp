@@ -8,6 +8,7 @@
 #include "BookletPage.h"
 #include "BookletPictures.h"
 #include "BookletRenderer.h"
+#include "BookletWords.h"
 
 #include <common/LegolizeName.h>
 #include <common/PictureRenderer.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <osgDB/FileNameUtils>
@@ -35,6 +37,12 @@ constexpr std::size_t MOST_CHECKED_PARTS = 2000;
 /** Parts up to which it is computed whether the finished model stands. */
 constexpr std::size_t MOST_COMPUTED_PARTS = 6000;
 constexpr double PLANNING_SHARE = 0.1; // of the time
+
+/** The file for the instructions in words, beside the page. */
+std::string nameText(const std::string& fileName)
+{
+    return osgDB::getNameLessExtension(fileName) + ".txt";
+}
 
 /** Makes one booklet. Throws BookletFailure. */
 class BookletWriter
@@ -191,16 +199,21 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     facts.title = _options.title.empty() ? toReadableName(fileName) : _options.title;
     facts.author = _options.author;
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
+    std::ostringstream words;
+    BookletWords(model).write(words, facts.title);
     facts.downloads =
         createDownloads(name, model.getPartsList(), *planned, {facts.title, _options.author, _options.license});
     checkCancellation();
     BookletPictures pictures(model, renderer, _options.view);
+    facts.downloads.push_back({"Instructions in words", name + ".txt", "text/plain;charset=utf-8", words.str()});
     writePage(fileName, model, facts, pictures);
+    writeBookletFile(nameText(fileName), [&words](std::ostream& stream) { stream << words.str(); });
 }
 
 void checkFile(const std::string& fileName)
 {
     checkBookletFolder(fileName);
+    checkBookletFolder(nameText(fileName));
     findLDrawWriter();
 }
 

@@ -304,8 +304,10 @@ void addReports(CLI::App& app, CaptureOptions& options)
 
 void addBooklet(CLI::App& app, CaptureOptions& options)
 {
-    app.add_option("--instructions", options.instructions,
-                   "Write a booklet of building instructions, DIR/NAME.html; DIR is created if it does not exist")
+    app.add_option(
+           "--instructions", options.instructions,
+           "Write a booklet of building instructions, DIR/NAME.html, and in words, DIR/NAME.txt; DIR is created if it "
+           "does not exist")
         ->type_name("DIR");
     app.add_option("--steps", toCallback([&](const std::string& text) { return readSteps(text, options); }),
                    "For --instructions: write only these steps, for example 1-50")
