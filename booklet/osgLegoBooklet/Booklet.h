@@ -68,8 +68,8 @@ struct BookletError
  * @return nothing if it can. */
 OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::string& fileName);
 
-/** Write a booklet of building instructions: one HTML page that needs no other file, and beside it the same instructions
- * in words, as a text file. docs/instructions.md describes both.
+/** Write a booklet of building instructions: one HTML page that needs no other file, and beside it the same
+ * instructions in words, as a text file. docs/instructions.md describes both.
  *
  * The names of the files that readers can save from it follow from the name of its file, and so does the title unless
  * one is given.
