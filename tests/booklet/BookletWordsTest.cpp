@@ -15,6 +15,7 @@
 #include <regex>
 #include <sstream>
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego::test

@@ -10,6 +10,7 @@
 #include <PartModels.h>
 #include <Settings.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
