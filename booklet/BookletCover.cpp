@@ -14,6 +14,9 @@ std::vector<std::string> createWarnings(const BookletModel& model, const std::op
     const std::string place = base == BuildingBase::TABLE ? "a table" : "a base plate";
     if (!stability)
         warnings.push_back("It was not computed whether this model stands, since it has so many parts.");
+    else if (!stability->stands && !stability->falls())
+        warnings.push_back("It is unknown whether this model stands on " + place + ": the forces between " +
+                           countOf(stability->unknown.size(), "part") + " can't be computed precisely enough.");
     else if (!stability->stands)
         warnings.push_back("This model does not stand on " + place + ": " + countOf(stability->falling.size(), "part") +
                            " would fall. Support it from below, or make it with support=on.");

@@ -1,20 +1,40 @@
 #include <osgLego/StabilityReport.h>
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace osgLego
 {
 
+namespace
+{
+
+std::string countParts(std::size_t count)
+{
+    return std::to_string(count) + (count == 1 ? " part is" : " parts are");
+}
+
+} // namespace
+
 std::string StabilityReport::toString() const
 {
     std::ostringstream text;
-    if (!stands)
-        text << "the model falls: " << falling.size() << (falling.size() == 1 ? " part is" : " parts are")
-             << " not held";
+    if (falls())
+        text << "the model falls: " << countParts(falling.size()) << " not held";
+    else if (!stands)
+        text << "it is unknown whether the model stands";
     else
-        text << "the model stands" << (safe ? " safely" : ", but not safely") << ", with a margin of "
-             << std::lround(100.0 * margin) << " %";
+        text << "the model stands"
+             << (safe            ? " safely"
+                 : isMarginBound ? ", but maybe not safely"
+                                 : ", but not safely")
+             << ", with a margin of " << (isMarginBound ? "at least " : "") << std::lround(100.0 * margin) << " %";
+    if (stands && tippingAngle)
+        text << "; on a table that tilts, it would tip as a whole at " << std::fixed << std::setprecision(1)
+             << *tippingAngle << " degrees";
+    if (!unknown.empty())
+        text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";
     return text.str();
 }
 

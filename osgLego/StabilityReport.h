@@ -37,23 +37,34 @@ struct OSGLEGO_EXPORT StabilityReport
         std::uint32_t upper = BASE;
     };
 
-    bool stands = true; //!< whether forces within CAPACITY keep all parts in equilibrium
-    bool safe = true;   //!< whether forces within SAFE_CAPACITY do
+    bool stands = true; //!< whether forces within CAPACITY are known to keep all parts in equilibrium
+    bool safe = true;   //!< whether forces within SAFE_CAPACITY are known to do so
     /** The share of CAPACITY that is left at the contact point that bears most, if forces are spread so that this point
      * bears as little as possible: 1 if nothing pulls, 0 at the limit, negative beyond it, and -1 if twice the capacity
      * does not suffice. */
     double margin = 1.0;
+    /** Whether the true margin may be larger: forces that leave `margin` were found, but maybe not the best ones. */
+    bool isMarginBound = false;
     /** Of the contact points that bear most, the joint of that whose capacity matters most; unset if nothing pulls. */
     std::optional<Joint> weakest;
-    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. If
-     * the forces in a piece can't be computed precisely enough, its parts count too, and a warning says so. */
+    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. */
     std::vector<std::uint32_t> falling;
+    /** Parts of pieces whose forces can't be computed precisely enough to know whether they stand, in ascending order.
+     * If there are any, `stands` is false, and `margin` is a bound of -1. */
+    std::vector<std::uint32_t> unknown;
     /** For each part, the share of CAPACITY that its most loaded contact point bears, at least 0; 1 for parts that
-     * fall. */
+     * fall, and not a number for those in `unknown`. */
     std::vector<float> loads;
+    /** The angle in degrees, from 0 to 90, by which the table can be tilted in any direction before a piece that
+     * studs hold together tips over about an edge of its foot, if nothing slides and all joints hold; the joints may
+     * give way before. 0 if
+     * parts fall, and unset on a base plate, for no parts and if it is unknown whether the model stands. */
+    std::optional<double> tippingAngle;
     std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately
     double milliseconds = 0.0;     //!< the time taken
 
+    /** Whether the model falls for certain; if it neither does nor stands, that is unknown. */
+    bool falls() const { return !falling.empty(); }
     /** The verdict and the margin in a line of English. */
     std::string toString() const;
 };

@@ -73,8 +73,10 @@ private:
     osg::ref_ptr<osg::GraphicsContext> _context;
 };
 
-/** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context, or if all pixels of the
- * last frame are equal. */
+/** Throws std::runtime_error, with the reason, if a node has no bricks in a viewer's context. */
 void checkBricks(const LegoNode& lego, const FrameViewer& viewer);
+/** Throws std::runtime_error if all pixels of a picture of bricks are equal, such as when a shader failed to compile.
+ */
+void checkPicture(const osg::Image& picture);
 
 } // namespace osgLego

@@ -139,6 +139,7 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
     if (lego)
     {
         checkBricks(*lego, viewer);
+        checkPicture(*viewer.read());
         const LegoStatistics statistics = lego->getStatistics(viewer.getContextID());
         row["triangles"] = statistics.numTriangles;
         row["drawnBricks"] = statistics.numDrawnBricks;

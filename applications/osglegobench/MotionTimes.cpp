@@ -128,6 +128,7 @@ JsonValue measureMotion(const MeshSource& mesh, const std::string& text, unsigne
     viewer.show(*lego, scene);
     viewer.timeFrame("first");
     checkBricks(*lego, viewer);
+    checkPicture(*viewer.read());
     std::vector<double> sets;
     std::vector<double> moving;
     std::vector<double> still;

@@ -110,6 +110,7 @@ JsonValue measureNodes(const std::string& name, osg::Group& root, const std::vec
     FrameViewer viewer(options.size);
     viewer.show(root, scene);
     const double first = viewer.timeFrame("first");
+    checkPicture(*viewer.read());
     std::size_t numBricks = 0;
     for (const osg::ref_ptr<LegoNode>& node : nodes)
     {

@@ -36,6 +36,7 @@ JsonValue timeFirstFrame(const BenchScene& scene, BrickOcclusion occlusion, cons
     viewer.show(*root, scene);
     const double first = viewer.timeFrame("first");
     checkBricks(*lego, viewer);
+    checkPicture(*viewer.read());
     return first;
 }
 
@@ -67,6 +68,7 @@ std::pair<double, double> timeLegolization(BenchScene scene, Device device, Bric
         extractions.push_back(times.extraction);
     }
     checkBricks(*lego, viewer);
+    checkPicture(*viewer.read());
     return {createSpread(all)["median"].toNumber(), createSpread(extractions)["median"].toNumber()};
 }
 

@@ -54,6 +54,7 @@ JsonValue compareOcclusionFrames(const BenchScene& scene, unsigned int numFrames
         {
             kinds->setSingleChildOn(kind);
             const double time = viewer.timeFrame();
+            if (round == 0) checkPicture(*viewer.read());
             if (round >= NUM_ROUNDS_BEFORE) times[kind].push_back(time);
         }
     JsonValue row{{"mesh", scene.mesh.name}, {"resolution", scene.settings.grid.resolution}};

@@ -114,6 +114,7 @@ osg::ref_ptr<osg::Image> OcclusionView::draw(const AmbientOcclusionSettings& set
     _occlusion->setSettings(settings);
     _viewer.timeFrame();
     checkBricks(*_lego, _viewer);
+    checkPicture(*_image);
     return new osg::Image(*_image, osg::CopyOp::DEEP_COPY_ALL);
 }
 

@@ -141,6 +141,7 @@ JsonValue compareShadows(const BenchScene& scene, const ShadowOptions& options)
             if (round >= NUM_ROUNDS_BEFORE) times[place].push_back(time);
         }
     checkBricks(*lego, viewer);
+    checkPicture(*viewer.read());
     const JsonValue unshadowed = createSpread(times[UNSHADOWED]);
     const JsonValue shadowed = createSpread(times[SHADOWED]);
     const JsonValue shaded = createSpread(times[SHADED]);

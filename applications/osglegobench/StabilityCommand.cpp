@@ -183,6 +183,11 @@ void printRow(const JsonValue& row)
 void runStability(const StabilityCommandOptions& options)
 {
     const MeshSource mesh = options.getMesh();
+    // The goals are those of the bunny, so that another mesh must be asked for.
+    if (options.meshes.empty() && !options.isQuick && !mesh.isFile())
+        throw std::runtime_error("there is no '" + options.models +
+                                 "/bunny.ply', on which the goals are based; expected the folder of the bunny as "
+                                 "--models, or a --mesh");
     std::vector<StabilityGoal> goals{{34, 500.0}, {86, 10000.0}};
     if (options.isQuick) goals = {{10, 500.0}};
     JsonValue document = createDocument("stability");

@@ -95,16 +95,22 @@ JsonValue SceneStability::toJson() const
         weakest = {{"lower", osgLego::toJson(*worst, worstReport.weakest->lower)},
                    {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
     JsonValue falling = JsonValue::createArray();
+    JsonValue unknown = JsonValue::createArray();
     bool stands = true;
     bool safe = true;
+    std::optional<double> tippingAngle;
     std::size_t numComponents = 0;
     double milliseconds = 0.0;
     for (const auto& [model, report] : _models)
     {
         for (const std::uint32_t part : report.falling)
             falling.append(osgLego::toJson(*model, part));
+        for (const std::uint32_t part : report.unknown)
+            unknown.append(osgLego::toJson(*model, part));
         stands = stands && report.stands;
         safe = safe && report.safe;
+        if (report.tippingAngle)
+            tippingAngle = std::min(tippingAngle.value_or(*report.tippingAngle), *report.tippingAngle);
         numComponents += report.numComponents;
         milliseconds += report.milliseconds;
     }
@@ -112,7 +118,10 @@ JsonValue SceneStability::toJson() const
             {"stands", stands},
             {"safe", safe},
             {"margin", worstReport.margin},
+            {"marginIsBound", worstReport.isMarginBound},
+            {"tippingAngle", tippingAngle ? JsonValue(*tippingAngle) : JsonValue()},
             {"falling", falling},
+            {"unknown", unknown},
             {"weakest", weakest},
             {"components", numComponents},
             {"milliseconds", std::round(1000.0 * milliseconds) / 1000.0}};

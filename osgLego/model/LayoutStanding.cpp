@@ -23,7 +23,10 @@ std::optional<StabilityReport> computeStanding(const LayoutProblem& problem, con
 
 bool standsBetter(const StabilityReport& report, const StabilityReport& other)
 {
-    if (report.falling.size() != other.falling.size()) return report.falling.size() < other.falling.size();
+    // Parts that may fall count as if they did.
+    const std::size_t count = report.falling.size() + report.unknown.size();
+    const std::size_t otherCount = other.falling.size() + other.unknown.size();
+    if (count != otherCount) return count < otherCount;
     return report.margin > other.margin;
 }
 

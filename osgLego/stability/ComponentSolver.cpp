@@ -4,8 +4,8 @@
 #include <osgLego/stability/InteriorPointSolver.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <osg/Notify>
@@ -24,6 +24,8 @@ constexpr double TENSION_TOLERANCE = 1e-6;
 // The penalty of a missing newton, relative to a newton of tension: more than a single lever in pitches. Those in grids
 // of 1024 cells are at most 1229 long. With a penalty of 1e7, the solver does not converge at levers of 500.
 constexpr double PENALTY = 1e4;
+// The larger ones make the equations better conditioned, but take more steps.
+constexpr std::array<EquilibriumInertia, 2> OTHER_INERTIAS{{{1e-8, 1e-7, 1e-6}, {1e-7, 1e-6, 1e-7}}};
 
 /** Solves the linear programs of one component. */
 class ComponentSolver
@@ -42,9 +44,13 @@ public:
         if (!equilibrium) return std::nullopt;
         ComponentStability result;
         result.tension = getTension(*equilibrium);
+        result.isTensionBound = !equilibrium->hasConverged;
         if (!equilibrium->hasConverged && !isProven(*equilibrium))
-            giveUp(*equilibrium, result);
-        else if (result.tension > StabilityReport::CAPACITY)
+        {
+            giveUp(result);
+            return result;
+        }
+        if (result.tension > StabilityReport::CAPACITY)
         {
             findFalling(*equilibrium, result);
             // A higher capacity helps only if the forces use all of the capacity.
@@ -53,6 +59,7 @@ public:
                 const std::optional<Equilibrium> stronger = findTension(2.0 * StabilityReport::CAPACITY);
                 if (!stronger) return std::nullopt;
                 result.tension = getTension(*stronger);
+                result.isTensionBound = !stronger->hasConverged;
             }
         }
         result.weakest = findWeakest(*equilibrium);
@@ -61,7 +68,21 @@ public:
     }
 
 private:
-    std::optional<Equilibrium> findTension(double capacity) { return _solver.solve({PENALTY, capacity, true}); }
+    /** Find the least tension. If the solver does not converge, it starts again with other proximal terms. */
+    std::optional<Equilibrium> findTension(double capacity)
+    {
+        EquilibriumGoal goal{PENALTY, capacity, true, {}};
+        std::optional<Equilibrium> best = _solver.solve(goal);
+        for (const EquilibriumInertia& inertia : OTHER_INERTIAS)
+        {
+            if (!best || best->hasConverged) break;
+            goal.inertia = inertia;
+            std::optional<Equilibrium> other = _solver.solve(goal);
+            if (!other) return std::nullopt;
+            if (other->hasConverged || getTension(*other) < getTension(*best)) best = std::move(other);
+        }
+        return best;
+    }
 
     double getTension(const Equilibrium& equilibrium) const
     {
@@ -70,19 +91,14 @@ private:
         return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
     }
 
-    /** If the forces are too imprecise to prove that the parts stand, treat these parts as falling. */
-    void giveUp(const Equilibrium& equilibrium, ComponentStability& result) const
+    /** Say that the forces are too imprecise to know whether the parts stand. */
+    void giveUp(ComponentStability& result) const
     {
-        if (equilibrium.residuals.isFinite().all() && equilibrium.forces.isFinite().all())
-            findFalling(equilibrium, result);
-        if (result.falling.empty())
-        {
-            result.falling.resize(_program.getNumBodies());
-            std::iota(result.falling.begin(), result.falling.end(), 0u);
-        }
+        result.isKnown = false;
+        result.loads.assign(_program.getNumBodies(), std::numeric_limits<float>::quiet_NaN());
         OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
-                 << " parts can't be computed precisely enough; parts of it that are treated as falling: "
-                 << result.falling.size() << std::endl;
+                 << " parts can't be computed precisely enough, so that it is unknown whether the piece stands"
+                 << std::endl;
     }
 
     /** Whether forces keep all parts in equilibrium, even if they are not optimal: their margin is a lower bound. */

@@ -18,6 +18,8 @@ struct ComponentStability
     /** The least upper limit of drags, in newtons, with which the parts are in equilibrium; infinite if
      * 2 * StabilityReport::CAPACITY does not suffice. */
     double tension = 0.0;
+    bool isTensionBound = false;                   //!< whether a lower limit may do
+    bool isKnown = true;                           //!< whether it is known if the parts are in equilibrium
     std::optional<StabilityReport::Joint> weakest; //!< the joint that needs this limit
     std::vector<float> loads;                      //!< for each part, as in StabilityReport
     std::vector<std::uint32_t> falling;            //!< indices into `loads`

@@ -55,6 +55,12 @@ double turnOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 
 } // namespace
 
+Eigen::Vector3d toPitches(const glm::ivec3& corner)
+{
+    constexpr double PLATE_HEIGHT = 0.4;
+    return {1.0 * corner.x, 1.0 * corner.y, PLATE_HEIGHT * corner.z};
+}
+
 std::vector<Eigen::Vector2d> findStudPoints(const Eigen::Vector2d& halfSize, const Eigen::Vector2d& center,
                                             const Eigen::Vector2i& size)
 {

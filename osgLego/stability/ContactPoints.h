@@ -3,9 +3,13 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <glm/vec3.hpp>
 
 namespace osgLego
 {
+
+/** A corner of a PartBox in pitches. */
+Eigen::Vector3d toPitches(const glm::ivec3& corner);
 
 /** The points at which a part touches the studs below it, in pitches: four at each stud if the part is one stud wide,
  * and three otherwise, as walls and tubes of real parts do. They turn with the part, so that a model that is turned or

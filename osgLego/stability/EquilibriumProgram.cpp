@@ -15,14 +15,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double PLATE_HEIGHT = 0.4; // of the pitch
-
-/** A corner of a box, in pitches. */
-Eigen::Vector3d toPitches(const glm::ivec3& corner)
-{
-    return {1.0 * corner.x, 1.0 * corner.y, PLATE_HEIGHT * corner.z};
-}
-
 Eigen::Vector3d findCenter(const PartBox& box)
 {
     return 0.5 * (toPitches(box.low) + toPitches(box.high));

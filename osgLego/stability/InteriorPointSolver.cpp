@@ -10,12 +10,6 @@ namespace
 {
 
 constexpr int MAXIMUM_ITERATIONS = 100;
-// Proximal terms, which keep the equations well-conditioned: they slow down the steps of forces and of velocities, but
-// vanish together with the steps.
-constexpr double PRESSURE_INERTIA = 1e-8;
-constexpr double FREE_INERTIA = 1e-3;
-constexpr double VELOCITY_INERTIA = 1e-7;
-
 // The share of the way to the nearest boundary that a step may take.
 constexpr double STEP_SHARE = 0.995;
 
@@ -23,28 +17,11 @@ constexpr double ROW_TOLERANCE = 1e-8;   // newtons
 constexpr double FORCE_TOLERANCE = 1e-5; // of the dual equations
 constexpr double GAP_TOLERANCE = 1e-8;   // of the goal, relative above 1
 
-using Places = std::vector<std::pair<std::int32_t, std::int32_t>>;
-
-/** The parts of the contacts between two parts. */
-Places findPlaces(const EquilibriumProgram& program)
+/** Changes of products that bring those at the end of a step near to a target. */
+Eigen::ArrayXd findCorrection(const Eigen::ArrayXd& reached, double target)
 {
-    Places places;
-    for (const EquilibriumProgram::Joint& joint : program.getJoints())
-        if (joint.lower != EquilibriumProgram::NO_BODY) places.emplace_back(joint.upper, joint.lower);
-    return places;
-}
-
-/** The matrix that moves the place about which wrenches are to the origin of `arm`. */
-BlockCholesky::Block createShift(const Eigen::Vector3d& arm)
-{
-    BlockCholesky::Block shift = BlockCholesky::Block::Identity();
-    shift(3, 1) = -arm.z();
-    shift(3, 2) = arm.y();
-    shift(4, 0) = arm.z();
-    shift(4, 2) = -arm.x();
-    shift(5, 0) = -arm.y();
-    shift(5, 1) = arm.x();
-    return shift;
+    constexpr double SPREAD = 10.0;
+    return (reached.max(target / SPREAD).min(target * SPREAD) - reached).max(-target * SPREAD);
 }
 
 /** The largest share of a step, at most 1e10, that keeps all values positive. */
@@ -59,8 +36,8 @@ double findLength(const Eigen::ArrayXd& values, const Eigen::ArrayXd& step)
 } // namespace
 
 InteriorPointSolver::InteriorPointSolver(const EquilibriumProgram& program, const std::function<bool()>& isCancelled) :
-    _program(program), _cholesky(program.getNumBodies(), findPlaces(program), isCancelled),
-    _isDrag(static_cast<Eigen::Index>(program.getNumForces())), _isSigned(_isDrag.size())
+    _program(program), _rows(program, isCancelled), _isDrag(static_cast<Eigen::Index>(program.getNumForces())),
+    _isSigned(_isDrag.size())
 {
     for (Eigen::Index force = 0; force < _isDrag.size(); ++force)
     {
@@ -72,16 +49,17 @@ InteriorPointSolver::InteriorPointSolver(const EquilibriumProgram& program, cons
 
 std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goal)
 {
+    constexpr int MOST_CORRECTIONS = 2;
     _goal = goal;
     if (_program.getNumDrags() == 0) _goal.minimizesTension = false;
-    if (!_cholesky.isCancelled()) start();
-    if (_cholesky.isCancelled()) return std::nullopt;
+    if (!_rows.isCancelled()) start();
+    if (_rows.isCancelled()) return std::nullopt;
     Equilibrium result;
     for (findErrors(); !(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS;
          findErrors())
     {
         factorize();
-        if (_cholesky.isCancelled()) return std::nullopt;
+        if (_rows.isCancelled()) return std::nullopt;
         findStep(findProducts(0.0));
         const auto [primal, dual] = findLengths();
         const double gap = computeGap(_point);
@@ -94,6 +72,8 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
         products.excesses -= _step.excesses * _step.excessCosts;
         products.tension -= _step.tensionSlack * _step.tensionPrice;
         findStep(products);
+        for (int round = 0; round < MOST_CORRECTIONS && improveStep(products, center * gap / _numProducts);)
+            ++round;
         const auto [primalLength, dualLength] = findLengths();
         _point = advance(std::min(STEP_SHARE * primalLength, 1.0), std::min(STEP_SHARE * dualLength, 1.0));
         ++result.numIterations;
@@ -147,12 +127,12 @@ void InteriorPointSolver::startForces()
     _weights = forces.square();
     _rowWeights = Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(_program.getNumRows()), 1e-6);
     const Eigen::ArrayXd wanted = forces * _isSigned;
-    factorizeRows();
-    if (_cholesky.isCancelled()) return;
+    _rows.factorize(_weights, _rowWeights);
+    if (_rows.isCancelled()) return;
     Eigen::VectorXd rows, change;
     _program.multiply(wanted.matrix(), rows);
     rows = _program.getLoad() - rows;
-    _cholesky.solve(rows);
+    _rows.solve(rows);
     _program.multiplyTransposed(rows, change);
     change.array() *= _weights;
     forces = wanted + change.array();
@@ -191,54 +171,14 @@ void InteriorPointSolver::factorize()
 {
     _slackWeights = _point.prices / _point.slacks;
     _divisors = _point.forces * _isSigned + (1.0 - _isSigned);
-    _weights = 1.0 / (_point.costs / _divisors + _slackWeights + PRESSURE_INERTIA * _isSigned +
-                      FREE_INERTIA * (1.0 - _isSigned));
-    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + VELOCITY_INERTIA;
-    factorizeRows();
-    if (!_goal.minimizesTension || _cholesky.isCancelled()) return;
+    _weights = 1.0 / (_point.costs / _divisors + _slackWeights + _goal.inertia.pressures * _isSigned +
+                      _goal.inertia.freeForces * (1.0 - _isSigned));
+    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + _goal.inertia.velocities;
+    _rows.factorize(_weights, _rowWeights);
+    if (!_goal.minimizesTension || _rows.isCancelled()) return;
     _program.multiply((_weights * _slackWeights).matrix(), _tensionColumn);
     _tensionSolution = _tensionColumn;
-    solveRows(_tensionSolution);
-}
-
-void InteriorPointSolver::factorizeRows()
-{
-    _cholesky.setZero();
-    for (std::size_t body = 0; body < _program.getNumBodies(); ++body)
-        _cholesky.getDiagonal(body).diagonal() = _rowWeights.segment<6>(6 * static_cast<Eigen::Index>(body));
-    std::size_t place = 0;
-    for (const EquilibriumProgram::Joint& joint : _program.getJoints())
-    {
-        BlockCholesky::Block sum = BlockCholesky::Block::Zero();
-        for (std::size_t force = joint.first; force < joint.end; ++force)
-        {
-            const Wrench& wrench = _program.getWrench(force);
-            sum.noalias() += (_weights[static_cast<Eigen::Index>(force)] * wrench) * wrench.transpose();
-        }
-        const BlockCholesky::Block upper = createShift(joint.upperArm);
-        const BlockCholesky::Block shifted = upper * sum;
-        _cholesky.getDiagonal(static_cast<std::size_t>(joint.upper)) += shifted * upper.transpose();
-        if (joint.lower == EquilibriumProgram::NO_BODY) continue;
-        const BlockCholesky::Block lower = createShift(joint.lowerArm);
-        _cholesky.getDiagonal(static_cast<std::size_t>(joint.lower)) += lower * sum * lower.transpose();
-        _cholesky.setBlock(place++, -shifted * lower.transpose());
-    }
-    _cholesky.factorize();
-}
-
-void InteriorPointSolver::solveRows(Eigen::VectorXd& rows) const
-{
-    const Eigen::VectorXd right = rows;
-    _cholesky.solve(rows);
-    // The matrix is ill-conditioned near the end, so that the solution needs refinement.
-    Eigen::VectorXd forces;
-    Eigen::VectorXd error;
-    _program.multiplyTransposed(rows, forces);
-    forces.array() *= _weights;
-    _program.multiply(forces, error);
-    error = right - error - (_rowWeights * rows.array()).matrix();
-    _cholesky.solve(error);
-    rows += error;
+    _rows.solve(_tensionSolution);
 }
 
 InteriorPointSolver::Products InteriorPointSolver::findProducts(double target) const
@@ -259,7 +199,7 @@ void InteriorPointSolver::findStep(const Products& products)
     _program.multiply((_weights * shift).matrix(), rows);
     rows += _rowErrors;
     rows.array() += products.excesses / _point.excessCosts - products.lacks / _point.lackCosts;
-    solveRows(rows);
+    _rows.solve(rows);
     _step.tension = 0.0;
     if (_goal.minimizesTension)
     {
@@ -283,6 +223,38 @@ void InteriorPointSolver::findStep(const Products& products)
     _step.excesses = (products.excesses - _point.excesses * _step.excessCosts) / _point.excessCosts;
     _step.tensionSlack = -_step.tension;
     _step.tensionPrice = (products.tension - _point.tensionPrice * _step.tensionSlack) / _point.tensionSlack;
+}
+
+bool InteriorPointSolver::improveStep(Products& products, double target)
+{
+    constexpr double LONG_STEP = 0.95;
+    constexpr double WANTED_GAIN = 0.3;
+    constexpr double LEAST_GAIN = 0.02;
+    const auto findTotals = [&]
+    {
+        const auto [primal, dual] = findLengths();
+        return std::pair(std::min(primal, 1.0), std::min(dual, 1.0));
+    };
+    const auto [primal, dual] = findTotals();
+    if (std::min(primal, dual) >= LONG_STEP) return false;
+    const Point end = advance(std::min(primal + WANTED_GAIN, 1.0), std::min(dual + WANTED_GAIN, 1.0));
+    Products changed = products;
+    changed.forces += _isSigned * findCorrection(end.forces * end.costs, target);
+    changed.slacks += _isDrag * findCorrection(end.slacks * end.prices, target);
+    changed.lacks += findCorrection(end.lacks * end.lackCosts, target);
+    changed.excesses += findCorrection(end.excesses * end.excessCosts, target);
+    if (_goal.minimizesTension)
+        changed.tension += findCorrection(Eigen::ArrayXd::Constant(1, end.tensionSlack * end.tensionPrice), target)[0];
+    Point previous = _step;
+    findStep(changed);
+    const auto [changedPrimal, changedDual] = findTotals();
+    if (!(changedPrimal + changedDual >= primal + dual + LEAST_GAIN))
+    {
+        _step = std::move(previous);
+        return false;
+    }
+    products = std::move(changed);
+    return true;
 }
 
 std::pair<double, double> InteriorPointSolver::findLengths() const

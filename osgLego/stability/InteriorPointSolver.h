@@ -1,7 +1,7 @@
 #pragma once
 
-#include <osgLego/stability/BlockCholesky.h>
 #include <osgLego/stability/EquilibriumProgram.h>
+#include <osgLego/stability/RowEquations.h>
 
 #include <functional>
 #include <optional>
@@ -11,6 +11,18 @@
 
 namespace osgLego
 {
+
+/** Proximal terms, which keep the equations well-conditioned: they slow down the steps of forces and of velocities, but
+ * vanish together with the steps.
+ *
+ * The cost of a force moves a force by no more than FORCE_COST / (its inertia) in a step, and pressures between
+ * neighbours and the free forces in their studs may have to move by newtons. */
+struct EquilibriumInertia
+{
+    double freeForces = 1e-9;
+    double pressures = 1e-8; //!< and drags
+    double velocities = 1e-6;
+};
 
 /** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tension + FORCE_COST * (sum of all
  * forces). */
@@ -23,6 +35,7 @@ struct EquilibriumGoal
     double capacity = 1.0;
     /** Whether the tension is minimized; otherwise it is `capacity`. */
     bool minimizesTension = false;
+    EquilibriumInertia inertia = {};
 };
 
 /** Forces that bring parts as close to equilibrium as possible. */
@@ -38,8 +51,7 @@ struct Equilibrium
 
 /** Solves the linear program of an equilibrium by Mehrotra's predictor-corrector method.
  *
- * The normal equations have a block of 6 x 6 numbers for each part and for each contact. The tension is a dense column,
- * which is eliminated after them.
+ * RowEquations gives the steps. The tension is a dense column, which is eliminated after them.
  *
  * One thread at a time. */
 class InteriorPointSolver
@@ -79,16 +91,17 @@ private:
     double computeGap(const Point& point) const;
     bool hasConverged() const;
     void factorize();
-    void factorizeRows();
-    void solveRows(Eigen::VectorXd& rows) const;
     Products findProducts(double target) const;
     void findStep(const Products& products);
+    /** Change the step so that products which would end far from the target, and block longer steps, end near it
+     * (Gondzio's centrality corrections). @return whether that has lengthened the step. */
+    bool improveStep(Products& products, double target);
     /** The largest shares of the step that keep all variables and all dual slacks positive. */
     std::pair<double, double> findLengths() const;
     Point advance(double primal, double dual) const;
 
     const EquilibriumProgram& _program;
-    BlockCholesky _cholesky;
+    RowEquations _rows;
     Eigen::ArrayXd _isDrag;   //!< 1 or 0
     Eigen::ArrayXd _isSigned; //!< 1 or 0
     double _numProducts = 0.0;

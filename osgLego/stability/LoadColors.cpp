@@ -18,6 +18,7 @@ using Color = std::array<std::uint8_t, 3>;
 
 constexpr std::array<Color, 4> SCALE{{{49, 84, 190}, {38, 160, 90}, {240, 205, 40}, {205, 30, 30}}};
 constexpr Color FALLING{220, 0, 200};
+constexpr Color UNKNOWN{128, 128, 128};
 
 } // namespace
 
@@ -40,9 +41,11 @@ osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::f
     if (!report) return nullptr;
     std::vector<Part> parts = model.getParts();
     for (std::size_t part = 0; part < parts.size(); ++part)
-        parts[part].color = findLoadColor(report->loads[part]);
+        if (!std::isnan(report->loads[part])) parts[part].color = findLoadColor(report->loads[part]);
     for (const std::uint32_t part : report->falling)
         parts[part].color = FALLING;
+    for (const std::uint32_t part : report->unknown)
+        parts[part].color = UNKNOWN;
     return BrickModel::createOfParts(model.getGrid(), std::move(parts));
 }
 

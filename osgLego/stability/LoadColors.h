@@ -15,8 +15,8 @@ namespace osgLego
  * yellow for two thirds, and red for all of it or more. */
 std::array<std::uint8_t, 3> findLoadColor(float load);
 
-/** A model on a table with its parts in the colours for the load on their joints (StabilityReport::loads), and magenta
- * for parts that fall.
+/** A model on a table with its parts in the colours for the load on their joints (StabilityReport::loads), magenta for
+ * parts that fall, and grey for those of which that is unknown.
  * @param isCancelled may be empty.
  * @return `model` itself if it has no parts; null if it was cancelled. */
 osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::function<bool()>& isCancelled = {});

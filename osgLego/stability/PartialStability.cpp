@@ -82,7 +82,7 @@ std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const st
         if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
     _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
-    if (!report) return std::nullopt;
+    if (!report || (!report->stands && !report->falls())) return std::nullopt;
     std::vector<std::uint32_t> falling;
     for (const std::uint32_t part : report->falling)
         falling.push_back(_fromAnalysis[part]);

@@ -45,7 +45,8 @@ public:
 
     /** @param isPlaced for each part of the graph.
      * @return the parts that fall, as indices into the graph; nothing if that is not known: the simpler methods do
-     * not prove that the parts stand, and linear programs have had `mostSolved` parts or more, or it was cancelled. */
+     * not prove that the parts stand, and linear programs have had `mostSolved` parts or more or can't be solved
+     * precisely enough, or it was cancelled. */
     std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
 
 private:

@@ -3,6 +3,7 @@
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/ComponentSolver.h>
 #include <osgLego/stability/ContactFinder.h>
+#include <osgLego/stability/TippingAngle.h>
 
 #include <algorithm>
 #include <iterator>
@@ -52,7 +53,7 @@ public:
         report.numComponents = select(parts);
         for (const std::uint32_t part : parts)
             if (!_isHeld[part]) drop(part, report);
-        if (!report.stands) report.margin = -1.0;
+        if (report.falls()) report.margin = -1.0;
         const std::vector<Component> components = findComponents(parts);
         std::vector<std::optional<ComponentStability>> results(components.size());
         tbb::parallel_for(std::size_t(0), components.size(),
@@ -67,7 +68,9 @@ public:
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
+        if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(parts, report);
         std::sort(report.falling.begin(), report.falling.end());
+        std::sort(report.unknown.begin(), report.unknown.end());
         return report;
     }
 
@@ -144,6 +147,24 @@ private:
         return solveComponent(_boxes, component.parts, component.contacts, isCancelled);
     }
 
+    /** Each piece that studs hold together tips by itself: neighbours only push it. */
+    std::optional<double> findTippingAngle(std::span<const std::uint32_t> parts, const StabilityReport& report) const
+    {
+        if (report.falls()) return 0.0;
+        if (!report.stands || parts.empty()) return std::nullopt;
+        PartSets studs(_boxes.size());
+        for (const Contact& contact : _contacts)
+            if (contact.kind == Contact::STUDS && _isSelected[contact.lower] && _isSelected[contact.upper])
+                studs.join(contact.lower, contact.upper);
+        std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
+        for (const std::uint32_t part : parts)
+            pieces[studs.find(part)].push_back(part);
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [root, piece] : pieces)
+            least = std::min(least, osgLego::findTippingAngle(_boxes, piece, _lowest));
+        return least;
+    }
+
     static void drop(std::uint32_t part, StabilityReport& report)
     {
         report.falling.push_back(part);
@@ -162,8 +183,12 @@ private:
             report.weakest = result.weakest;
             leastMargin = margin;
         }
+        if (margin < report.margin || (margin == report.margin && !result.isTensionBound))
+            report.isMarginBound = result.isTensionBound;
         report.margin = std::min(report.margin, margin);
-        report.stands = report.stands && result.falling.empty();
+        report.stands = report.stands && result.isKnown && result.falling.empty();
+        if (!result.isKnown)
+            report.unknown.insert(report.unknown.end(), component.parts.begin(), component.parts.end());
         report.safe = report.safe && result.tension <= StabilityReport::SAFE_CAPACITY;
         for (const std::uint32_t body : result.falling)
             drop(component.parts[body], report);

@@ -49,6 +49,15 @@ TEST(BookletCoverTest, WarnsOfWornPartsIfAModelStandsButNotSafely)
               Lines{"This model stands, but parts that are worn may not hold it: handle it with care."});
 }
 
+TEST(BookletCoverTest, SaysIfItIsUnknownWhetherAModelStands)
+{
+    StabilityReport report = createReport(false, false);
+    report.unknown = {0, 1, 2};
+    EXPECT_EQ(warningsOf(report),
+              Lines{"It is unknown whether this model stands on a table: the forces between 3 parts "
+                    "can't be computed precisely enough."});
+}
+
 TEST(BookletCoverTest, SaysWhereAModelFallsAndHowManyParts)
 {
     EXPECT_EQ(warningsOf(createReport(false, false, {0, 1, 2})),

@@ -25,6 +25,19 @@ TEST(LayoutStanding, FewerFallingPartsAreBetterAndThenAHigherMargin)
     EXPECT_FALSE(standsBetter(one, none));
 }
 
+TEST(LayoutStanding, PartsThatMayFallCountAsFalling)
+{
+    StabilityReport stands;
+    stands.margin = -1.0;
+    StabilityReport unknown;
+    unknown.unknown = {0, 1};
+    StabilityReport falls;
+    falls.falling = {0};
+    EXPECT_TRUE(standsBetter(stands, unknown));
+    EXPECT_TRUE(standsBetter(falls, unknown));
+    EXPECT_FALSE(standsBetter(unknown, falls));
+}
+
 TEST(LayoutStanding, CellsHaveTheHeightOfBricksOrOfPlates)
 {
     // A cantilever 1 x 8 on a brick 1 x 1 on a base 1 x 8: plates weigh less.

@@ -5,7 +5,11 @@
 #include <common/BrickRayCaster.h>
 #include <common/RacingCar.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
+#include <osg/Math>
 
 namespace osgLego::test
 {
@@ -94,6 +98,7 @@ struct Reach
     BrickOcclusion occlusion;
     bool isDistant;
     double error; //!< the greatest root mean square
+    double angle; //!< the greatest mean angle of bent normals, in degrees
 };
 
 class AmbientOcclusionReach : public AmbientOcclusionVisibility, public testing::WithParamInterface<Reach>
@@ -101,13 +106,13 @@ class AmbientOcclusionReach : public AmbientOcclusionVisibility, public testing:
 };
 
 INSTANTIATE_TEST_SUITE_P(Reaches, AmbientOcclusionReach,
-                         testing::Values(Reach{"near", BrickOcclusion::SCREEN, false, 0.08},
-                                         Reach{"distant", BrickOcclusion::SCREEN, true, 0.1},
-                                         Reach{"nearInTheGrid", BrickOcclusion::GRID, false, 0.029},
-                                         Reach{"distantInTheGrid", BrickOcclusion::GRID, true, 0.05}),
+                         testing::Values(Reach{"near", BrickOcclusion::SCREEN, false, 0.08, 3.0},
+                                         Reach{"distant", BrickOcclusion::SCREEN, true, 0.1, 5.5},
+                                         Reach{"nearInTheGrid", BrickOcclusion::GRID, false, 0.029, 2.3},
+                                         Reach{"distantInTheGrid", BrickOcclusion::GRID, true, 0.038, 3.0}),
                          [](const auto& reach) { return reach.param.name; });
 
-TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
+TEST_P(AmbientOcclusionReach, VisibilityAndBentNormalsAreThoseOfRaysCastAtTheBricks)
 {
     const Reach& wanted = GetParam();
     osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(wanted.isDistant ? "24" : "14"));
@@ -126,6 +131,7 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
         return draw(*group, viewpoint);
     };
     const osg::ref_ptr<osg::Image> visibility = drawOutput("occlusion");
+    const osg::ref_ptr<osg::Image> bentNormals = drawOutput("bent-normals");
     const osg::ref_ptr<osg::Image> normals = drawOutput("normals");
     const osg::Camera& camera = *_viewer.getCamera();
     const osg::Matrixd toWorld = osg::Matrixd::inverse(camera.getViewMatrix() * camera.getProjectionMatrix() *
@@ -136,7 +142,15 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
     const BrickRayCaster caster(*lego->getBricks());
     const double reach = wanted.isDistant ? DistantOcclusion::getReach(caster.getModel().getGrid())
                                           : AmbientOcclusionSettings::RADIUS_IN_BRICKS;
+    const auto readDirection = [&](const osg::Image& image, int column, int row)
+    {
+        osg::Vec3d direction =
+            osg::Matrixd::transform3x3(readColor(image, column, row) * 2.0 - osg::Vec3d(1, 1, 1), viewToWorld);
+        direction.normalize();
+        return toGlm(direction);
+    };
     double squares = 0.0;
+    double angles = 0.0;
     int count = 0;
     for (int row = 3; row < HEIGHT; row += 5)
         for (int column = 3; column < WIDTH; column += 5)
@@ -148,19 +162,20 @@ TEST_P(AmbientOcclusionReach, VisibilityIsThatOfRaysCastAtTheBricks)
             const auto distance = caster.findNearest(start, toGlm(direction), 1e6);
             const osg::Vec3d shown = readColor(*visibility, column, row);
             if (!distance || shown.x() != shown.z()) continue; // the background is blue
-            osg::Vec3d normal =
-                osg::Matrixd::transform3x3(readColor(*normals, column, row) * 2.0 - osg::Vec3d(1, 1, 1), viewToWorld);
-            normal.normalize();
             const BrickRayCaster::Occlusion rays = caster.sampleOcclusion(
-                start + *distance * toGlm(direction), toGlm(normal), reach, AmbientOcclusionSettings::FALLOFF, 256,
-                static_cast<std::uint32_t>(row * WIDTH + column));
+                start + *distance * toGlm(direction), readDirection(*normals, column, row), reach,
+                AmbientOcclusionSettings::FALLOFF, 256, static_cast<std::uint32_t>(row * WIDTH + column));
             squares += (shown.x() - rays.visibility) * (shown.x() - rays.visibility);
+            const double cosine = glm::dot(readDirection(*bentNormals, column, row), rays.bentNormal);
+            angles += osg::RadiansToDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
             ++count;
         }
     ASSERT_GT(count, 150);
     const double error = std::sqrt(squares / count);
     RecordProperty("rootMeanSquare", std::to_string(error));
     EXPECT_LE(error, wanted.error) << count << " pixels";
+    RecordProperty("meanAngle", std::to_string(angles / count));
+    EXPECT_LE(angles / count, wanted.angle) << count << " pixels";
 }
 
 TEST_F(AmbientOcclusionVisibility, NormalsAreShownInTheEyesCoordinates)

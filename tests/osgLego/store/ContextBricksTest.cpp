@@ -1,5 +1,6 @@
 #include <osgLego/store/BrickStore.h>
 #include <osgLego/store/ContextBricks.h>
+#include <osgLego/store/GridOcclusionTextures.h>
 
 #include <GlTest.h>
 #include <Notices.h>
@@ -9,6 +10,8 @@
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include <osg/observer_ptr>
 
 namespace osgLego::test
 {
@@ -192,6 +195,40 @@ TEST_F(ContextBricksTest, DistantOcclusionWaitsForBricksMadeOnTheGpu)
     ASSERT_TRUE(occlusion);
     EXPECT_EQ(_bricks->findDistantOcclusion(getState(), NearOcclusion::PICTURE), occlusion) << "created once";
     EXPECT_EQ(_bricks->blocks.size(), 3u) << "read on the way";
+}
+
+TEST_F(ContextBricksTest, TablesOfGridOcclusionRemainForTheNextViewer)
+{
+    osg::observer_ptr<osg::Image> table;
+    osg::observer_ptr<osg::Image> studs;
+    {
+        BrickGrid grid;
+        grid.cellSize = {1.0, 1.0, 1.3}; // a height that no other test has
+        const std::vector<BrickNeighbors> neighbors(1);
+        const osg::ref_ptr<GridOcclusionTextures> textures = new GridOcclusionTextures(getState(), grid, neighbors);
+        table = textures->getTable().getImage();
+        studs = textures->getStuds().getImage();
+    }
+    EXPECT_TRUE(table.valid());
+    EXPECT_TRUE(studs.valid());
+}
+
+TEST_F(ContextBricksTest, GridsShareTablesUnlessTheirCellsHaveOtherProportions)
+{
+    const auto create = [this](double pitch, double height)
+    {
+        BrickGrid grid;
+        grid.cellSize = {pitch, pitch, height};
+        const std::vector<BrickNeighbors> neighbors(1);
+        return osg::ref_ptr<GridOcclusionTextures>(new GridOcclusionTextures(getState(), grid, neighbors));
+    };
+    const osg::ref_ptr<GridOcclusionTextures> plates = create(1.0, 0.4);
+    for (const double pitch : {0.1, 0.3, 0.7, 1.1, 3.3, 6.9})
+        EXPECT_EQ(&create(pitch, 0.4 * pitch)->getTable(), &plates->getTable()) << pitch;
+    EXPECT_NE(&create(1.0, 1.2)->getTable(), &plates->getTable());
+    // In cells that are as flat as this, rays would meet a million of them within the radius.
+    const osg::ref_ptr<GridOcclusionTextures> flat = create(1.0, 1e-6);
+    EXPECT_EQ(&create(1.0, 0.1)->getTable(), &flat->getTable());
 }
 
 TEST_F(ContextBricksTest, BricksInQuickSuccessionKeepTheirDistantOcclusion)

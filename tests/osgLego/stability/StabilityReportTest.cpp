@@ -1,0 +1,41 @@
+#include <osgLego/StabilityReport.h>
+
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+TEST(StabilityReport, SaysWhetherAModelStandsFallsOrThatThisIsUnknown)
+{
+    StabilityReport report;
+    EXPECT_EQ(report.toString(), "the model stands safely, with a margin of 100 %");
+    report.margin = 0.1;
+    report.safe = false;
+    EXPECT_EQ(report.toString(), "the model stands, but not safely, with a margin of 10 %");
+    report.stands = false;
+    report.unknown = {3};
+    EXPECT_EQ(report.toString(), "it is unknown whether the model stands; 1 part is in a piece whose forces can't be "
+                                 "computed precisely enough");
+    EXPECT_FALSE(report.falls());
+    report.falling = {1, 2};
+    EXPECT_EQ(report.toString(), "the model falls: 2 parts are not held; 1 part is in a piece whose forces can't be "
+                                 "computed precisely enough");
+    EXPECT_TRUE(report.falls());
+}
+
+TEST(StabilityReport, MarksAMarginThatIsABound)
+{
+    StabilityReport report;
+    report.margin = 0.5;
+    report.isMarginBound = true;
+    EXPECT_EQ(report.toString(), "the model stands safely, with a margin of at least 50 %");
+    report.safe = false;
+    EXPECT_EQ(report.toString(), "the model stands, but maybe not safely, with a margin of at least 50 %");
+}
+
+} // namespace
+
+} // namespace osgLego::test
