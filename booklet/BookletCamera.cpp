@@ -66,6 +66,15 @@ glm::dvec2 BookletCamera::project(const glm::dvec3& cell) const
     return {place * _right, place * _up};
 }
 
+glm::dvec3 BookletCamera::getStart(const glm::dvec2& place) const
+{
+    const glm::dvec3 size = glm::dvec3(_grid.dimensions) * _grid.cellSize / _grid.getPitch();
+    // The grid's corners are nearer to its origin than this, studs included.
+    const double distance = size.x + size.y + size.z + 1.0;
+    const osg::Vec3d start = _right * place.x + _up * place.y + _toEye * distance;
+    return {start.x(), start.y(), start.z()};
+}
+
 osg::Quat BookletCamera::getLightTurn() const
 {
     return _lightTurn;

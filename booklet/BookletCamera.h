@@ -44,6 +44,9 @@ public:
     BookletFrame findFrame(const BrickModel& model) const { return findFrame(model.getParts(), model.getGrid()); }
     /** A point in cell units, in the picture's plane. */
     glm::dvec2 project(const glm::dvec3& cell) const;
+    /** The start of a ray against getToEye() through a place of the picture's plane, in front of all bricks: in pitches
+     * from the grid's origin, along the model's axes. */
+    glm::dvec3 getStart(const glm::dvec2& place) const;
     /** The direction to the eye, in model coordinates, of length 1. */
     glm::dvec3 getToEye() const { return {_toEye.x(), _toEye.y(), _toEye.z()}; }
     /** The rotation from lights in the view of a default BuildingView to this view, so that lights turn with the

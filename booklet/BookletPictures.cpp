@@ -2,6 +2,7 @@
 
 #include "BookletFailure.h"
 #include "HiddenParts.h"
+#include "NewPartMask.h"
 #include "NewPartOutline.h"
 
 #include <common/PictureBuffer.h>
@@ -22,15 +23,15 @@ namespace osgLego
 namespace
 {
 
-constexpr double DENSITY = 2.0;          // pixels of pictures per pixel of CSS
-constexpr double LARGEST_WIDTH = 1600;   // pixels
-constexpr double LARGEST_HEIGHT = 1400;  // pixels
-constexpr double LARGEST_PITCH = 120;    // pixels; larger bricks would look odd beside those of the parts lists
-constexpr double PART_DENSITY = 3.0;     // pictures of parts are small, and printed as large
+constexpr double DENSITY = 1.5;          // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1200;   // pixels
+constexpr double LARGEST_HEIGHT = 1050;  // pixels
+constexpr double LARGEST_PITCH = 90;     // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 2.0;     // pictures of parts are small, and printed as large
 constexpr double PART_PITCH = 20.0;      // pixels of CSS
-constexpr double LARGEST_PLATE = 500;    // pixels of the width of a base plate in lists
+constexpr double LARGEST_PLATE = 333;    // pixels of the width of a base plate in lists
 constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
-constexpr double LARGEST_SUBMODEL = 900; // pixels along each side of a submodel in lists
+constexpr double LARGEST_SUBMODEL = 600; // pixels along each side of a submodel in lists
 constexpr double ARROW_LENGTH = 3.0;     // pitches
 constexpr double ARROW_WIDTH = 0.45;     // pitches
 constexpr double LETTER_SPACE = 3.0;     // pitches between the tails of arrows with letters
@@ -98,13 +99,21 @@ struct PictureFormat
 };
 
 // Browsers copy JPEG into PDF as it is, and store pictures in all other formats without losses there: the PDF of 370
-// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG.
+// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG, but takes ten times as long.
 constexpr PictureFormat OPAQUE_FORMAT{"picture.jpg", "image/jpeg", "jpeg:88"};
-constexpr PictureFormat TRANSPARENT_FORMAT{"picture.webp", "image/webp", "webp:90"};
+constexpr PictureFormat SMALL_FORMAT{"picture.png", "image/png", "zip:6"};
+constexpr PictureFormat LARGE_FORMAT{"picture.webp", "image/webp", "webp:90"};
+constexpr int LARGE = 500000; // pixels
+
+const PictureFormat& chooseFormat(const osg::Image& image)
+{
+    if (image.getPixelFormat() != GL_RGBA) return OPAQUE_FORMAT;
+    return image.s() * image.t() < LARGE ? SMALL_FORMAT : LARGE_FORMAT;
+}
 
 BookletPicture encode(const osg::Image& image, double density)
 {
-    const PictureFormat& format = image.getPixelFormat() == GL_RGBA ? TRANSPARENT_FORMAT : OPAQUE_FORMAT;
+    const PictureFormat& format = chooseFormat(image);
     OIIO::ImageBuf picture = toImageBuf(image);
     picture.specmod().attribute("compression", format.compression);
     OIIO::Filesystem::IOVecOutput bytes;
@@ -262,7 +271,7 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     _renderer.setModel(*model, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
     _renderer.setBase(nullptr);
-    _renderer.setOcclusion(false);
+    _renderer.setFullLook(false);
     _shown = NONE;
     const BookletCamera camera(model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
@@ -278,7 +287,7 @@ BookletPicture BookletPictures::drawBasePlate()
     _renderer.setModel(*one, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
     _renderer.setBase(nullptr);
-    _renderer.setOcclusion(false);
+    _renderer.setFullLook(false);
     _shown = NONE;
     const BookletCamera camera(one->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(*one));
@@ -302,7 +311,7 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     _renderer.setPlaced(own.model->getParts().size(), 0);
     const bool isSubmodel = chapter > 0;
     _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
-    _renderer.setOcclusion(!isSubmodel);
+    _renderer.setFullLook(!isSubmodel);
     const BookletCamera camera(own.model->getGrid(), {0, false, _front});
     BookletFrame frame = addMargin(findWholeFrame(own, camera));
     const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
@@ -319,16 +328,16 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
     _renderer.setBase(isOnPlate(own) ? _fadedPlate.get() : nullptr);
-    _renderer.setOcclusion(false);
+    _renderer.setFullLook(false);
 
     const BookletCamera camera = createCamera(own, shown);
     const double pixels = _scales[chapter].pixels;
     BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    const glm::ivec2 small = glm::max(size / 2, 1);
-    const osg::ref_ptr<osg::Image> dark = _renderer.drawNewParts(camera, frame, small, {0, 0, 0});
-    NewPartOutline(*dark, *_renderer.drawNewParts(camera, frame, small, {255, 255, 255})).draw(*image);
+    const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
+    NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
+        .draw(*image);
     BookletPicture picture = encode(*image, DENSITY);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };

@@ -8,9 +8,7 @@
 #include <osgLego/BuildingPlan.h>
 #include <osgLego/LegoNode.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include <glm/vec2.hpp>
 #include <osg/GraphicsContext>
@@ -37,16 +35,14 @@ public:
 
     /** Show another model below, such as a base plate. @param base null for none. */
     void setBase(const BrickModel* base);
-    /** Set whether pictures have ambient occlusion, which takes two thirds of the time. */
-    void setOcclusion(bool hasOcclusion);
+    /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions, as
+     * at first. */
+    void setFullLook(bool isFull);
 
     /** Draw the model over white.
      * @param size in pixels.
      * @return 8-bit RGB, bottom row first. */
     osg::ref_ptr<osg::Image> draw(const BookletCamera& camera, const BookletFrame& frame, const glm::ivec2& size);
-    /** Likewise with the new parts in one colour. Call it after draw(), which shows the model. */
-    osg::ref_ptr<osg::Image> drawNewParts(const BookletCamera& camera, const BookletFrame& frame,
-                                          const glm::ivec2& size, const std::array<std::uint8_t, 3>& color);
     /** Likewise over a transparent background. @return 8-bit RGBA with straight alpha. */
     osg::ref_ptr<osg::Image> drawTransparent(const BookletCamera& camera, const BookletFrame& frame,
                                              const glm::ivec2& size);
@@ -59,9 +55,6 @@ private:
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<LegoNode> _base;
     osg::ref_ptr<const BrickModel> _model;
-    osg::ref_ptr<const BuildingPlan> _plan;
-    std::size_t _numPlaced = 0;
-    std::size_t _numNew = 0;
 };
 
 } // namespace osgLego

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include <glm/common.hpp>
 
 namespace osgLego
 {
@@ -10,10 +11,9 @@ namespace osgLego
 namespace
 {
 
-constexpr int WIDTH = 3;           // of the line, in pixels of the smaller pictures
-constexpr int BESIDE = 3;          // the width of the surroundings beside the line
-constexpr float EDGE = 0.4f;       // the share of a new part in a pixel from which the pixel belongs to it
-constexpr float DIFFERENT = 0.25f; // the difference between a part in black and in white
+constexpr int WIDTH = 2;     // of the line, in places of the mask
+constexpr int BESIDE = 3;    // the width of the surroundings beside the line
+constexpr float EDGE = 0.9f; // the share of new parts in a place from which the place belongs to them
 
 // From the most to the least noticeable among bricks and their black lines.
 constexpr std::array<PixelColor, 5> CANDIDATES{
@@ -34,23 +34,6 @@ PixelColor getPixel(const osg::Image& picture, int x, int y)
 {
     const unsigned char* data = picture.data(static_cast<unsigned int>(x), static_cast<unsigned int>(y));
     return {data[0], data[1], data[2]};
-}
-
-/** The share of new parts in each pixel. */
-std::vector<float> findShares(const osg::Image& dark, const osg::Image& light)
-{
-    std::vector<float> shares;
-    for (int y = 0; y < dark.t(); ++y)
-        for (int x = 0; x < dark.s(); ++x)
-        {
-            const PixelColor before = getPixel(dark, x, y);
-            const PixelColor after = getPixel(light, x, y);
-            int difference = 0;
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                difference = std::max(difference, std::abs(after[channel] - before[channel]));
-            shares.push_back(std::min(static_cast<float>(difference) / (DIFFERENT * 255.0f), 1.0f));
-        }
-    return shares;
 }
 
 /** The largest of the values around each pixel, in a square. */
@@ -81,19 +64,18 @@ double getContrast(const PixelColor& color, const PixelColor& other)
     return (high + GLARE) / (low + GLARE);
 }
 
-NewPartOutline::NewPartOutline(const osg::Image& dark, const osg::Image& light) : _width(dark.s()), _height(dark.t())
+NewPartOutline::NewPartOutline(const NewPartMask& mask) :
+    _lowest(mask.lowest), _width(mask.size.x), _height(mask.size.y), _ring(dilate(mask.shares, _width, _height, WIDTH)),
+    _outside(dilate(mask.shares, _width, _height, WIDTH + BESIDE))
 {
-    const std::vector<float> shares = findShares(dark, light);
-    _ring = dilate(shares, _width, _height, WIDTH);
-    _outside = dilate(shares, _width, _height, WIDTH + BESIDE);
-    for (std::size_t pixel = 0; pixel < shares.size(); ++pixel)
+    for (std::size_t place = 0; place < mask.shares.size(); ++place)
     {
-        _outside[pixel] = std::max(_outside[pixel] - _ring[pixel], 0.0f);
-        _ring[pixel] = shares[pixel] > EDGE ? 0.0f : _ring[pixel];
+        _outside[place] = std::max(_outside[place] - _ring[place], 0.0f);
+        _ring[place] = mask.shares[place] > EDGE ? 0.0f : _ring[place];
     }
 }
 
-/** The value at a place between pixels, which is in pixels. */
+/** The value between the middles of places. */
 float NewPartOutline::findShare(const std::vector<float>& shares, double x, double y) const
 {
     const int left = std::clamp(static_cast<int>(std::floor(x - 0.5)), 0, _width - 1);
@@ -116,7 +98,8 @@ PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
     for (int y = 0; y < _height; ++y)
         for (int x = 0; x < _width; ++x)
             if (_outside[static_cast<std::size_t>(y * _width + x)] > 0.5f)
-                surroundings.push_back(getPixel(picture, x * picture.s() / _width, y * picture.t() / _height));
+                surroundings.push_back(
+                    getPixel(picture, NewPartMask::PIXELS * (_lowest.x + x), NewPartMask::PIXELS * (_lowest.y + y)));
     if (surroundings.empty()) return CANDIDATES.front();
     PixelColor best{};
     double most = 0.0;
@@ -139,10 +122,14 @@ PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
 PixelColor NewPartOutline::draw(osg::Image& picture) const
 {
     const PixelColor color = chooseColor(picture);
-    for (int y = 0; y < picture.t(); ++y)
-        for (int x = 0; x < picture.s(); ++x)
+    const glm::ivec2 first = NewPartMask::PIXELS * _lowest;
+    const glm::ivec2 end =
+        glm::min(first + NewPartMask::PIXELS * glm::ivec2(_width, _height), glm::ivec2(picture.s(), picture.t()));
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x)
         {
-            const float share = findShare(_ring, (x + 0.5) * _width / picture.s(), (y + 0.5) * _height / picture.t());
+            const float share =
+                findShare(_ring, (x - first.x + 0.5) / NewPartMask::PIXELS, (y - first.y + 0.5) / NewPartMask::PIXELS);
             if (share == 0.0f) continue;
             unsigned char* data = picture.data(static_cast<unsigned int>(x), static_cast<unsigned int>(y));
             for (std::size_t channel = 0; channel < 3; ++channel)

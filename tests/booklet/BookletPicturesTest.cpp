@@ -140,7 +140,7 @@ TEST_F(BookletPicturesTest, StepsOfAChapterAreAsWideAsItsWidestView)
     const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 2}, HEIGHT_OF_BRICK), parts);
     const Projection front(0, false);
     const double widest = front.project({8, 2, 0}).x - front.project({0, 0, 0}).x;
-    const double width = 120.0 * (widest + 2.0 * MARGIN); // the largest scale of steps, in pixels a stud
+    const double width = 90.0 * (widest + 2.0 * MARGIN); // the largest scale of steps, in pixels a stud
     for (const int first : {0, 1})
     {
         std::vector<BuildingStep> steps{createStep({0}), createStep({1})};
@@ -161,7 +161,7 @@ TEST_F(BookletPicturesTest, KindsLieWithTheirLongSideToTheRight)
     const BookletPicture picture = BookletPictures(model, _renderer).drawKind(0);
     const Projection projection(0, false);
     const double width = projection.project({8, 2, 0}).x - projection.project({0, 0, 0}).x + 2.0 * MARGIN;
-    EXPECT_NEAR(picture.width, 60.0 * width, 1.0) << "20 pixels of CSS a stud, at three times the density";
+    EXPECT_NEAR(picture.width, 40.0 * width, 1.0) << "20 pixels of CSS a stud, at twice the density";
 }
 
 } // namespace osgLego::test

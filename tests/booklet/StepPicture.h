@@ -42,7 +42,7 @@ public:
     explicit Pixels(const BookletPicture& picture)
     {
         OIIO::Filesystem::IOMemReader reader(const_cast<char*>(picture.bytes.data()), picture.bytes.size());
-        const std::string name = picture.mediaType == "image/jpeg" ? "a.jpg" : "a.webp";
+        const std::string name = picture.mediaType == "image/jpeg" ? "a.jpg" : picture.mediaType == "image/png" ? "a.png" : "a.webp";
         const auto input = OIIO::ImageInput::open(name, nullptr, &reader);
         if (!input) throw std::runtime_error(OIIO::geterror());
         _width = input->spec().width;
@@ -58,16 +58,15 @@ public:
     int getHeight() const { return _height; }
 
     /** The mean colour of some pixels about a place, in pixels from the top left. */
-    Color getColor(const glm::dvec2& place) const
+    Color getColor(const glm::dvec2& place, int reach = 2) const
     {
-        constexpr int REACH = 2;
-        constexpr double SCALE = 1.0 / (255.0 * (2 * REACH + 1) * (2 * REACH + 1));
+        const double scale = 1.0 / (255.0 * (2 * reach + 1) * (2 * reach + 1));
         std::array<double, 3> sum{};
-        for (int y = -REACH; y <= REACH; ++y)
-            for (int x = -REACH; x <= REACH; ++x)
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x)
                 for (int channel = 0; channel < 3; ++channel)
                     sum[static_cast<std::size_t>(channel)] +=
-                        SCALE *
+                        scale *
                         _bytes.at(static_cast<std::size_t>(
                             ((static_cast<int>(place.y) + y) * _width + static_cast<int>(place.x) + x) * _channels +
                             channel));
