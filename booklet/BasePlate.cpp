@@ -1,6 +1,9 @@
 #include "BasePlate.h"
 
+#include <osgLego/polygonization/FadedColor.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -25,9 +28,19 @@ constexpr std::array<PlateSize, 6> SIZES{
     {{8, 16, "3865"}, {16, 16, "3867"}, {16, 24, "3334"}, {16, 32, "3857"}, {32, 32, "3811"}, {48, 48, "4186"}}};
 
 constexpr std::array<std::uint8_t, 3> GREEN{0x23, 0x78, 0x41};
-constexpr std::array<std::uint8_t, 3> FADED_GREEN{0xb4, 0xcc, 0xbc};
 constexpr std::int32_t GREEN_CODE = 2;
 constexpr double THICKNESS = 0.2; // pitches
+
+/** As earlier parts are drawn. */
+std::array<std::uint8_t, 3> fade(const std::array<std::uint8_t, 3>& color)
+{
+    constexpr std::array<double, 3> FADED{FadedColor::FADED_RED, FadedColor::FADED_GREEN, FadedColor::FADED_BLUE};
+    std::array<std::uint8_t, 3> faded{};
+    for (std::size_t channel = 0; channel < faded.size(); ++channel)
+        faded[channel] = static_cast<std::uint8_t>(
+            std::lround((1.0 - FadedColor::FADING) * color[channel] + FadedColor::FADING * 255.0 * FADED[channel]));
+    return faded;
+}
 
 } // namespace
 
@@ -93,7 +106,7 @@ osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
             part.size[0] = static_cast<std::uint8_t>(_size.x);
             part.size[static_cast<std::size_t>(3 - up)] = static_cast<std::uint8_t>(_size.y);
             part.size[static_cast<std::size_t>(up)] = 1;
-            part.color = isFaded ? FADED_GREEN : GREEN;
+            part.color = isFaded ? fade(GREEN) : GREEN;
             part.colorCode = GREEN_CODE;
         }
     return BrickModel::createOfParts(_grid, std::move(parts));
