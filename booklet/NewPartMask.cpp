@@ -3,9 +3,11 @@
 #include <common/BrickRayCaster.h>
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
@@ -15,7 +17,7 @@ namespace
 
 constexpr double FAR = std::numeric_limits<double>::infinity();
 
-osg::ref_ptr<const BrickModel> createPart(const BrickModel& model, std::span<const std::uint32_t> indices)
+osg::ref_ptr<const BrickModel> createModelOf(const BrickModel& model, std::span<const std::uint32_t> indices)
 {
     std::vector<Part> parts;
     parts.reserve(indices.size());
@@ -45,7 +47,7 @@ public:
 private:
     BrickRayCaster _newParts;
     BrickRayCaster _earlier;
-    const BookletCamera& _camera;
+    const BookletCamera& _camera; // outlives this object
 };
 
 } // namespace
@@ -54,8 +56,8 @@ NewPartMask NewPartMask::create(const BrickModel& model, std::span<const std::ui
                                 const BookletCamera& camera, const BookletFrame& frame, const glm::ivec2& picture,
                                 int margin)
 {
-    const osg::ref_ptr<const BrickModel> newParts = createPart(model, placed.last(numNew));
-    const NewPartRays rays(*newParts, *createPart(model, placed.first(placed.size() - numNew)), camera);
+    const osg::ref_ptr<const BrickModel> newParts = createModelOf(model, placed.last(numNew));
+    const NewPartRays rays(*newParts, *createModelOf(model, placed.first(placed.size() - numNew)), camera);
     const glm::dvec2 pitches = frame.getSize() / glm::dvec2(picture); // of a pixel
     const BookletFrame bounds = camera.findFrame(*newParts);
     const glm::dvec2 scale = pitches * static_cast<double>(PIXELS);
@@ -68,11 +70,9 @@ NewPartMask NewPartMask::create(const BrickModel& model, std::span<const std::ui
         for (int x = mask.lowest.x; x < end.x; ++x)
         {
             int number = 0;
-            for (int pixel = 0; pixel < PIXELS * PIXELS; ++pixel)
-            {
-                const glm::dvec2 place(PIXELS * x + pixel % PIXELS + 0.5, PIXELS * y + pixel / PIXELS + 0.5);
-                number += rays.isNew(frame.lowest + place * pitches) ? 1 : 0;
-            }
+            for (int row = PIXELS * y; row < PIXELS * (y + 1); ++row)
+                for (int column = PIXELS * x; column < PIXELS * (x + 1); ++column)
+                    number += rays.isNew(frame.lowest + (glm::dvec2(column, row) + 0.5) * pitches) ? 1 : 0;
             mask.shares.push_back(static_cast<float>(number) / static_cast<float>(PIXELS * PIXELS));
         }
     return mask;
