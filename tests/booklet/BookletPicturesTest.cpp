@@ -114,7 +114,8 @@ TEST_F(BookletPicturesTest, ArrowsAndTheirLettersAreApart)
     for (std::uint16_t place = 0; place < 3; ++place)
     {
         const auto x = static_cast<std::uint16_t>(2 * place);
-        parts.push_back({{x, x, 1}, {2, 2, 1}, BLUE, 1});
+        const auto y = static_cast<std::uint16_t>(6 - 3 * place);
+        parts.push_back({{x, y, 1}, {2, 2, 1}, BLUE, 1});
         submodels.push_back({{createStep({place + 1u})}});
     }
     const auto bricks = BrickModel::createOfParts(createPartGrid({8, 8, 2}, HEIGHT_OF_BRICK), parts);

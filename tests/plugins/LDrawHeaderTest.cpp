@@ -11,7 +11,7 @@ namespace
 TEST(LDrawHeader, HasTheTextsOfAnOptionString)
 {
     const osg::ref_ptr<osgDB::Options> options =
-        new osgDB::Options("noLicense=x author=\"Ann Smith\" license=MIT title=\"My car\"");
+        new osgDB::Options("nolicense=x author=\"Ann Smith\" license=MIT title=\"My car\"");
     const LDrawHeader header = LDrawHeader::read(options);
     EXPECT_EQ(header.author, "Ann Smith");
     EXPECT_EQ(header.license, "MIT");
