@@ -54,7 +54,7 @@ def check_pictures(page):
         if own.tag not in ("img", "image"):
             continue
         width, height = size_of(decode(own.get("src") or own["href"]))
-        density = 2 if own.tag == "img" else 1
+        density = 1.5 if own.tag == "img" else 1
         if abs(width / density - int(own["width"])) > 1 or abs(height / density - int(own["height"])) > 1:
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
         if own.find_ancestor(lambda other: other.has_class("frame")):
