@@ -35,8 +35,8 @@ public:
 
     /** Show another model below, such as a base plate. @param base null for none. */
     void setBase(const BrickModel* base);
-    /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions, as
-     * at first. */
+    /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions,
+     * as at first. */
     void setFullLook(bool isFull);
 
     /** Draw the model over white.
