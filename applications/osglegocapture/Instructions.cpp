@@ -7,6 +7,7 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLegoBooklet/Booklet.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -88,7 +89,12 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
     booklet.modelName = nameModel(options);
     booklet.isCancelled = Cancellation::isRequested;
     booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };
-    throwIf(writeBooklet(lego, findFile(options), context, booklet));
+    const std::string page = findFile(options);
+    throwIf(writeBooklet(lego, page, context, booklet));
+    progress.clear();
+    // The user has not typed the names. Standard output may be that of a list or of statistics.
+    fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", page,
+               std::filesystem::path(page).replace_extension(".txt").string());
 }
 
 } // namespace osgLego
