@@ -8,15 +8,18 @@
 #include "BookletPage.h"
 #include "BookletPictures.h"
 #include "BookletRenderer.h"
-#include "BookletText.h"
+#include "BookletWords.h"
 
 #include <common/LegolizeName.h>
 #include <common/PictureRenderer.h>
+#include <common/ReadableName.h>
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/Palette.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <osgDB/FileNameUtils>
@@ -35,6 +38,12 @@ constexpr std::size_t MOST_CHECKED_PARTS = 2000;
 constexpr std::size_t MOST_COMPUTED_PARTS = 6000;
 constexpr double PLANNING_SHARE = 0.1; // of the time
 
+/** The file for the instructions in words, beside the page. */
+std::string nameText(const std::string& fileName)
+{
+    return osgDB::getNameLessExtension(fileName) + ".txt";
+}
+
 /** Makes one booklet. Throws BookletFailure. */
 class BookletWriter
 {
@@ -44,6 +53,7 @@ public:
     void write(const std::string& fileName, osg::GraphicsContext& context) const;
 
 private:
+    void checkView() const;
     void checkCancellation() const;
     void report(double share, const std::string& work) const;
     osg::ref_ptr<const BrickModel> findModel() const;
@@ -56,6 +66,20 @@ private:
     const LegoNode& _lego;
     const BookletOptions& _options;
 };
+
+void BookletWriter::checkView() const
+{
+    const BuildingView& view = _options.view;
+    // Written so that NaN is rejected.
+    if (std::isfinite(view.azimuth) && view.elevation >= BuildingView::LEAST_ELEVATION &&
+        view.elevation <= BuildingView::MOST_ELEVATION)
+        return;
+    throw BookletFailure(
+        Reason::BAD_VIEW,
+        fmt::format(
+            "a booklet can't be seen from {},{}; expected an azimuth in degrees, and {} to {} degrees of elevation",
+            view.azimuth, view.elevation, BuildingView::LEAST_ELEVATION, BuildingView::MOST_ELEVATION));
+}
 
 void BookletWriter::checkCancellation() const
 {
@@ -91,6 +115,7 @@ osg::ref_ptr<const BuildingPlan> BookletWriter::createPlan(const BrickModel& mod
 {
     PlanningOptions planning;
     planning.base = _options.base;
+    planning.view = _options.view;
     planning.checksStability = model.getParts().size() <= MOST_CHECKED_PARTS;
     planning.isCancelled = _options.isCancelled;
     planning.progress = [this](double share) { report(PLANNING_SHARE * share, "planning the order of building"); };
@@ -146,6 +171,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
         throw BookletFailure(Reason::BAD_STEPS,
                              fmt::format("{} has no steps {}-{}; expected FIRST-LAST, counted from 1",
                                          _options.modelName, _options.steps->first, _options.steps->last));
+    checkView();
     std::string error;
     const osg::ref_ptr<const Palette> palette = Palette::read(_lego.getSettings(), error);
     // Stored bricks don't need the file of their palette: LDraw's codes name their colours.
@@ -160,7 +186,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     BookletRenderer renderer(context);
 
     const osg::ref_ptr<const BuildingPlan> plan = createPlan(*bricks);
-    const BookletModel model(*bricks, *plan, colors);
+    const BookletModel model(*bricks, *plan, colors, _options.base);
     BookletFacts facts;
     setSteps(model.getMainChapter().steps.size(), facts);
     const osg::ref_ptr<LegoNode> planned = new LegoNode;
@@ -170,17 +196,24 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     planned->setBuildingPlan(plan);
 
     const std::string name = osgDB::getStrippedName(fileName);
-    facts.title = titleOf(name);
+    facts.title = _options.title.empty() ? toReadableName(fileName) : _options.title;
+    facts.author = _options.author;
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
-    facts.downloads = createDownloads(name, model.getPartsList(), *planned);
+    std::ostringstream words;
+    BookletWords(model).write(words, facts.title);
+    facts.downloads =
+        createDownloads(name, model.getPartsList(), *planned, {facts.title, _options.author, _options.license});
     checkCancellation();
-    BookletPictures pictures(model, renderer);
+    BookletPictures pictures(model, renderer, _options.view);
+    facts.downloads.push_back({"Instructions in words", name + ".txt", "text/plain;charset=utf-8", words.str()});
     writePage(fileName, model, facts, pictures);
+    writeBookletFile(nameText(fileName), [&words](std::ostream& stream) { stream << words.str(); });
 }
 
 void checkFile(const std::string& fileName)
 {
     checkBookletFolder(fileName);
+    checkBookletFolder(nameText(fileName));
     findLDrawWriter();
 }
 

@@ -15,10 +15,13 @@ namespace
 {
 
 /** The model in LDraw's format, with its steps and submodels. */
-std::string createMpd(const LegoNode& lego, const std::string& fileName)
+std::string createMpd(const LegoNode& lego, const std::string& fileName, const BookletHeader& header)
 {
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
     options->setPluginStringData("STREAM_FILENAME", fileName); // as OSG's own plugins name streams
+    options->setPluginStringData("TITLE", header.title);
+    options->setPluginStringData("AUTHOR", header.author);
+    options->setPluginStringData("LICENSE", header.license);
     std::ostringstream stream;
     const osgDB::ReaderWriter::WriteResult result = findLDrawWriter().writeNode(lego, stream, options);
     if (!result.success()) throw BookletFailure(BookletError::Reason::BAD_MODEL, result.message());
@@ -37,7 +40,8 @@ osgDB::ReaderWriter& findLDrawWriter()
     return *writer;
 }
 
-std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego)
+std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
+                                             const BookletHeader& header)
 {
     std::ostringstream wanted;
     list.writeWantedList(wanted);
@@ -45,7 +49,7 @@ std::vector<BookletDownload> createDownloads(const std::string& name, const Part
     list.writeCsv(table);
     return {{"Wanted list (BrickLink)", name + ".xml", "application/xml", wanted.str()},
             {"Parts list (CSV)", name + ".csv", "text/csv", table.str()},
-            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name + ".mpd")}};
+            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name + ".mpd", header)}};
 }
 
 } // namespace osgLego

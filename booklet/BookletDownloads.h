@@ -13,6 +13,14 @@
 namespace osgLego
 {
 
+/** The texts of the header of the model in LDraw's format; empty: the plugin's default. */
+struct BookletHeader
+{
+    std::string title;
+    std::string author;
+    std::string license;
+};
+
 /** The plugin that writes LDraw's files. Throws BookletFailure if osgDB does not find it. */
 osgDB::ReaderWriter& findLDrawWriter();
 
@@ -20,6 +28,7 @@ osgDB::ReaderWriter& findLDrawWriter();
  * BookletFailure.
  * @param name of the files, without an extension.
  * @param lego with stored bricks and their building plan. */
-std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego);
+std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
+                                             const BookletHeader& header);
 
 } // namespace osgLego

@@ -68,9 +68,12 @@ std::size_t countPieces(const BrickModel& model)
 
 } // namespace
 
-BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette) :
-    _model(&model), _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
+BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette,
+                           BuildingBase base) :
+    _model(&model),
+    _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
 {
+    if (base == BuildingBase::PLATE) _basePlate.emplace(model);
     _list.add(model, palette);
     _kinds = _list.getRows();
     _kindOfPart = _list.findRows(model);
@@ -101,6 +104,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         own.numUnheld = static_cast<std::size_t>(std::count_if(
             placed.back().begin(), placed.back().end(),
             [&unheld](std::uint32_t part) { return std::binary_search(unheld.begin(), unheld.end(), part); }));
+        own.numDirect = step.parts.size();
         own.numNew = placed.back().size();
         own.numPlaced = all.size();
     }
@@ -156,6 +160,13 @@ std::size_t BookletModel::getNumFallingSteps() const
         number += static_cast<std::size_t>(std::count_if(chapter.steps.begin(), chapter.steps.end(),
                                                          [](const BookletStep& step) { return step.falls(); }));
     return number;
+}
+
+std::size_t BookletModel::getNumSteps() const
+{
+    return std::accumulate(_chapters.begin(), _chapters.end(), std::size_t{0},
+                           [](std::size_t number, const BookletChapter& chapter)
+                           { return number + chapter.steps.size(); });
 }
 
 std::size_t BookletModel::getNumParts() const

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "BasePlate.h"
+
 #include <common/PartsList.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>
+#include <osgLego/StabilityReport.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +37,7 @@ struct BookletStep
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
+    std::size_t numDirect = 0; //!< the parts that this step puts in place, without those of submodels; they come first
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
 
     /** Whether parts fall after this step, other than those that nothing holds anyway. */
@@ -61,8 +66,13 @@ class BookletModel
 public:
     /** @param model with parts that are in getPartTypes(), at least one.
      * @param plan of the model.
-     * @param palette the colours that the model was built in, as in PartsList::add(). */
-    BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette);
+     * @param palette the colours that the model was built in, as in PartsList::add().
+     * @param base the surface on which the model stands. */
+    BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette,
+                 BuildingBase base = BuildingBase::TABLE);
+
+    /** The base plate, which is not counted among the parts; nothing on a table. */
+    const std::optional<BasePlate>& getBasePlate() const { return _basePlate; }
 
     const PartsList& getPartsList() const { return _list; }
     /** The rows of the parts list. */
@@ -72,6 +82,8 @@ public:
     const BookletChapter& getMainChapter() const { return _chapters.front(); }
 
     std::size_t getNumParts() const;
+    /** The number of steps, those of submodels included. */
+    std::size_t getNumSteps() const;
     /** The number of pieces that no stud holds together. */
     std::size_t getNumPieces() const { return _numPieces; }
     double getMass() const; //!< grams
@@ -92,6 +104,7 @@ private:
     std::vector<PartsList::Row> _kinds;
     std::vector<std::size_t> _kindOfPart;
     std::vector<BookletChapter> _chapters;
+    std::optional<BasePlate> _basePlate;
     std::size_t _numPieces = 0;
     std::size_t _numUnheld = 0;
 };

@@ -104,7 +104,7 @@ void BookletPage::write(std::ostream& stream)
 std::size_t BookletPage::countPictures() const
 {
     constexpr std::size_t COVER_AND_END = 2;
-    return COVER_AND_END + _model.getKinds().size() +
+    return COVER_AND_END + _model.getKinds().size() + (_model.getBasePlate() ? 1 : 0) +
            countStepPictures(_model.getMainChapter(), _facts.firstStep, _facts.endStep);
 }
 
@@ -135,7 +135,9 @@ void BookletPage::writeCover()
 {
     _progress("cover");
     *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1>" << escapedForMarkup(_facts.title)
-             << "</h1>\n<p class=\"subtitle\">Building instructions</p>\n<figure class=\"picture\">";
+             << "</h1>\n<p class=\"subtitle\">Building instructions"
+             << (_facts.author.empty() ? std::string() : " by " + escapedForMarkup(_facts.author))
+             << "</p>\n<figure class=\"picture\">";
     writeImage(_pictures.drawFinished(0), "The finished model: " + _facts.title);
     *_stream << "</figure>\n";
     if (!_facts.warnings.empty())
@@ -154,9 +156,11 @@ void BookletPage::writeFacts()
     const glm::dvec3 size = _model.getSize();
     constexpr double PITCH = 8.0;
     const std::size_t numSteps = _model.getMainChapter().steps.size();
-    std::string steps = formatNumber(numSteps);
+    std::string steps = formatNumber(_model.getNumSteps());
+    if (_model.getNumSteps() > numSteps)
+        steps += fmt::format(", {} of them in submodels", formatNumber(_model.getNumSteps() - numSteps));
     if (_facts.endStep - _facts.firstStep < numSteps)
-        steps = fmt::format("{} to {} of {}", _facts.firstStep + 1, _facts.endStep, steps);
+        steps = fmt::format("{} to {} of {}", _facts.firstStep + 1, _facts.endStep, formatNumber(numSteps));
     const std::vector<std::pair<std::string, std::string>> rows{
         {"Parts", formatNumber(_model.getNumParts())},
         {"Pieces", formatNumber(_model.getNumPieces())},
@@ -193,7 +197,22 @@ void BookletPage::writePartsList()
         writeDetails(row);
         *_stream << "</li>\n";
     }
+    if (_model.getBasePlate()) writeBasePlate();
     *_stream << "</ul>\n</section>\n";
+}
+
+/** The base plate at the end of the parts, none of which it is. */
+void BookletPage::writeBasePlate()
+{
+    const BasePlate& plate = *_model.getBasePlate();
+    _progress("base plate");
+    const BookletPicture picture = _pictures.drawBasePlate();
+    *_stream << "<li class=\"base-plate\">";
+    writeImage(picture, fmt::format("{} in green", plate.getName()));
+    *_stream << "<p><span class=\"quantity\">" << plate.getQuantity() << "×</span> <span><span class=\"name\">"
+             << plate.getName() << "</span> <span class=\"code\">" << plate.getNumber()
+             << "</span></span> <span>Green, drawn smaller</span> <span class=\"code\"><span>BrickLink\u00a06</span> "
+             << "<span>LDraw\u00a02</span></span></p></li>\n";
 }
 
 /** The text below the picture of a part: all that is needed to order it. */
@@ -310,7 +329,7 @@ void BookletPage::writeArrows(const BookletStep& step, const BookletPicture& pic
     {
         const BookletArrow& arrow = picture.arrows[index];
         *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
-        if (picture.arrows.size() > 1)
+        if (step.submodels.size() > 1 && index < step.submodels.size())
             *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
                                     arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
                                     _model.getChapters()[step.submodels[index]].letter);

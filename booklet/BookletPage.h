@@ -25,6 +25,7 @@ struct BookletDownload
 struct BookletFacts
 {
     std::string title;
+    std::string author;                //!< empty: none on the cover
     std::vector<std::string> warnings; //!< sentences for the cover
     std::vector<BookletDownload> downloads;
     std::size_t firstStep = 0; //!< the main steps to write
@@ -50,6 +51,7 @@ private:
     void writeCover();
     void writeFacts();
     void writePartsList();
+    void writeBasePlate();
     void writeDetails(const PartsList::Row& row);
     void writeSteps();
     void writeSubmodels(const BookletStep& step);

@@ -27,7 +27,7 @@ struct BookletPicture
     int width = 0;                    //!< pixels
     int height = 0;                   //!< pixels
     double density = 1.0;             //!< pixels per pixel of CSS (1/96 inch)
-    std::vector<BookletArrow> arrows; //!< one to each submodel that is attached
+    std::vector<BookletArrow> arrows; //!< one to each submodel, and then to each hidden part
 };
 
 /** Draws the pictures of a booklet. One thread. */
@@ -38,6 +38,8 @@ public:
 
     /** A part alone, on a transparent background; all parts are drawn at one scale. */
     virtual BookletPicture drawKind(std::size_t kind) = 0;
+    /** The base plate alone, on a transparent background, smaller than parts. The model must have one. */
+    virtual BookletPicture drawBasePlate() = 0;
     /** The finished model or submodel, on a transparent background. Submodels are drawn at the scale of parts alone,
      * unless they would be very large. */
     virtual BookletPicture drawFinished(std::size_t chapter) = 0;

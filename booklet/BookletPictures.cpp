@@ -1,12 +1,17 @@
 #include "BookletPictures.h"
 
 #include "BookletFailure.h"
+#include "HiddenParts.h"
+#include "NewPartMask.h"
+#include "NewPartOutline.h"
 
 #include <common/PictureBuffer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include <OpenImageIO/filesystem.h>
@@ -18,22 +23,31 @@ namespace osgLego
 namespace
 {
 
-constexpr double DENSITY = 2.0;          // pixels of pictures per pixel of CSS
-constexpr double LARGEST_WIDTH = 1600;   // pixels
-constexpr double LARGEST_HEIGHT = 1400;  // pixels
-constexpr double LARGEST_PITCH = 120;    // pixels; larger bricks would look odd beside those of the parts lists
-constexpr double PART_DENSITY = 3.0;     // pictures of parts are small, and printed as large
+constexpr double DENSITY = 1.5;          // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1200;   // pixels
+constexpr double LARGEST_HEIGHT = 1050;  // pixels
+constexpr double LARGEST_PITCH = 90;     // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 2.0;     // pictures of parts are small, and printed as large
 constexpr double PART_PITCH = 20.0;      // pixels of CSS
+constexpr double LARGEST_PLATE = 333;    // pixels of the width of a base plate in lists
 constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
-constexpr double LARGEST_SUBMODEL = 900; // pixels along each side of a submodel in lists
+constexpr double LARGEST_SUBMODEL = 600; // pixels along each side of a submodel in lists
 constexpr double ARROW_LENGTH = 3.0;     // pitches
 constexpr double ARROW_WIDTH = 0.45;     // pitches
+constexpr double LETTER_SPACE = 3.0;     // pitches between the tails of arrows with letters
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
 BookletFrame addMargin(BookletFrame frame)
 {
     frame.lowest -= MARGIN;
     frame.highest += MARGIN;
+    return frame;
+}
+
+BookletFrame unite(BookletFrame frame, const BookletFrame& other)
+{
+    frame.lowest = glm::min(frame.lowest, other.lowest);
+    frame.highest = glm::max(frame.highest, other.highest);
     return frame;
 }
 
@@ -54,6 +68,28 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     return size;
 }
 
+/** Move the tails of arrows apart, to one height, so that their letters are beside no other arrow. */
+void spread(std::vector<BookletArrow>& arrows)
+{
+    std::vector<std::size_t> order(arrows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return arrows[a].tip.x < arrows[b].tip.x; });
+    double highest = std::numeric_limits<double>::lowest();
+    for (const BookletArrow& arrow : arrows)
+        highest = std::max(highest, arrow.tail.y);
+    double shift = 0.0;
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+        BookletArrow& arrow = arrows[order[place]];
+        arrow.tail.y = highest;
+        if (place > 0) arrow.tail.x = std::max(arrow.tail.x, arrows[order[place - 1]].tail.x + LETTER_SPACE);
+        shift += (arrow.tail.x - arrow.tip.x) / static_cast<double>(arrows.size());
+    }
+    for (BookletArrow& arrow : arrows)
+        arrow.tail.x -= shift; // to both sides
+}
+
 /** A file format, and its quality for OpenImageIO. */
 struct PictureFormat
 {
@@ -63,13 +99,21 @@ struct PictureFormat
 };
 
 // Browsers copy JPEG into PDF as it is, and store pictures in all other formats without losses there: the PDF of 370
-// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG.
+// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG, but takes ten times as long.
 constexpr PictureFormat OPAQUE_FORMAT{"picture.jpg", "image/jpeg", "jpeg:88"};
-constexpr PictureFormat TRANSPARENT_FORMAT{"picture.webp", "image/webp", "webp:90"};
+constexpr PictureFormat SMALL_FORMAT{"picture.png", "image/png", "zip:6"};
+constexpr PictureFormat LARGE_FORMAT{"picture.webp", "image/webp", "webp:90"};
+constexpr int LARGE = 500000; // pixels
+
+const PictureFormat& chooseFormat(const osg::Image& image)
+{
+    if (image.getPixelFormat() != GL_RGBA) return OPAQUE_FORMAT;
+    return image.s() * image.t() < LARGE ? SMALL_FORMAT : LARGE_FORMAT;
+}
 
 BookletPicture encode(const osg::Image& image, double density)
 {
-    const PictureFormat& format = image.getPixelFormat() == GL_RGBA ? TRANSPARENT_FORMAT : OPAQUE_FORMAT;
+    const PictureFormat& format = chooseFormat(image);
     OIIO::ImageBuf picture = toImageBuf(image);
     picture.specmod().attribute("compression", format.compression);
     OIIO::Filesystem::IOVecOutput bytes;
@@ -108,11 +152,28 @@ osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 
 } // namespace
 
-BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer) :
-    _model(model), _renderer(renderer), _shown(NONE)
+BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front) :
+    _model(model), _renderer(renderer), _front(front), _shown(NONE)
 {
+    if (model.getBasePlate())
+    {
+        _plate = model.getBasePlate()->createModel(false);
+        _fadedPlate = model.getBasePlate()->createModel(true);
+    }
     for (const BookletChapter& chapter : model.getChapters())
         _scales.push_back(findScale(chapter));
+}
+
+/** Whether the base plate, if there is one, is below the parts of a chapter: submodels are built beside it. */
+bool BookletPictures::isOnPlate(const BookletChapter& chapter) const
+{
+    return _plate && &chapter == &_model.getMainChapter();
+}
+
+BookletFrame BookletPictures::findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const
+{
+    const BookletFrame frame = camera.findFrame(*chapter.model);
+    return isOnPlate(chapter) ? unite(frame, camera.findFrame(*_plate)) : frame;
 }
 
 /** The part of the picture that a step needs: as high as the parts in place and the arrows, and as wide as the finished
@@ -123,20 +184,36 @@ BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const Boo
     std::vector<Part> placed;
     for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
         placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
-    const BookletFrame whole = camera.findFrame(chapter.model->getParts());
+    const BookletFrame whole = findWholeFrame(chapter, camera);
     BookletFrame frame = camera.findFrame(placed);
+    if (isOnPlate(chapter)) frame = unite(frame, camera.findFrame(*_plate));
     frame.lowest.x = whole.lowest.x;
     frame.highest.x = whole.highest.x;
-    for (const BookletArrow& arrow : findArrows(step, camera))
+    for (const BookletArrow& arrow : findArrows(chapter, step, camera))
     {
         frame.lowest = glm::min(frame.lowest, arrow.tail);
-        frame.highest = glm::max(frame.highest, arrow.tail);
+        const double letter = step.submodels.size() > 1 ? LETTER_SPACE : 0.0;
+        frame.highest = glm::max(frame.highest, arrow.tail + glm::dvec2(letter, 0.0));
     }
     return addMargin(frame);
 }
 
-/** The arrows to the submodels that a step attaches, in pitches in the plane of the picture. */
-std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, const BookletCamera& camera) const
+/** The new parts of a step that others hide, as indices into the parts of the chapter's model. */
+const std::vector<std::uint32_t>& BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                              const BookletCamera& camera) const
+{
+    const auto [known, isNew] = _hidden.try_emplace(&step);
+    if (!isNew) return known->second;
+    const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
+    known->second =
+        findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
+    return known->second;
+}
+
+/** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the picture.
+ */
+std::vector<BookletArrow> BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                                      const BookletCamera& camera) const
 {
     std::vector<BookletArrow> arrows;
     for (const std::size_t submodel : step.submodels)
@@ -149,6 +226,17 @@ std::vector<BookletArrow> BookletPictures::findArrows(const BookletStep& step, c
         arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
         arrows.push_back(arrow);
     }
+    if (arrows.size() > 1) spread(arrows);
+    for (const std::uint32_t part : findHidden(chapter, step, camera))
+    {
+        const Part& hidden = chapter.model->getParts()[part];
+        const BookletFrame frame = camera.findFrame(std::span(&hidden, 1));
+        BookletArrow arrow;
+        arrow.width = ARROW_WIDTH;
+        arrow.tip = 0.5 * (frame.lowest + frame.highest);
+        arrow.tail = arrow.tip + glm::dvec2(0.0, ARROW_LENGTH);
+        arrows.push_back(arrow);
+    }
     return arrows;
 }
 
@@ -157,11 +245,16 @@ BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter)
     Scale scale;
     for (const BookletStep& step : chapter.steps)
     {
-        const BookletCamera camera(chapter.model->getGrid(), {step.turns, step.isUpsideDown});
+        const BookletCamera camera = createCamera(chapter, step);
         scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
     }
     scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
     return scale;
+}
+
+BookletCamera BookletPictures::createCamera(const BookletChapter& chapter, const BookletStep& step) const
+{
+    return {chapter.model->getGrid(), {step.turns, step.isUpsideDown, _front}};
 }
 
 void BookletPictures::show(std::size_t chapter)
@@ -177,12 +270,29 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     const osg::ref_ptr<const BrickModel> model = createModelOfKind(_model.getKinds()[kind]);
     _renderer.setModel(*model, *createPlanOfOnePart());
     _renderer.setPlaced(1, 0);
-    _renderer.setUpsideDown(false);
-    _renderer.setOcclusion(false);
+    _renderer.setBase(nullptr);
+    _renderer.setFullLook(false);
     _shown = NONE;
     const BookletCamera camera(model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
     const glm::ivec2 size = roundToPixels(frame, PART_PITCH * PART_DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
+}
+
+BookletPicture BookletPictures::drawBasePlate()
+{
+    const BrickModel& plate = *_plate;
+    // One plate of several is enough.
+    const osg::ref_ptr<const BrickModel> one = BrickModel::createOfParts(plate.getGrid(), {plate.getParts().front()});
+    _renderer.setModel(*one, *createPlanOfOnePart());
+    _renderer.setPlaced(1, 0);
+    _renderer.setBase(nullptr);
+    _renderer.setFullLook(false);
+    _shown = NONE;
+    const BookletCamera camera(one->getGrid(), {});
+    BookletFrame frame = addMargin(camera.findFrame(*one));
+    const glm::ivec2 size =
+        roundToPixels(frame, std::min(LARGEST_PLATE / frame.getSize().x, PART_PITCH * PART_DENSITY));
     return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
 }
 
@@ -199,11 +309,11 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    _renderer.setUpsideDown(false);
     const bool isSubmodel = chapter > 0;
-    _renderer.setOcclusion(!isSubmodel);
-    const BookletCamera camera(own.model->getGrid(), {});
-    BookletFrame frame = addMargin(camera.findFrame(own.model->getParts()));
+    _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
+    _renderer.setFullLook(!isSubmodel);
+    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
+    BookletFrame frame = addMargin(findWholeFrame(own, camera));
     const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
     const glm::dvec2 fitting = largest / frame.getSize();
     const double pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
@@ -217,17 +327,21 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
-    _renderer.setUpsideDown(shown.isUpsideDown);
-    _renderer.setOcclusion(false);
+    _renderer.setBase(isOnPlate(own) ? _fadedPlate.get() : nullptr);
+    _renderer.setFullLook(false);
 
-    const BookletCamera camera(own.model->getGrid(), {shown.turns, shown.isUpsideDown});
+    const BookletCamera camera = createCamera(own, shown);
     const double pixels = _scales[chapter].pixels;
     BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
     const glm::ivec2 size = roundToPixels(frame, pixels);
-    BookletPicture picture = encode(*_renderer.draw(camera, frame, size), DENSITY);
+    const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
+    const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
+    NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
+        .draw(*image);
+    BookletPicture picture = encode(*image, DENSITY);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
-    for (const BookletArrow& arrow : findArrows(shown, camera))
+    for (const BookletArrow& arrow : findArrows(own, shown, camera))
         picture.arrows.push_back({toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels});
     return picture;
 }

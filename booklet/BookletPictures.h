@@ -6,6 +6,8 @@
 #include "BookletRenderer.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -16,10 +18,12 @@ namespace osgLego
 class BookletPictures : public BookletPictureSource
 {
 public:
-    /** The arguments must outlive this object. */
-    BookletPictures(const BookletModel& model, BookletRenderer& renderer);
+    /** The model and the renderer must outlive this object.
+     * @param front the view of the finished model, and of steps without turns. */
+    BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front = {});
 
     BookletPicture drawKind(std::size_t kind) override;
+    BookletPicture drawBasePlate() override;
     BookletPicture drawFinished(std::size_t chapter) override;
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override;
     double getAspect(std::size_t chapter) const override;
@@ -32,14 +36,24 @@ private:
         glm::dvec2 size{0.0};
     };
 
+    bool isOnPlate(const BookletChapter& chapter) const;
+    BookletFrame findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const;
     BookletFrame findFrame(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera) const;
-    std::vector<BookletArrow> findArrows(const BookletStep& step, const BookletCamera& camera) const;
+    std::vector<BookletArrow> findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                         const BookletCamera& camera) const;
+    const std::vector<std::uint32_t>& findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                 const BookletCamera& camera) const;
     Scale findScale(const BookletChapter& chapter) const;
+    BookletCamera createCamera(const BookletChapter& chapter, const BookletStep& step) const;
     void show(std::size_t chapter);
     BookletPicture drawWhole(std::size_t chapter);
 
     const BookletModel& _model;
     BookletRenderer& _renderer;
+    BuildingView _front;
+    osg::ref_ptr<const BrickModel> _plate;                                    // null without a base plate
+    osg::ref_ptr<const BrickModel> _fadedPlate;                               // likewise
+    mutable std::map<const BookletStep*, std::vector<std::uint32_t>> _hidden; // parts of steps that are known
     std::vector<Scale> _scales;
     std::size_t _shown;                      // the chapter that the renderer shows
     std::optional<BookletPicture> _finished; // the model

@@ -33,23 +33,27 @@ public:
     /** Show the first parts in the order of building, and highlight the last of them. */
     void setPlaced(std::size_t numPlaced, std::size_t numNew);
 
-    /** Light the model from above, or from below if it lies on its studs. Call it after setModel(). */
-    void setUpsideDown(bool isUpsideDown);
-    /** Set whether pictures have ambient occlusion, which takes two thirds of the time. */
-    void setOcclusion(bool hasOcclusion);
+    /** Show another model below, such as a base plate. @param base null for none. */
+    void setBase(const BrickModel* base);
+    /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions,
+     * as at first. */
+    void setFullLook(bool isFull);
 
     /** Draw the model over white.
      * @param size in pixels.
      * @return 8-bit RGB, bottom row first. */
-    osg::ref_ptr<osg::Image> draw(const BookletCamera& place, const BookletFrame& frame, const glm::ivec2& size);
+    osg::ref_ptr<osg::Image> draw(const BookletCamera& camera, const BookletFrame& frame, const glm::ivec2& size);
     /** Likewise over a transparent background. @return 8-bit RGBA with straight alpha. */
-    osg::ref_ptr<osg::Image> drawTransparent(const BookletCamera& place, const BookletFrame& frame,
+    osg::ref_ptr<osg::Image> drawTransparent(const BookletCamera& camera, const BookletFrame& frame,
                                              const glm::ivec2& size);
 
 private:
+    void place(const BookletCamera& camera, const BookletFrame& frame);
+
     PictureRenderer _renderer;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     osg::ref_ptr<LegoNode> _lego;
+    osg::ref_ptr<LegoNode> _base;
     osg::ref_ptr<const BrickModel> _model;
 };
 

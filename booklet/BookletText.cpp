@@ -58,12 +58,4 @@ std::string describeParts(const PartsList::Row& row, std::size_t quantity)
            name.substr(space);
 }
 
-std::string titleOf(std::string name)
-{
-    std::replace(name.begin(), name.end(), '_', ' ');
-    std::replace(name.begin(), name.end(), '-', ' ');
-    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    return name;
-}
-
 } // namespace osgLego

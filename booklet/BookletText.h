@@ -20,7 +20,4 @@ std::string nameBrickLinkColor(const PaletteColor& color);
 /** Parts of one kind within a sentence, such as "2 red bricks 2 x 4". */
 std::string describeParts(const PartsList::Row& row, std::size_t quantity);
 
-/** A title for a name: "racing_car" becomes "Racing car". */
-std::string titleOf(std::string name);
-
 } // namespace osgLego

@@ -17,8 +17,8 @@ namespace osgLego
 struct BuildingStep
 {
     static constexpr int NUM_TURNS = 4;
-    static constexpr double AZIMUTH = 33.0;   //!< degrees from the front to the right, of the view without turns
-    static constexpr double ELEVATION = 30.0; //!< degrees above the horizon, of all views
+    static constexpr double AZIMUTH = 33.0;   //!< degrees from the front to the right, by default
+    static constexpr double ELEVATION = 30.0; //!< degrees above the horizon, by default
 
     /** Indices into BrickModel::getParts(), in the order of placing, without those of `submodels`. */
     std::vector<std::uint32_t> parts;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BuildingPlan.h>
 #include <osgLego/StabilityReport.h>
 
 #include <functional>
@@ -7,10 +8,24 @@
 namespace osgLego
 {
 
+/** The direction from which a model is seen while it is built, before any quarter turn. */
+struct BuildingView
+{
+    static constexpr double LEAST_ELEVATION = 10.0; //!< from lower, the studs would not be visible
+    static constexpr double MOST_ELEVATION = 80.0;  //!< from higher, the layers would not be
+
+    double azimuth = BuildingStep::AZIMUTH;     //!< degrees from the front to the right
+    double elevation = BuildingStep::ELEVATION; //!< degrees above the horizon, LEAST_ELEVATION to MOST_ELEVATION
+
+    bool operator==(const BuildingView&) const = default;
+};
+
 /** How a building plan is made. */
 struct PlanningOptions
 {
     BuildingBase base = BuildingBase::TABLE;
+    /** The view for which BuildingStep::turns are chosen. */
+    BuildingView view;
     /** Whether the stability of the partial model is checked after every step, and parts are placed accordingly. In
      * large models, some steps remain unchecked, which bounds the time: see BuildingPlan::getNumUnchecked(). */
     bool checksStability = true;

@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include <osgLego/PlanningOptions.h>
+
 #include <CLI/CLI.hpp>
 
 namespace osgLego
@@ -38,7 +40,7 @@ std::string readSize(const std::string& text, CaptureOptions& options)
     return {};
 }
 
-std::string readView(const std::string& text, CaptureView& view)
+std::string readView(const std::string& text, CaptureOptions& options)
 {
     CaptureView read;
     char rest = 0;
@@ -48,7 +50,8 @@ std::string readView(const std::string& text, CaptureView& view)
     if (!isWhole || !isFinite || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
         return badValue("--view", text,
                         "AZIMUTH,ELEVATION[,DISTANCE]: degrees, degrees from -90 to 90, and radii of the mesh above 0");
-    view = read;
+    options.view = read;
+    options.isViewGiven = true;
     return {};
 }
 
@@ -152,6 +155,14 @@ void checkInstructions(const CaptureOptions& options)
 {
     if (options.instructions.empty() && options.bookletSteps)
         throw CLI::ValidationError("--steps has no booklet; expected --instructions with it");
+    if (const double elevation = options.view.elevation;
+        !options.instructions.empty() && options.isViewGiven &&
+        (elevation < BuildingView::LEAST_ELEVATION || elevation > BuildingView::MOST_ELEVATION))
+        throw CLI::ValidationError("a booklet shows studs and layers; expected 10 to 80 degrees of elevation in --view "
+                                   "with --instructions");
+    if (options.instructions.empty() && !(options.title + options.author + options.license).empty())
+        throw CLI::ValidationError(
+            "--title, --author and --license have no booklet; expected --instructions with them");
     if (options.instructions.empty() && options.isBookletConfirmed)
         throw CLI::ValidationError("--yes has no booklet; expected --instructions with it");
     if (options.original && !options.instructions.empty())
@@ -214,10 +225,11 @@ void addPicture(CLI::App& app, CaptureOptions& options)
 void addCamera(CLI::App& app, CaptureOptions& options)
 {
     app.add_option(
-           "--view", toCallback([&](const std::string& text) { return readView(text, options.view); }),
+           "--view", toCallback([&](const std::string& text) { return readView(text, options); }),
            "The camera: degrees around the mesh, degrees above the horizon, and the distance from the middle of the "
            "mesh's bounding sphere in radii of that sphere. Without a distance, the mesh and its bricks just fit "
-           "in (30,25)")
+           "in (30,25). For --instructions, the view of the cover and of the first step, 10 to 80 degrees above the "
+           "horizon (33,30)")
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
     app.add_flag("--orthographic", options.view.orthographic, "Draw without perspective");
     app.add_option(
@@ -293,12 +305,21 @@ void addReports(CLI::App& app, CaptureOptions& options)
 
 void addBooklet(CLI::App& app, CaptureOptions& options)
 {
-    app.add_option("--instructions", options.instructions,
-                   "Write a booklet of building instructions, DIR/NAME.html; DIR is created if it does not exist")
+    app.add_option(
+           "--instructions", options.instructions,
+           "Write a booklet of building instructions, DIR/NAME.html, and in words, DIR/NAME.txt; DIR is created if it "
+           "does not exist")
         ->type_name("DIR");
     app.add_option("--steps", toCallback([&](const std::string& text) { return readSteps(text, options); }),
                    "For --instructions: write only these steps, for example 1-50")
         ->type_name("FIRST-LAST");
+    app.add_option("--title", options.title,
+                   "For --instructions: the title of the booklet and of its model in LDraw's format (the name of MESH)")
+        ->type_name("TEXT");
+    app.add_option("--author", options.author, "For --instructions: the author of both")->type_name("TEXT");
+    app.add_option("--license", options.license,
+                   "For --instructions: the text after !LICENSE in the model (no such line)")
+        ->type_name("TEXT");
     app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
 }
 

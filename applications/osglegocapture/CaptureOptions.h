@@ -54,6 +54,7 @@ struct CaptureOptions
     int height = 720;
     int samples = 4; //!< per pixel; the command line has no option for it
     CaptureView view;
+    bool isViewGiven = false; //!< whether the command line has a view, and not its default
     CaptureProbe probe;
     bool hasOcclusion = false; //!< whether there is an AmbientOcclusionScene
     BrickOcclusion brickOcclusion = BrickOcclusion::GRID;
@@ -70,6 +71,9 @@ struct CaptureOptions
     std::string instructions; //!< the folder for a booklet; empty: none
     /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
     std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
+    std::string title;               //!< of the booklet and its model; empty: the readable name of the mesh
+    std::string author;              //!< likewise; empty: none
+    std::string license;             //!< of the booklet's model in LDraw's format; empty: none
     bool isBookletConfirmed = false; //!< whether a very large booklet is confirmed
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`

@@ -7,6 +7,7 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLegoBooklet/Booklet.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -36,6 +37,7 @@ void throwIf(const std::optional<BookletError>& error)
     if (error->reason == Reason::CANCELLED) Cancellation::check(error->message);
     switch (error->reason)
     {
+    case Reason::BAD_VIEW:
     case Reason::BAD_STEPS:
         throw CaptureError(EXIT_BAD_OPTIONS, error->message);
     case Reason::NO_PLUGIN:
@@ -78,12 +80,21 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
 {
     BookletOptions booklet;
     booklet.base = options.base.value_or(BuildingBase::TABLE);
+    if (options.isViewGiven) booklet.view = {options.view.azimuth, options.view.elevation};
     if (options.bookletSteps) booklet.steps = {options.bookletSteps->first, options.bookletSteps->second};
     booklet.stability = stability;
+    booklet.title = options.title;
+    booklet.author = options.author;
+    booklet.license = options.license;
     booklet.modelName = nameModel(options);
     booklet.isCancelled = Cancellation::isRequested;
     booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };
-    throwIf(writeBooklet(lego, findFile(options), context, booklet));
+    const std::string page = findFile(options);
+    throwIf(writeBooklet(lego, page, context, booklet));
+    progress.clear();
+    // The user has not typed the names. Standard output may be that of a list or of statistics.
+    fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", page,
+               std::filesystem::path(page).replace_extension(".txt").string());
 }
 
 } // namespace osgLego

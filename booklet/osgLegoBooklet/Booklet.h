@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/LegoNode.h>
+#include <osgLego/PlanningOptions.h>
 #include <osgLego/Stability.h>
 #include <osgLegoBooklet/Export.h>
 
@@ -26,9 +27,14 @@ struct BookletOptions
 
     /** The surface on which the model stands while it is built. */
     BuildingBase base = BuildingBase::TABLE;
+    /** The front of the booklet: the view of the cover, and of steps before any quarter turn. */
+    BuildingView view;
     std::optional<StepRange> steps; //!< unset: all steps
     /** The stability of the node's bricks on `base`, if it is known already; it is computed otherwise. */
     std::optional<StabilityReport> stability;
+    std::string title;   //!< of the booklet and its model; empty: the readable name of the file, such as "Small Tower"
+    std::string author;  //!< likewise; empty: none on the cover, and osgLego in the model
+    std::string license; //!< of the model in LDraw's format, the text after !LICENSE; empty: no such line
     /** How messages name the model, such as "'tower.mpd'". */
     std::string modelName = "the model";
     /** Called regularly, from any thread; the booklet is not written if it returns true. May be empty. */
@@ -44,6 +50,7 @@ struct BookletError
     enum class Reason
     {
         BAD_MODEL, //!< there are no parts, or not of the shapes of bricks and plates, or the palette can't be read
+        BAD_VIEW,  //!< BookletOptions::view has an elevation outside the range of BuildingView
         BAD_STEPS, //!< BookletOptions::steps has no step of the model
         NO_PLUGIN, //!< the plugin osgdb_ldraw was not found
         NO_GL,     //!< the context can't draw bricks
@@ -61,9 +68,11 @@ struct BookletError
  * @return nothing if it can. */
 OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::string& fileName);
 
-/** Write a booklet of building instructions: one HTML page that needs no other file. docs/instructions.md describes it.
+/** Write a booklet of building instructions: one HTML page that needs no other file, and beside it the same
+ * instructions in words, as a text file. docs/instructions.md describes both.
  *
- * The title of the booklet, and the names of the files that readers can save from it, follow from the name of its file.
+ * The names of the files that readers can save from it follow from the name of its file, and so does the title unless
+ * one is given.
  * The file is written atomically, and its folder is created if only the folder is missing; if the function fails, an
  * older file is unchanged and a new folder is removed.
  *
@@ -84,9 +93,9 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
  *     if (!error) error = osgLego::writeBooklet(*lego, file, *context, options);
  *     if (error) std::cerr << error->message << std::endl;
  *
- * A model of 500 parts takes about half a minute on two cores; above 2,000 parts, steps are planned without computing
- * whether the model stands after each of them. The node is not changed, and must not be changed during the call. May be
- * called from any thread.
+ * A model of 500 parts takes about a minute and a half on two cores; above 2,000 parts, steps are planned without
+ * computing whether the model stands after each of them. The node is not changed, and must not be changed during the
+ * call. May be called from any thread.
  * @return nothing if the booklet is written. @throws std::bad_alloc if there is not enough memory. */
 OSGLEGOBOOKLET_EXPORT std::optional<BookletError> writeBooklet(const LegoNode& lego, const std::string& fileName,
                                                                osg::GraphicsContext& context,

@@ -110,9 +110,11 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
     StepBuilder::FindFalling findFalling;
     if (_options.checksStability)
         findFalling = [&stability](const std::vector<bool>& isPlaced) { return stability.findFalling(isPlaced); };
-    StepBuilder builder(graph, findFalling,
-                        [this, &setting](std::size_t numPlaced)
-                        { return proceed(setting.isSubmodel ? 0 : numPlaced); });
+    StepViews views(graph.getBoxes(), getCellHeight(), _options.view, !setting.isUpsideDown);
+    StepBuilder builder(
+        graph, findFalling,
+        [this, &setting](std::size_t numPlaced) { return proceed(setting.isSubmodel ? 0 : numPlaced); },
+        parts.size() <= MOST_VIEWED ? &views : nullptr);
     const auto toParts = [&parts](const PartList& local)
     {
         PartList result;
@@ -120,13 +122,9 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
             result.push_back(parts[index]);
         return result;
     };
-    StepViews views(graph.getBoxes(), getCellHeight());
     std::vector<BuildingStep> steps;
     for (const AssemblyStep& assembly : builder.build())
     {
-        PartList shown = assembly.parts;
-        for (const PartList& submodel : assembly.submodels)
-            shown.insert(shown.end(), submodel.begin(), submodel.end());
         BuildingStep& step = steps.emplace_back();
         step.parts = toParts(assembly.parts);
         for (const PartList& submodel : assembly.submodels)
@@ -134,7 +132,7 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
         step.stands = assembly.stands;
         step.isChecked = assembly.isChecked;
         step.isFromBelow = setting.isUpsideDown;
-        if (!setting.isUpsideDown && parts.size() <= MOST_VIEWED) step.turns = views.show(shown);
+        step.turns = assembly.turns;
     }
     return steps;
 }

@@ -6,9 +6,9 @@
 namespace osgLego
 {
 
-StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed) :
+StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views) :
     _graph(graph), _symmetry(graph.getBoxes()), _order(graph.getBoxes(), _symmetry),
-    _findFalling(std::move(findFalling)), _proceed(std::move(proceed)), _units(graph),
+    _findFalling(std::move(findFalling)), _proceed(std::move(proceed)), _views(views), _units(graph),
     _isPlaced(graph.getNumParts(), false), _isHung(graph.getNumParts(), false), _isLost(graph.getNumParts(), false)
 {
 }
@@ -44,9 +44,36 @@ void StepBuilder::regroup()
 UnitList StepBuilder::proposeStep()
 {
     UnitList units = _queue->propose(_isDelayed);
-    if (_queue->getWeight(units) >= UnitQueue::LEAST) return units;
-    _isDelayed.assign(_isDelayed.size(), false);
-    return _queue->propose(_isDelayed);
+    if (_queue->getWeight(units) < UnitQueue::LEAST)
+    {
+        _isDelayed.assign(_isDelayed.size(), false);
+        units = _queue->propose(_isDelayed);
+    }
+    shorten(units);
+    return units;
+}
+
+/** Whether no part of a step is hidden; parts of submodels may be, since they have steps of their own. */
+bool StepBuilder::canShow(const UnitList& units, bool isTurning) const
+{
+    if (!_views) return true;
+    std::vector<std::uint32_t> parts;
+    for (const std::uint32_t unit : units)
+        if (!_queue->isSubmodel(unit)) parts.push_back(_units.getUnits()[unit].parts.front());
+    return _views->canShow(parts, isTurning);
+}
+
+/** Leave out the last units if some part is hidden otherwise, and if enough remain; preferably without a turn. */
+void StepBuilder::shorten(UnitList& units) const
+{
+    for (const bool isTurning : {false, true})
+        for (UnitList shorter = units; _queue->getWeight(shorter) >= UnitQueue::LEAST; shorter.pop_back())
+        {
+            const bool leavesOne = shorter.size() < units.size() && _queue->getNumOpen() == shorter.size() + 1;
+            if (leavesOne || !canShow(shorter, isTurning)) continue;
+            units = shorter;
+            return;
+        }
 }
 
 void StepBuilder::mark(const UnitList& units, bool isPlaced)
@@ -61,15 +88,18 @@ void StepBuilder::place(const UnitList& units, bool stands)
     AssemblyStep step;
     step.stands = stands;
     step.isChecked = !stands || _isKnown;
+    std::vector<std::uint32_t> shown;
     for (const std::uint32_t unit : units)
     {
         const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
         _numPlaced += parts.size();
+        shown.insert(shown.end(), parts.begin(), parts.end());
         if (_queue->isSubmodel(unit))
             step.submodels.push_back(parts);
         else
             step.parts.push_back(parts.front());
     }
+    if (_views) step.turns = _views->show(shown);
     _steps.push_back(std::move(step));
     mark(units, true);
     _queue->take(units);
@@ -116,7 +146,7 @@ bool StepBuilder::clamp(const UnitList& units, const std::vector<std::uint32_t>&
     }
     // The other units of the step, as many as fit.
     for (const std::uint32_t unit : units)
-        if (UnitList longer = step; _queue->addWithAllBefore(unit, longer)) step = longer;
+        if (UnitList longer = step; _queue->addWithAllBefore(unit, longer) && canShow(longer, true)) step = longer;
     if (step.size() <= 1 || !_queue->isOneStep(step) || !findFalling(step).empty()) return false;
     place(step, true);
     return true;
@@ -134,7 +164,8 @@ bool StepBuilder::postpone(const UnitList& units, const std::vector<std::uint32_
         hasChanged = true;
     }
     if (!hasChanged) return false;
-    const UnitList others = _queue->propose(_isDelayed);
+    UnitList others = _queue->propose(_isDelayed);
+    shorten(others);
     if (_queue->getWeight(others) < UnitQueue::LEAST || !findFalling(others).empty()) return false;
     place(others, true);
     return true;

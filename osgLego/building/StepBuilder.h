@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/building/StepViews.h>
 #include <osgLego/building/UnitQueue.h>
 
 #include <functional>
@@ -17,10 +18,13 @@ struct AssemblyStep
     std::vector<std::vector<std::uint32_t>> submodels;
     bool stands = true;
     bool isChecked = false; // whether `stands` is known
+    int turns = 0;          // of the view, as BuildingStep::turns
 };
 
 /** Divides the parts of a model or submodel into steps of 5 to 10 parts, at most 12, in an order in which they can be
  * placed from above.
+ *
+ * A step is shortened, to no fewer than 5 parts, if some would be hidden in every view.
  *
  * If parts fall after a step, the parts that hold them are placed in the same step, or other parts are placed first. If
  * neither helps, the falling parts become a submodel with a part above that holds them.
@@ -39,8 +43,9 @@ public:
     using Proceed = std::function<bool(std::size_t numPlaced)>;
 
     /** @param graph must outlive this object.
-     * @param findFalling may be empty. Steps for which it returns nothing count as standing. */
-    StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed);
+     * @param findFalling may be empty. Steps for which it returns nothing count as standing.
+     * @param views of the parts of `graph`, none of them in place; null if all steps have the same view. */
+    StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views = nullptr);
 
     /** @return nothing if it was given up. */
     std::vector<AssemblyStep> build();
@@ -48,6 +53,8 @@ public:
 private:
     void regroup();
     UnitList proposeStep();
+    bool canShow(const UnitList& units, bool isTurning) const;
+    void shorten(UnitList& units) const;
     void place(const UnitList& units, bool stands);
     void mark(const UnitList& units, bool isPlaced);
     std::vector<std::uint32_t> findFalling(const UnitList& units);
@@ -61,6 +68,7 @@ private:
     PartOrder _order;
     FindFalling _findFalling;
     Proceed _proceed;
+    StepViews* _views;
     BuildingUnits _units;
     std::unique_ptr<UnitQueue> _queue;
     std::vector<bool> _isPlaced;

@@ -1,10 +1,9 @@
 #include <osgLego/building/StepViews.h>
 
-#include <osgLego/BuildingPlan.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,20 +16,20 @@ namespace
 {
 
 constexpr double DEGREE = std::numbers::pi / 180.0;
-constexpr double AZIMUTH = BuildingStep::AZIMUTH * DEGREE;
-constexpr double ELEVATION = BuildingStep::ELEVATION * DEGREE;
 
 /** The direction to the eye, in cells. */
-glm::dvec3 getDirection(int turns, double cellHeight)
+glm::dvec3 getDirection(const BuildingView& view, int turns, double cellHeight)
 {
-    const double azimuth = AZIMUTH + 0.5 * std::numbers::pi * turns;
-    return {std::sin(azimuth) * std::cos(ELEVATION), -std::cos(azimuth) * std::cos(ELEVATION),
-            std::sin(ELEVATION) / cellHeight};
+    const double azimuth = view.azimuth * DEGREE + 0.5 * std::numbers::pi * turns;
+    const double elevation = view.elevation * DEGREE;
+    return {std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation) / cellHeight};
 }
 
 } // namespace
 
-StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight) : _boxes(boxes), _cellHeight(cellHeight)
+StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view, bool mayTurn) :
+    _boxes(boxes), _cellHeight(cellHeight), _view(view), _numTurns(mayTurn ? BuildingStep::NUM_TURNS : 1)
 {
     if (boxes.empty()) return;
     _lower = boxes.front().lower;
@@ -54,7 +53,7 @@ std::size_t StepViews::toIndex(const glm::ivec3& cell) const
                                                 static_cast<std::size_t>(_size.y) * static_cast<std::size_t>(place.z));
 }
 
-int StepViews::show(const std::vector<std::uint32_t>& parts)
+void StepViews::cover(const std::vector<std::uint32_t>& parts, bool isCovered)
 {
     for (const std::uint32_t part : parts)
     {
@@ -62,31 +61,54 @@ int StepViews::show(const std::vector<std::uint32_t>& parts)
         for (int z = box.lower.z; z < box.upper.z; ++z)
             for (int y = box.lower.y; y < box.upper.y; ++y)
                 for (int x = box.lower.x; x < box.upper.x; ++x)
-                    _isCovered[toIndex({x, y, z})] = true;
+                    _isCovered[toIndex({x, y, z})] = isCovered;
     }
-    std::size_t most = countVisible(parts, _turns);
-    if (2 * most > parts.size()) return _turns;
+}
+
+int StepViews::show(const std::vector<std::uint32_t>& parts)
+{
+    cover(parts, true);
+    Sight best = look(parts, _turns);
+    if (best.numHidden == 0 && 2 * best.numVisible > parts.size()) return _turns;
     const int before = _turns;
-    for (int turn = 1; turn < BuildingStep::NUM_TURNS; ++turn)
+    for (int turn = 1; turn < _numTurns; ++turn)
     {
         const int turns = (before + turn) % BuildingStep::NUM_TURNS;
-        const std::size_t numVisible = countVisible(parts, turns);
-        if (numVisible <= most) continue;
-        most = numVisible;
+        const Sight sight = look(parts, turns);
+        if (std::pair(sight.numHidden, best.numVisible) >= std::pair(best.numHidden, sight.numVisible)) continue;
+        best = sight;
         _turns = turns;
     }
     return _turns;
 }
 
-std::size_t StepViews::countVisible(const std::vector<std::uint32_t>& parts, int turns) const
+bool StepViews::canShow(const std::vector<std::uint32_t>& parts, bool isTurning)
 {
-    const glm::dvec3 toEye = getDirection(turns, _cellHeight);
-    return static_cast<std::size_t>(
-        std::count_if(parts.begin(), parts.end(), [&](std::uint32_t part) { return isVisible(_boxes[part], toEye); }));
+    cover(parts, true);
+    bool isShown = false;
+    for (int turn = 0; turn < (isTurning ? _numTurns : 1) && !isShown; ++turn)
+        isShown = look(parts, (_turns + turn) % BuildingStep::NUM_TURNS).numHidden == 0;
+    cover(parts, false);
+    return isShown;
 }
 
-/** Whether a quarter of the faces of a part's cells, those towards the eye, are visible. */
-bool StepViews::isVisible(const BuildingBox& box, const glm::dvec3& toEye) const
+StepViews::Sight StepViews::look(const std::vector<std::uint32_t>& parts, int turns) const
+{
+    constexpr double WELL = 0.25;
+    constexpr double HARDLY = 0.125;
+    const glm::dvec3 toEye = getDirection(_view, turns, _cellHeight);
+    Sight sight;
+    for (const std::uint32_t part : parts)
+    {
+        const double share = getVisibleShare(_boxes[part], toEye);
+        if (share >= WELL) ++sight.numVisible;
+        if (share < HARDLY) ++sight.numHidden;
+    }
+    return sight;
+}
+
+/** The share of the faces of a part's cells, those towards the eye, that are visible. */
+double StepViews::getVisibleShare(const BuildingBox& box, const glm::dvec3& toEye) const
 {
     constexpr double OUTSIDE = 1e-3; // cells
     std::size_t numFaces = 0;
@@ -103,7 +125,7 @@ bool StepViews::isVisible(const BuildingBox& box, const glm::dvec3& toEye) const
                 for (int x = face.lower.x; x < face.upper.x; ++x, ++numFaces)
                     numVisible += isHidden(glm::dvec3(x, y, z) + middle, toEye) ? 0 : 1;
     }
-    return 4 * numVisible >= numFaces;
+    return static_cast<double>(numVisible) / static_cast<double>(numFaces);
 }
 
 /** Whether cells are between a place, in cells, and the eye. */
@@ -119,6 +141,7 @@ bool StepViews::isHidden(glm::dvec3 place, const glm::dvec3& toEye) const
         int next = -1;
         for (int axis = 0; axis < 3; ++axis)
         {
+            if (toEye[axis] == 0.0) continue;
             const double bound = toEye[axis] > 0.0 ? cell[axis] + 1.0 : cell[axis];
             const double length = (bound - place[axis]) / toEye[axis];
             if (next < 0 || length < way)

@@ -28,6 +28,8 @@ public:
     UnitQueue(const BuildingUnits& units, const PartOrder& order, const Symmetry& symmetry);
 
     bool isEmpty() const { return _numOpen == 0; }
+    /** The number of units that are still to be placed. */
+    std::size_t getNumOpen() const { return _numOpen; }
     /** The units of the next step: the first that can be placed.
      * @param isAvoided units that are not used; empty if all may be. */
     UnitList propose(const std::vector<bool>& isAvoided);

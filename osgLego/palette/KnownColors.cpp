@@ -3,6 +3,7 @@
 #include <osgLego/palette/ColorTable.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <iterator>
 #include <map>
@@ -22,6 +23,9 @@ bool isDefaultColor(const PaletteColor& color)
 {
     constexpr int FEWEST_SIZES = 20;
     constexpr std::uint16_t SMALLEST = 1;
+    // Brown, Light Grey and Dark Grey, which other browns and greys replaced in 2004: they are sold used, if at all.
+    constexpr std::array RETIRED{6, 7, 8};
+    if (std::ranges::find(RETIRED, color.code) != RETIRED.end()) return false;
     return color.brickLink >= 0 && (color.bricks & color.plates & SMALLEST) != 0 &&
            std::popcount(color.bricks) + std::popcount(color.plates) >= FEWEST_SIZES;
 }

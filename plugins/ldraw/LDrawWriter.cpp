@@ -5,6 +5,8 @@
 #include "LDrawParser.h"
 #include "LDrawSteps.h"
 
+#include <common/ReadableName.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -80,8 +82,8 @@ std::vector<PartKey> keysOf(const std::vector<LDrawPart>& parts)
 
 } // namespace
 
-LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName) :
-    _scene(scene), _stem(toLine(osgDB::getStrippedName(fileName))),
+LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName, LDrawHeader header) :
+    _scene(scene), _header(std::move(header)), _stem(toLine(osgDB::getStrippedName(fileName))),
     _extension(osgDB::getLowerCaseFileExtension(fileName))
 {
 }
@@ -95,7 +97,8 @@ void LDrawWriter::write(std::ostream& stream) const
 {
     if (_extension != "mpd")
     {
-        writeHeader(stream, _stem + "." + _extension, _scene.models.front());
+        const LDrawModel& first = _scene.models.front();
+        writeHeader(stream, _stem + "." + _extension, titleOf(first), first);
         for (const LDrawPlacement& placement : _scene.placements)
             LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
         return;
@@ -111,14 +114,12 @@ void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, cons
 {
     LDrawSteps steps(model, stem);
     stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
-    writeHeader(stream, stem + ".ldr", model);
+    writeHeader(stream, stem + ".ldr", titleOf(model), model);
     steps.writeMain(stream);
     for (const std::uint32_t submodel : steps.getSubmodels())
     {
-        LDrawModel titled = model;
-        titled.title += titled.title.empty() ? steps.getName(submodel) : ", " + steps.getName(submodel);
         stream << "0 FILE " << steps.getName(submodel) << LDRAW_END_OF_LINE;
-        writeHeader(stream, steps.getName(submodel), titled);
+        writeHeader(stream, steps.getName(submodel), titleOf(model) + ", " + steps.getName(submodel), model);
         steps.writeSubmodel(stream, submodel);
     }
 }
@@ -127,7 +128,7 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 {
     const std::string main = _stem + ".ldr";
     stream << "0 FILE " << main << LDRAW_END_OF_LINE;
-    writeHeader(stream, main, _scene.models.front());
+    writeHeader(stream, main, titleOf(_scene.models.front()), _scene.models.front());
     for (const LDrawPlacement& placement : _scene.placements)
         writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform,
                        nameOf(placement.model) + ".ldr");
@@ -136,14 +137,21 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
         writeModel(stream, _scene.models[model], nameOf(model));
 }
 
-void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model) const
+std::string LDrawWriter::titleOf(const LDrawModel& model) const
 {
-    stream << "0 " << toTitle(model.title.empty() ? _stem : model.title) << LDRAW_END_OF_LINE;
+    if (!_header.title.empty()) return _header.title;
+    return toReadableName(model.title.empty() ? _stem + "." + _extension : model.title);
+}
+
+void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const std::string& title,
+                              const LDrawModel& model) const
+{
+    stream << "0 " << toTitle(title) << LDRAW_END_OF_LINE;
     stream << "0 Name: " << name << LDRAW_END_OF_LINE;
-    stream << "0 Author: osgLego" << LDRAW_END_OF_LINE;
+    stream << "0 Author: " << toLine(_header.author) << LDRAW_END_OF_LINE;
     stream << "0 !LDRAW_ORG Model" << LDRAW_END_OF_LINE;
-    // The more restrictive of the two licences in LDraw's specification: the author may choose the other one.
-    stream << "0 !LICENSE Not redistributable : see NonCAreadme.txt" << LDRAW_END_OF_LINE;
+    // Only the author of a model can grant rights, or refuse them.
+    if (!_header.license.empty()) stream << "0 !LICENSE " << toLine(_header.license) << LDRAW_END_OF_LINE;
     stream << "0 // Settings of osgLego: " << toLine(model.settings) << LDRAW_END_OF_LINE << LDRAW_END_OF_LINE;
 }
 

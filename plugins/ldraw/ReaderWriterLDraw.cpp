@@ -27,7 +27,7 @@ namespace osgLego
  *     osgviewer bunny.ldr
  *
  * Streams are written as .ldr, unless the option's plugin data STREAM_FILENAME gives them another name, with its
- * extension.
+ * extension. LDrawHeader describes options for the title, the author and the licence of written files.
  *
  * The environment variable LDRAWDIR may name the folder of LDraw's part library, from which other parts are read. */
 class ReaderWriterLDraw : public osgDB::ReaderWriter
@@ -37,6 +37,9 @@ public:
     {
         supportsExtension("ldr", "A model of LDraw");
         supportsExtension("mpd", "A model of LDraw with submodels");
+        supportsOption("title=\"TEXT\"", "The title of written files, instead of the model's name");
+        supportsOption("author=\"TEXT\"", "The author of written files (osgLego)");
+        supportsOption("license=\"TEXT\"", "The text after !LICENSE in written files; there is no such line otherwise");
     }
 
     const char* className() const override { return "LDraw reader and writer"; }
@@ -79,13 +82,13 @@ public:
         return node ? writeNode(*node, stream, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
     }
 
-    WriteResult writeNode(const osg::Node& node, const std::string& fileName, const Options*) const override
+    WriteResult writeNode(const osg::Node& node, const std::string& fileName, const Options* options) const override
     {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(fileName))) return WriteResult::FILE_NOT_HANDLED;
         // Before the order of building is planned, which may take long.
         if (const std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty())
             return WriteResult("osgLego: can't write '" + fileName + "': " + obstacle);
-        return writeScene(node, fileName,
+        return writeScene(node, fileName, options,
                           [&fileName](const LDrawWriter& writer)
                           {
                               // A temporary file is removed only if its writer returns.
@@ -97,7 +100,7 @@ public:
 
     WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options* options) const override
     {
-        return writeScene(node, nameStream(options),
+        return writeScene(node, nameStream(options), options,
                           [&stream](const LDrawWriter& writer)
                           {
                               std::ostringstream text;
@@ -151,7 +154,7 @@ private:
     }
 
     /** Write a node by a function that returns the reason if it fails. */
-    static WriteResult writeScene(const osg::Node& node, const std::string& name,
+    static WriteResult writeScene(const osg::Node& node, const std::string& name, const Options* options,
                                   const std::function<std::string(const LDrawWriter&)>& write)
     {
         LDrawScene scene;
@@ -159,7 +162,9 @@ private:
             [&]
             {
                 std::string error;
-                return LDrawScene::create(node, scene, error) ? write(LDrawWriter(scene, name)) : error;
+                return LDrawScene::create(node, scene, error)
+                           ? write(LDrawWriter(scene, name, LDrawHeader::read(options)))
+                           : error;
             });
         if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);
         warn(name, scene.warnings);

@@ -2,6 +2,7 @@
 // width in pixels, and are left out where cells are hardly wider than lines.
 
 #include "osgLego/BrickDimensions.h"
+#include "osgLego/polygonization/FadedColor.h"
 
 #if defined(SPLATS)
 #define lineWidth sceneLines.x
@@ -14,8 +15,6 @@ uniform float oldLineWidth;   // of faded parts
 uniform vec2 linePixelWidth; // in cells, at the depth z in eye coordinates: |x + y * z|
 #endif
 
-const float FADING = 0.62;             // the share of FADED in the colour of a faded part
-const vec3 FADED = vec3(0.90);
 const float FADED_ROUGHNESS = 0.8;
 const float DARK = 0.19;               // the brightness below which a part gets light lines
 const vec3 DARK_LINE = vec3(0.04);
@@ -117,7 +116,7 @@ float lineHere(vec3 toEye)
 // The colour of a part where lines cover a share of the pixel. `own` may vary from part to part.
 vec3 drawnColor(vec3 own, float line)
 {
-    vec3 shown = isNew ? own : mix(own, FADED, FADING);
+    vec3 shown = isNew ? own : mix(own, vec3(FADED_RED, FADED_GREEN, FADED_BLUE), FADING);
     bool isDark = dot(unpackUnorm4x8(color).rgb, vec3(0.299, 0.587, 0.114)) < DARK;
     vec3 ink = !isNew ? OLD_LINE * shown : isDark ? LIGHT_LINE : DARK_LINE;
     return mix(shown, ink, line);

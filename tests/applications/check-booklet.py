@@ -54,7 +54,7 @@ def check_pictures(page):
         if own.tag not in ("img", "image"):
             continue
         width, height = size_of(decode(own.get("src") or own["href"]))
-        density = 2 if own.tag == "img" else 1
+        density = 1.5 if own.tag == "img" else 1
         if abs(width / density - int(own["width"])) > 1 or abs(height / density - int(own["height"])) > 1:
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
         if own.find_ancestor(lambda other: other.has_class("frame")):
@@ -223,6 +223,15 @@ def check_wanted_list(text, parts):
         fail(f"the .xml has {counts}; expected {expected}")
 
 
+def check_cover(page, document, is_whole):
+    """The cover counts the steps of the .mpd, those of submodels included."""
+    facts = {own.children[0].get_text(): own.children[1].get_text() for own in page.elements
+             if own.tag == "div" and [child.tag for child in own.children] == ["dt", "dd"]}
+    number = sum(len(steps) for steps in document.files.values())
+    if is_whole and facts["Steps"].split(",")[0] != str(number):
+        fail(f"the cover counts {facts['Steps']} steps, and the .mpd {number}")
+
+
 def main():
     name, first, last, *models = sys.argv[1:]
     with open(name, encoding="utf-8") as file:
@@ -245,6 +254,7 @@ def main():
             original = Document(file.read())
         if document.find_places(document.main) != original.find_places(original.main):
             fail(f"the .mpd has other parts, colours or places than {model}")
+    check_cover(page, document, last == "all")
     section, written, begin = page.find_id("steps"), document.files[document.main], int(first)
     steps = find_steps(section)
     end = len(written) if last == "all" else int(last)

@@ -49,7 +49,7 @@ BookletModel createTower(const TowerSetting& setting)
     for (const std::size_t step : setting.fallingSteps)
         steps[step].stands = false;
     const auto plan = BuildingPlan::create(6, std::move(steps), {outer, inner}, setting.unheldParts);
-    return {*model, *plan, Palette::getKnownColors()};
+    return {*model, *plan, Palette::getKnownColors(), setting.base};
 }
 
 } // namespace osgLego::test

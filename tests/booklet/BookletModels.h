@@ -19,6 +19,7 @@ struct TowerSetting
     std::vector<std::size_t> fallingSteps{}; //!< of the model
     std::vector<std::uint32_t> unheldParts{};
     int turnsOfLastStep = 0;
+    BuildingBase base = BuildingBase::TABLE;
     bool isInnerUpsideDown = false; //!< whether the inner submodel is built upside down
     bool hasTwoSubmodels = false; //!< whether the second step attaches the inner submodel itself, beside the outer one
 };

@@ -23,6 +23,7 @@ public:
     explicit FakePictures(const BookletModel& model) : _model(model) {}
 
     BookletPicture drawKind(std::size_t kind) override { return create("kind " + std::to_string(kind)); }
+    BookletPicture drawBasePlate() override { return create("plate"); }
     BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override
     {
@@ -135,6 +136,22 @@ TEST(BookletPage, DescribesPicturesInSentences)
     const std::string step = findElement(write(createTower()), "step-3");
     EXPECT_NE(step.find("alt=\"Step 3 of 3: adds 1 red brick 1 x 1 and 1 blue brick 2 x 4\""), std::string::npos)
         << step;
+}
+
+TEST(BookletPage, TheCoverCountsTheStepsOfSubmodelsToo)
+{
+    // Three steps, two of submodel A and one of B.
+    EXPECT_NE(toVisibleText(findElement(write(createTower()), "cover")).find("Steps 6, 3 of them in submodels "),
+              std::string::npos);
+}
+
+TEST(BookletPage, ListsABasePlateThatIsNoPartOfTheModel)
+{
+    const std::string plate = "1× Base plate 8\u202f×\u202f16 3865 Green, drawn smaller";
+    const std::string onPlate = write(createTower({.base = BuildingBase::PLATE}));
+    EXPECT_NE(toVisibleText(findElement(onPlate, "parts")).find(plate), std::string::npos);
+    EXPECT_NE(onPlate.find("<dt>Parts</dt><dd>6</dd>"), std::string::npos);
+    EXPECT_EQ(toVisibleText(write(createTower())).find("Base plate"), std::string::npos);
 }
 
 TEST(BookletPage, TheCoverNamesTheStepsOfAnExtract)

@@ -87,7 +87,7 @@ TEST_F(BookletTest, WritesTheSamePageTwiceInOneContext)
     EXPECT_FALSE(lego->getBuildingPlan());
 
     const std::string page = readAll(pathOf("new/small_tower.html"));
-    EXPECT_NE(page.find("<h1>Small tower</h1>"), std::string::npos);
+    EXPECT_NE(page.find("<h1>Small Tower</h1>"), std::string::npos);
     EXPECT_NE(page.find("<dt>Parts</dt><dd>3</dd>"), std::string::npos);
     EXPECT_NE(page.find("download=\"small_tower.mpd\""), std::string::npos);
     EXPECT_FALSE(write(*lego, "small_tower.html"));

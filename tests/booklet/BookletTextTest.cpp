@@ -49,10 +49,4 @@ TEST(BookletTextTest, NamesColorsAsBrickLinkDoes)
     EXPECT_EQ(nameBrickLinkColor(color), "Dark Purple");
 }
 
-TEST(BookletTextTest, TurnsNamesIntoTitles)
-{
-    EXPECT_EQ(titleOf("racing-car"), "Racing car");
-    EXPECT_EQ(titleOf("small_tower"), "Small tower");
-}
-
 } // namespace osgLego

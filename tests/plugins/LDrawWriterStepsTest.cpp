@@ -71,7 +71,8 @@ TEST(LDrawWriterSteps, SubmodelsOfThePlanAreFilesOfAnMpd)
                      "1 16 0 -48 0 1 0 0 0 1 0 0 0 1 a-sub-2.ldr", "1 14 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat",
                      "1 4 0 -24 0 1 0 0 0 1 0 0 0 1 3005.dat", "1 16 0 -24 0 1 0 0 0 1 0 0 0 1 a-sub-1.ldr"}))
         << "the origin is the centre of the lowest layer of each submodel";
-    EXPECT_NE(mpd.text.find("0 FILE a-sub-1.ldr\r\n0 Model: a-sub-1.ldr\r\n0 Name: a-sub-1.ldr\r\n"), std::string::npos)
+    EXPECT_NE(mpd.text.find("0 FILE a-sub-1.ldr\r\n0 Model: A, a-sub-1.ldr\r\n0 Name: a-sub-1.ldr\r\n"),
+              std::string::npos)
         << mpd.text;
     EXPECT_EQ(summarize(writeLDraw(*node).text), "pp|pp|") << "one file has the same order";
 }

@@ -12,6 +12,7 @@
 #include <TemporaryFolder.h>
 
 #include <cmath>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <osg/MatrixTransform>
@@ -93,17 +94,32 @@ TEST(LDrawWriter, WritesColoursWithoutACodeDirectly)
     EXPECT_EQ(written.scene.warnings, (Lines{"never made in this size and colour: 1 part (Brick 1 x 1 in #01ABFF)"}));
 }
 
-TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorLicenceAndSettings)
+TEST(LDrawWriter, TheHeaderNamesTitleFileAuthorAndSettings)
 {
     const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
     node->setName("/models/two\nlines"); // a title without folders can be published
     const Lines lines = writeLDraw(*node, "/some/where/My Car.LDR").getLines('0');
     ASSERT_GE(lines.size(), 6u);
-    EXPECT_EQ(lines[0], "0 Model: two lines");
+    EXPECT_EQ(lines[0], "0 Model: Two Lines");
     EXPECT_EQ(lines[1], "0 Name: My Car.ldr");
     EXPECT_EQ(lines[2], "0 Author: osgLego");
-    EXPECT_TRUE(lines[4].starts_with("0 !LICENSE "));
-    EXPECT_EQ(lines[5], "0 // Settings of osgLego: " + node->getSettings().toString());
+    EXPECT_EQ(lines[4], "0 // Settings of osgLego: " + node->getSettings().toString());
+}
+
+TEST(LDrawWriter, TheHeaderHasALicenceOnlyIfOneIsGiven)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
+    const WrittenLDraw written = writeLDraw(*node);
+    EXPECT_EQ(written.text.find("LICENSE"), std::string::npos);
+    LDrawHeader header;
+    header.title = "my_car";
+    header.author = "Ann\nSmith";
+    header.license = "Licensed under CC BY 4.0 : see CAreadme.txt";
+    std::ostringstream stream;
+    LDrawWriter(written.scene, "a.ldr", header).write(stream);
+    for (const char* line : {"0 Model: my_car\r\n", "0 Author: Ann Smith\r\n",
+                             "0 !LICENSE Licensed under CC BY 4.0 : see CAreadme.txt\r\n"})
+        EXPECT_NE(stream.str().find(line), std::string::npos) << stream.str();
 }
 
 TEST(LDrawWriter, NamesOfNodesAndFilesAreNeverCommands)

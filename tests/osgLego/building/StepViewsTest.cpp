@@ -85,6 +85,20 @@ TEST(StepViews, TurnIfOtherPartsHideMoreThanHalfOfTheNewOnes)
     EXPECT_EQ(third.show({1, 2, 3}), 1);
 }
 
+TEST(StepViews, TurnIfOtherPartsHideNearlyAllOfOnePart)
+{
+    // A high wall along x, one brick behind it and three in front of it.
+    std::vector<BuildingBox> boxes{{{0, 4, 0}, {40, 6, 12}}, {{18, 8, 0}, {20, 10, 1}}};
+    for (const int x : {4, 10, 16})
+        boxes.push_back({{x, 0, 0}, {x + 2, 2, 1}});
+    StepViews views(boxes, 1.2);
+    EXPECT_EQ(views.show({0}), 0);
+    EXPECT_FALSE(views.canShow({1, 2, 3, 4}, false));
+    EXPECT_TRUE(views.canShow({1}, true)) << "from behind";
+    EXPECT_TRUE(views.canShow({2, 3, 4}, false));
+    EXPECT_EQ(views.show({2, 3, 4}), 0) << "canShow() has put nothing in place";
+}
+
 TEST(StepViews, SeeOverWallsWhoseHeightTheAngleAllows)
 {
     // A tile five studs behind a long wall. The eye looks down by 30 degrees along the diagonal, so that it sees over a

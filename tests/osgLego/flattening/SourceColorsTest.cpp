@@ -186,9 +186,9 @@ TEST(SourcePalette, IsTheBestChoiceForTheSource)
         names.insert(color.name);
     EXPECT_EQ(names, (std::set<std::string>{"Red", "Yellow", "White"}));
     settings.colors.count = 200;
-    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 33u);
+    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 30u);
     settings.colors.count.reset();
-    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 33u);
+    EXPECT_EQ(paletteOf(settings, ldraw, *triangles)->getColors().size(), 30u);
     settings.colors.palette = "none";
     EXPECT_EQ(SettingsPalette::read(settings), SettingsPalette());
     EXPECT_FALSE(paletteOf(settings, nullptr, *triangles));

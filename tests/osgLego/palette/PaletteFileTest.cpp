@@ -295,7 +295,7 @@ TEST_F(PaletteFile, SettingsNameTheirPalette)
     EXPECT_EQ(error, "");
     settings.colors.palette = "ldraw";
     EXPECT_EQ(findPaletteError(settings), "");
-    EXPECT_EQ(Palette::read(settings, error)->getColors().size(), 33u);
+    EXPECT_EQ(Palette::read(settings, error)->getColors().size(), 30u);
     settings.colors.palette = write("bad.csv", "x");
     EXPECT_EQ(findPaletteError(settings),
               pathOf("bad.csv") + ", line 1: expected code,name,rgb,edge,bricklink,bricks,plates, found 'x'");

@@ -89,7 +89,7 @@ bool isInEntryOf(const Color& color, const Color& other)
 TEST(Palette, TheDefaultColoursExistInNearlyAllSizesAndCanBeOrdered)
 {
     const osg::ref_ptr<const Palette> palette = readDefault();
-    EXPECT_EQ(palette->getColors().size(), 33u);
+    EXPECT_EQ(palette->getColors().size(), 30u);
     for (const PaletteColor& color : palette->getColors())
     {
         EXPECT_GT(color.brickLink, 0) << color.name;
@@ -119,6 +119,17 @@ TEST(Palette, TheDefaultLeavesOutColoursThatAreHardToGet)
     EXPECT_EQ(findCode(*palette, 9), nullptr);   // made in one size
     EXPECT_EQ(findCode(*palette, 112), nullptr); // has no number of BrickLink
     EXPECT_EQ(findCode(*palette, 16), nullptr);  // stands for another colour
+}
+
+TEST(Palette, TheDefaultLeavesOutRetiredColoursThatAPaletteMayAskFor)
+{
+    const osg::ref_ptr<const Palette> palette = readDefault();
+    for (const std::int32_t code : {6, 7, 8}) // Brown, Light Grey and Dark Grey
+    {
+        EXPECT_EQ(findCode(*palette, code), nullptr) << code;
+        const std::span<const PaletteColor> known = Palette::getKnownColors();
+        EXPECT_TRUE(std::any_of(known.begin(), known.end(), [&](const PaletteColor& own) { return own.code == code; }));
+    }
 }
 
 TEST(Palette, EveryColourIsItsOwnNearest)

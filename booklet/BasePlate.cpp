@@ -1,0 +1,115 @@
+#include "BasePlate.h"
+
+#include <osgLego/polygonization/FadedColor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+struct PlateSize
+{
+    int width; // studs, the shorter side
+    int length;
+    const char* number;
+};
+
+// From small to large, those that are or were made in green.
+constexpr std::array<PlateSize, 6> SIZES{
+    {{8, 16, "3865"}, {16, 16, "3867"}, {16, 24, "3334"}, {16, 32, "3857"}, {32, 32, "3811"}, {48, 48, "4186"}}};
+
+constexpr std::array<std::uint8_t, 3> GREEN{0x23, 0x78, 0x41};
+constexpr std::int32_t GREEN_CODE = 2;
+constexpr double THICKNESS = 0.2; // pitches
+
+/** As earlier parts are drawn. */
+std::array<std::uint8_t, 3> fade(const std::array<std::uint8_t, 3>& color)
+{
+    constexpr std::array<double, 3> FADED{FadedColor::FADED_RED, FadedColor::FADED_GREEN, FadedColor::FADED_BLUE};
+    std::array<std::uint8_t, 3> faded{};
+    for (std::size_t channel = 0; channel < faded.size(); ++channel)
+        faded[channel] = static_cast<std::uint8_t>(
+            std::lround((1.0 - FadedColor::FADING) * color[channel] + FadedColor::FADING * 255.0 * FADED[channel]));
+    return faded;
+}
+
+} // namespace
+
+BasePlate::BasePlate(const BrickModel& model) : _grid(model.getGrid())
+{
+    glm::ivec3 lowest(_grid.dimensions);
+    glm::ivec3 end(0);
+    for (const Part& part : model.getParts())
+    {
+        lowest = glm::min(lowest, part.getCell());
+        end = glm::max(end, part.getCell() + part.getSize());
+    }
+    const int up = _grid.getUpIndex();
+    const glm::ivec2 footprint(end.x - lowest.x, end[3 - up] - lowest[3 - up]);
+    choose(footprint);
+    const glm::ivec2 studs = _size * _counts;
+    const glm::ivec2 before = (studs - footprint) / 2;
+    const double thickness = THICKNESS * _grid.getPitch();
+    glm::dvec3 corner(lowest);
+    corner.x -= before.x;
+    corner[3 - up] -= before.y;
+    _grid.origin += corner * _grid.cellSize;
+    _grid.origin[up] -= thickness;
+    _grid.cellSize[up] = thickness;
+    _grid.dimensions = {studs.x, studs.y, studs.y};
+    _grid.dimensions[up] = 1;
+}
+
+void BasePlate::choose(const glm::ivec2& footprint)
+{
+    const bool isDeep = footprint.y > footprint.x;
+    const PlateSize* chosen = nullptr;
+    for (const PlateSize& size : SIZES)
+        if (!chosen && size.width >= std::min(footprint.x, footprint.y) &&
+            size.length >= std::max(footprint.x, footprint.y))
+            chosen = &size;
+    if (!chosen) chosen = &SIZES.back();
+    _number = chosen->number;
+    _size = isDeep ? glm::ivec2(chosen->width, chosen->length) : glm::ivec2(chosen->length, chosen->width);
+    _counts = (footprint + _size - 1) / _size;
+}
+
+std::string BasePlate::getName() const
+{
+    return fmt::format("Base plate {}\u202f×\u202f{}", std::min(_size.x, _size.y), std::max(_size.x, _size.y));
+}
+
+std::size_t BasePlate::getQuantity() const
+{
+    return static_cast<std::size_t>(_counts.x) * static_cast<std::size_t>(_counts.y);
+}
+
+osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
+{
+    const int up = _grid.getUpIndex();
+    std::vector<Part> parts;
+    for (int row = 0; row < _counts.y; ++row)
+        for (int column = 0; column < _counts.x; ++column)
+        {
+            Part& part = parts.emplace_back();
+            part.cell[0] = static_cast<std::uint16_t>(column * _size.x);
+            part.cell[static_cast<std::size_t>(3 - up)] = static_cast<std::uint16_t>(row * _size.y);
+            part.size[0] = static_cast<std::uint8_t>(_size.x);
+            part.size[static_cast<std::size_t>(3 - up)] = static_cast<std::uint8_t>(_size.y);
+            part.size[static_cast<std::size_t>(up)] = 1;
+            part.color = isFaded ? fade(GREEN) : GREEN;
+            part.colorCode = GREEN_CODE;
+        }
+    return BrickModel::createOfParts(_grid, std::move(parts));
+}
+
+} // namespace osgLego

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <glm/vec2.hpp>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** The studded base plate below a model: the smallest that it fits on, or several of the largest. It is not part of the
+ * model.
+ *
+ *     const BasePlate plate(*model);
+ *     list << plate.getQuantity() << " " << plate.getName();
+ *
+ * Uses no GL. Immutable; every function may be called from any thread. */
+class BasePlate
+{
+public:
+    /** @param model with at least one part. */
+    explicit BasePlate(const BrickModel& model);
+
+    /** Such as "Base plate 16 x 32", with a multiplication sign. */
+    std::string getName() const;
+    /** The number of LDraw and BrickLink, such as "3857". */
+    const std::string& getNumber() const { return _number; }
+    std::size_t getQuantity() const;
+
+    /** The plates in their place below the model, in another grid. @param isFaded whether it shows new parts above it.
+     */
+    osg::ref_ptr<const BrickModel> createModel(bool isFaded) const;
+
+private:
+    void choose(const glm::ivec2& footprint);
+
+    std::string _number;
+    glm::ivec2 _size{0};   // in studs, along x and the other horizontal axis
+    glm::ivec2 _counts{1}; // plates beside each other
+    BrickGrid _grid;
+};
+
+} // namespace osgLego

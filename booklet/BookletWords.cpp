@@ -1,0 +1,220 @@
+#include "BookletWords.h"
+
+#include "BookletText.h"
+
+#include <common/NumberText.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** "column 3", or "columns 3 to 4". */
+std::string formatRange(const char* name, int first, int last)
+{
+    return first == last ? fmt::format("{} {}", name, first) : fmt::format("{}s {} to {}", name, first, last);
+}
+
+/** How far an edge is from another one, such as "2 studs right of". */
+std::string formatWay(int way, const char* forwards, const char* backwards)
+{
+    if (way == 0) return "level with";
+    return fmt::format("{} {}", countOf(static_cast<std::size_t>(std::abs(way)), "stud"),
+                       way > 0 ? forwards : backwards);
+}
+
+bool areAbove(const glm::ivec3& first, const glm::ivec3& last, const glm::ivec3& otherFirst,
+              const glm::ivec3& otherLast)
+{
+    return first.x <= otherLast.x && otherFirst.x <= last.x && first.y <= otherLast.y && otherFirst.y <= last.y;
+}
+
+std::string joinNames(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (std::size_t name = 0; name < names.size(); ++name)
+        text += (name == 0 ? "" : name + 1 < names.size() ? ", " : " and ") + names[name];
+    return text;
+}
+
+} // namespace
+
+BookletWords::BookletWords(const BookletModel& model) : _model(model) {}
+
+void BookletWords::write(std::ostream& stream, const std::string& title)
+{
+    _stream = &stream;
+    writeIntroduction(title);
+    writeChapter(0);
+    *_stream << "\nThe model is finished.\n";
+}
+
+void BookletWords::writeIntroduction(const std::string& title)
+{
+    const std::vector<Place> places = findPlaces(0);
+    glm::ivec3 size(0);
+    for (const Place& place : places)
+        size = glm::max(size, place.last);
+    *_stream << title << "\nBuilding instructions in words\n\n"
+             << fmt::format("The model is {} wide, {} deep and {} high. It has {} in {}.\n",
+                            countOf(static_cast<std::size_t>(size.x), "stud"),
+                            countOf(static_cast<std::size_t>(size.y), "stud"),
+                            countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"),
+                            countOf(_model.getNumSteps(), "step"))
+             << "Columns count from left to right, rows from the front to the back, and layers from the bottom up.\n"
+             << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
+             << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
+             << "A submodel has a letter. Build it apart, and count its own columns, rows and layers from its left, "
+                "front and lowest end.\n\nParts\n";
+    for (const PartsList::Row& row : _model.getKinds())
+        *_stream << describeParts(row, row.quantity) << ".\n";
+}
+
+/** The names of the parts of a chapter, in the order of building. */
+std::vector<std::string> BookletWords::findNames(std::size_t chapter) const
+{
+    std::vector<std::string> names;
+    for (const BookletStep& step : _model.getChapters()[chapter].steps)
+    {
+        for (std::size_t part = 1; part <= step.numDirect; ++part)
+            names.push_back(fmt::format("{}.{}", step.name, part));
+        for (const std::size_t submodel : step.submodels)
+        {
+            const std::vector<std::string> inner = findNames(submodel);
+            names.insert(names.end(), inner.begin(), inner.end());
+        }
+    }
+    return names;
+}
+
+/** The parts of a chapter, in the order of building. */
+std::vector<BookletWords::Place> BookletWords::findPlaces(std::size_t chapter) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BrickGrid& grid = own.model->getGrid();
+    const std::vector<std::size_t> rows = _model.getPartsList().findRows(*own.model);
+    const std::vector<std::string> names = findNames(chapter);
+    std::vector<Place> places;
+    glm::ivec3 lowest(std::numeric_limits<int>::max());
+    for (const std::uint32_t part : own.plan->getOrder())
+    {
+        Place& place = places.emplace_back();
+        place.name = names[places.size() - 1];
+        place.type = describeParts(_model.getKinds()[rows[part]], 1).substr(2);
+        place.first = own.model->getParts()[part].getCell();
+        place.last = place.first + own.model->getParts()[part].getSize() - 1;
+        if (grid.upAxis == UpAxis::Y) // z points to the front
+        {
+            const glm::ivec3 first = place.first;
+            const glm::ivec3 last = place.last;
+            place.first = {first.x, grid.dimensions.z - 1 - last.z, first.y};
+            place.last = {last.x, grid.dimensions.z - 1 - first.z, last.y};
+        }
+        lowest = glm::min(lowest, place.first);
+    }
+    for (Place& place : places)
+    {
+        place.first += 1 - lowest;
+        place.last += 1 - lowest;
+    }
+    return places;
+}
+
+void BookletWords::writeChapter(std::size_t chapter)
+{
+    const std::vector<Place> places = findPlaces(chapter);
+    const BookletChapter& own = _model.getChapters()[chapter];
+    for (const BookletStep& step : own.steps)
+    {
+        for (const std::size_t submodel : step.submodels)
+        {
+            const BookletChapter& inner = _model.getChapters()[submodel];
+            *_stream << fmt::format("\nSubmodel {}, of {}. Build it apart.\n", inner.letter,
+                                    countOf(inner.model->getParts().size(), "part"));
+            if (inner.steps.front().isUpsideDown)
+                *_stream << "Build it upside down, from its highest layer to its lowest one. Its places are those when "
+                            "its studs are up.\n";
+            writeChapter(submodel);
+            *_stream << fmt::format("Submodel {} is finished.\n", inner.letter);
+        }
+        writeStep(own, step, places);
+    }
+}
+
+void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& step, const std::vector<Place>& places)
+{
+    *_stream << fmt::format("\nStep {} of {}. Add {}.\n", step.name, chapter.steps.size(),
+                            countOf(step.numNew, "part"));
+    std::size_t part = step.numPlaced - step.numNew;
+    for (const std::size_t end = part + step.numDirect; part < end; ++part)
+        writePart(places, part, step.isUpsideDown);
+    for (const std::size_t submodel : step.submodels)
+    {
+        writeSubmodel(submodel, places, part);
+        part += _model.getChapters()[submodel].model->getParts().size();
+    }
+    if (step.numUnheld == 0 && step.falls()) *_stream << "Hold the model, it does not stand by itself yet.\n";
+}
+
+/** @param part in the order of building; parts before it are in place. */
+void BookletWords::writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown)
+{
+    const Place& own = places[part];
+    const glm::ivec3 size = own.last - own.first + 1;
+    const char* direction = size.x == size.y ? "" : size.x > size.y ? ", from left to right" : ", from front to back";
+    *_stream << fmt::format("{}: {}{}. {}, {}, {}.", own.name, own.type, direction,
+                            formatRange("Column", own.first.x, own.last.x), formatRange("row", own.first.y, own.last.y),
+                            formatRange("layer", own.first.z, own.last.z));
+    std::vector<std::string> below;
+    std::vector<std::string> above;
+    const Place* nearest = nullptr;
+    for (std::size_t other = 0; other < part; ++other)
+    {
+        const Place& place = places[other];
+        if (!areAbove(own.first, own.last, place.first, place.last)) continue;
+        const bool isBelow = place.last.z + 1 == own.first.z;
+        if (!isBelow && place.first.z != own.last.z + 1) continue;
+        (isBelow ? below : above).push_back(place.name);
+        if (!nearest) nearest = &place;
+    }
+    if (!below.empty()) *_stream << " On " << joinNames(below) << ".";
+    if (!above.empty()) *_stream << " Below " << joinNames(above) << ".";
+    if (nearest)
+        *_stream << fmt::format(" Its left edge is {0} that of {2}, its front edge {1} that of {2}.",
+                                formatWay(own.first.x - nearest->first.x, "right of", "left of"),
+                                formatWay(own.first.y - nearest->first.y, "behind", "in front of"), nearest->name);
+    else
+        *_stream << (own.first.z == 1 || isUpsideDown ? " On the table." : " Nothing holds it yet.");
+    *_stream << "\n";
+}
+
+/** Say where a submodel is attached. @param first of its parts, in the order of building. */
+void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first)
+{
+    const BookletChapter& inner = _model.getChapters()[submodel];
+    const glm::ivec3 offset = places[first].first - findPlaces(submodel).front().first + 1;
+    const std::size_t end = first + inner.model->getParts().size();
+    std::vector<std::string> neighbors;
+    for (std::size_t other = 0; other < first; ++other)
+        if (std::any_of(places.begin() + static_cast<std::ptrdiff_t>(first),
+                        places.begin() + static_cast<std::ptrdiff_t>(end),
+                        [&](const Place& own)
+                        {
+                            return areAbove(own.first, own.last, places[other].first, places[other].last) &&
+                                   places[other].last.z + 1 == own.first.z;
+                        }))
+            neighbors.push_back(places[other].name);
+    *_stream << fmt::format("Submodel {}: its column 1, row 1 and layer 1 come to column {}, row {}, layer {}.{}\n",
+                            inner.letter, offset.x, offset.y, offset.z,
+                            neighbors.empty() ? std::string() : " On " + joinNames(neighbors) + ".");
+}
+
+} // namespace osgLego

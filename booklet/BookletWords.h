@@ -1,0 +1,46 @@
+#pragma once
+
+#include "BookletModel.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace osgLego
+{
+
+/** Writes building instructions in words, for readers who listen or use braille: each part with its place in studs and
+ * with its neighbours, so that the model can be built from the text alone. One thread. */
+class BookletWords
+{
+public:
+    /** @param model must outlive this object. */
+    explicit BookletWords(const BookletModel& model);
+
+    /** Write all steps. @param title of the model. */
+    void write(std::ostream& stream, const std::string& title);
+
+private:
+    /** A part of a chapter: its cells from the left, from the front and from the bottom, beginning with 1, and its
+     * description. */
+    struct Place
+    {
+        std::string name; // such as "A2.1", the first part of step A2
+        std::string type; // such as "red brick 2 x 4"
+        glm::ivec3 first{1};
+        glm::ivec3 last{1};
+    };
+
+    std::vector<Place> findPlaces(std::size_t chapter) const;
+    std::vector<std::string> findNames(std::size_t chapter) const;
+    void writeIntroduction(const std::string& title);
+    void writeChapter(std::size_t chapter);
+    void writeStep(const BookletChapter& chapter, const BookletStep& step, const std::vector<Place>& places);
+    void writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown);
+    void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first);
+
+    const BookletModel& _model;
+    std::ostream* _stream = nullptr;
+};
+
+} // namespace osgLego

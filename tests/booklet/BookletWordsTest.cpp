@@ -1,0 +1,183 @@
+#include "BookletModels.h"
+
+#include <booklet/BookletText.h>
+#include <booklet/BookletWords.h>
+
+#include <common/RacingCar.h>
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/CpuLegolizer.h>
+
+#include <PartModels.h>
+#include <Settings.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+
+namespace osgLego::test
+{
+
+namespace
+{
+
+std::string write(const BookletModel& model)
+{
+    std::ostringstream stream;
+    BookletWords(model).write(stream, "Tower");
+    return stream.str();
+}
+
+/** A part in words, and its lowest cell and size, or those of a submodel. */
+struct Built
+{
+    std::string type;
+    glm::ivec3 first{0};
+    glm::ivec3 size{0};
+
+    std::string toText() const
+    {
+        std::ostringstream text;
+        text << first.z << ' ' << first.y << ' ' << first.x << ' ' << size.x << 'x' << size.y << 'x' << size.z << ' '
+             << type;
+        return text.str();
+    }
+};
+
+/** Builds a model from the text alone, as a reader does: line by line, and submodels apart. */
+class Reader
+{
+public:
+    explicit Reader(const std::string& text) : _stream(text)
+    {
+        _chapters.emplace_back();
+        for (std::string line; std::getline(_stream, line);)
+            readLine(line);
+    }
+
+    std::vector<std::string> getParts() const
+    {
+        std::vector<std::string> parts;
+        for (const Built& part : _chapters.front())
+            parts.push_back(part.toText());
+        std::sort(parts.begin(), parts.end());
+        return parts;
+    }
+
+private:
+    void readLine(const std::string& line)
+    {
+        static const std::regex part(R"(([A-Z]*\d+\.\d+): ([^,.]*)(?:, from [a-z ]*)?\. Columns? (\d+)(?: to (\d+))?, )"
+                                     R"(rows? (\d+)(?: to (\d+))?, layers? (\d+)(?: to (\d+))?\.(.*))");
+        static const std::regex submodel(R"(Submodel ([A-Z]+), of \d+ parts?\. Build it apart\.)");
+        static const std::regex attached(
+            R"(Submodel ([A-Z]+): its .* come to column (\d+), row (\d+), layer (\d+)\..*)");
+        static const std::regex finished(R"(Submodel ([A-Z]+) is finished\.)");
+        std::smatch found;
+        const auto number = [&found](std::size_t group) { return std::stoi(found[group]); };
+        const auto last = [&found, &number](std::size_t group)
+        { return found[group].matched ? number(group) : number(group - 1); };
+        if (std::regex_match(line, found, part))
+        {
+            const glm::ivec3 first(number(3), number(5), number(7));
+            const glm::ivec3 end(last(4), last(6), last(8));
+            _chapters.back().push_back({found[2], first, end - first + 1});
+            _places[found[1]] = first;
+            checkEdges(first, found[9]);
+        }
+        else if (std::regex_match(line, submodel))
+            _chapters.emplace_back();
+        else if (std::regex_match(line, found, finished))
+        {
+            _submodels[found[1]] = _chapters.back();
+            _chapters.pop_back();
+        }
+        else if (std::regex_match(line, found, attached))
+            for (Built own : _submodels.at(found[1]))
+            {
+                own.first += glm::ivec3(number(2), number(3), number(4)) - 1;
+                _chapters.back().push_back(own);
+            }
+    }
+
+    /** The edges beside a part in place, of the same chapter, lead to the same place. */
+    void checkEdges(const glm::ivec3& first, const std::string& text)
+    {
+        static const std::regex edges(
+            R"(.*Its left edge is (level with|(\d+) studs? (right|left) of) that of (\S+), )"
+            R"(its front edge (level with|(\d+) studs? (behind|in front of)) that of (\S+)\.)");
+        std::smatch found;
+        if (!std::regex_match(text, found, edges)) return;
+        ++numEdges;
+        const auto place = _places.find(found[4]);
+        if (place == _places.end() || found[4].str()[0] > '9') return; // a submodel counts its own columns
+        const int right = found[2].matched ? std::stoi(found[2]) * (found[3] == "right" ? 1 : -1) : 0;
+        const int behind = found[6].matched ? std::stoi(found[6]) * (found[7] == "behind" ? 1 : -1) : 0;
+        EXPECT_EQ(first.x, place->second.x + right) << text;
+        EXPECT_EQ(first.y, place->second.y + behind) << text;
+    }
+
+    std::istringstream _stream;
+    std::vector<std::vector<Built>> _chapters; // those that are being built, the innermost last
+    std::map<std::string, std::vector<Built>> _submodels;
+    std::map<std::string, glm::ivec3> _places;
+
+public:
+    int numEdges = 0;
+};
+
+/** The parts of a model with z upwards, as Reader gives them. */
+std::vector<std::string> partsOf(const BrickModel& model, const PartsList& list)
+{
+    glm::ivec3 lowest(1 << 20);
+    for (const Part& part : model.getParts())
+        lowest = glm::min(lowest, part.getCell());
+    const std::vector<std::size_t> rows = list.findRows(model);
+    std::vector<std::string> parts;
+    for (std::size_t part = 0; part < model.getParts().size(); ++part)
+    {
+        const Part& own = model.getParts()[part];
+        parts.push_back(
+            Built{describeParts(list.getRows()[rows[part]], 1).substr(2), own.getCell() - lowest + 1, own.getSize()}
+                .toText());
+    }
+    std::sort(parts.begin(), parts.end());
+    return parts;
+}
+
+} // namespace
+
+TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
+{
+    const std::string text = write(createTower());
+    for (const char* line :
+         {"The model is 6 studs wide, 4 studs deep and 3 layers high. It has 6 parts in 6 steps.\n",
+          "3 red bricks 2 x 4.\n", "\nStep 1 of 3. Add 2 parts.\n",
+          "1.1: red brick 2 x 4, from front to back. Columns 1 to 2, rows 1 to 4, layer 1. On the table.\n",
+          "\nSubmodel A, of 2 parts. Build it apart.\n", "\nSubmodel B, of 1 part. Build it apart.\n",
+          "Submodel B: its column 1, row 1 and layer 1 come to column 1, row 3, layer 1.\n",
+          "Submodel A: its column 1, row 1 and layer 1 come to column 2, row 1, layer 2. On 1.1 and 1.2.\n",
+          "3.1: blue brick 2 x 4, from left to right. Columns 2 to 5, rows 2 to 3, layer 3. On A1.1 and B1.1. Its left "
+          "edge is level with that of A1.1, its front edge 1 stud behind that of A1.1.\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+}
+
+TEST(BookletWordsTest, AModelCanBeBuiltFromTheTextAlone)
+{
+    for (const char* settings : {"20,proportions=brick,parts=bricks", "16,proportions=plate,parts=bricks"})
+    {
+        const osg::ref_ptr<const BrickModel> bricks = legolizeOnCpu(*createRacingCar(), parseSettings(settings));
+        PlanningOptions options;
+        options.checksStability = false;
+        const BookletModel model(*bricks, *planBuilding(*bricks, options), Palette::getKnownColors());
+        ASSERT_GT(model.getChapters().size(), 1u) << "there are submodels";
+        const Reader reader(write(model));
+        EXPECT_EQ(reader.getParts(), partsOf(*bricks, model.getPartsList()));
+        EXPECT_GT(reader.numEdges, 20);
+    }
+}
+
+} // namespace osgLego::test
