@@ -101,8 +101,13 @@ TEST(ColorChoice, HasTheLeastErrorOfAllSubsets)
 
 TEST(ColorChoice, IsBetterThanTheMostFrequentColours)
 {
-    std::string error;
-    const osg::ref_ptr<const Palette> palette = Palette::read("ldraw", error);
+    const osg::ref_ptr<const Palette> palette = createPalette({{0, "darkest grey", {82, 82, 82}},
+                                                               {1, "dark grey", {107, 107, 107}},
+                                                               {2, "light grey", {132, 132, 132}},
+                                                               {3, "lightest grey", {157, 157, 157}},
+                                                               {4, "red", {180, 0, 0}},
+                                                               {5, "yellow", {250, 200, 10}},
+                                                               {6, "blue", {30, 90, 168}}});
     // Many shades of grey hide a little red, yellow and blue.
     ColorHistogram histogram;
     for (int shade = 70; shade < 170; ++shade)
