@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -32,11 +31,6 @@ std::array<Number, 3> exchangeAxes(std::array<Number, 3> vector, const BrickGrid
     return vector;
 }
 
-bool isBefore(const LayoutCell& a, const LayoutCell& b)
-{
-    return std::tie(a.place[2], a.place[1], a.place[0]) < std::tie(b.place[2], b.place[1], b.place[0]);
-}
-
 } // namespace
 
 LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, const std::vector<PaletteColor>& colors)
@@ -59,8 +53,8 @@ LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, con
         if (!cells.isInterior[index] && color != indices.end()) cell.color = color->second;
         problem.cells.push_back(cell);
     }
-    if (!std::is_sorted(problem.cells.begin(), problem.cells.end(), isBefore))
-        std::sort(problem.cells.begin(), problem.cells.end(), isBefore);
+    if (!std::is_sorted(problem.cells.begin(), problem.cells.end(), isPlacedBefore<LayoutCell>))
+        std::sort(problem.cells.begin(), problem.cells.end(), isPlacedBefore<LayoutCell>);
     return problem;
 }
 

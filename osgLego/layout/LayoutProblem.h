@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -57,6 +58,14 @@ struct LaidPart
 
     bool operator==(const LaidPart&) const = default;
 };
+
+/** The order of cells and of parts: by z, y and x of their place. */
+template <typename Item>
+bool isPlacedBefore(const Item& item, const Item& other)
+{
+    return std::tie(item.place[2], item.place[1], item.place[0]) <
+           std::tie(other.place[2], other.place[1], other.place[0]);
+}
 
 /** A layout of all cells. */
 using LaidParts = std::vector<LaidPart>;

@@ -9,7 +9,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -21,13 +20,6 @@ namespace
 
 constexpr std::size_t MOST_COLUMNS = 64;
 constexpr std::size_t MOST_REMOVALS = 16; // attempts: each computes the stability once
-
-template <typename Item>
-bool isLower(const Item& item, const Item& other)
-{
-    return std::tie(item.place[2], item.place[1], item.place[0]) <
-           std::tie(other.place[2], other.place[1], other.place[0]);
-}
 
 void addCells(const LaidPart& part, std::vector<LayoutCell>& cells)
 {
@@ -53,8 +45,8 @@ SupportedLayout addTo(const SupportedLayout& bare, const std::vector<SupportColu
         layout.numColumnParts += parts.size();
     }
     layout.numColumns = columns.size();
-    std::sort(layout.parts.begin(), layout.parts.end(), isLower<LaidPart>);
-    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isLower<LayoutCell>);
+    std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
+    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
     return layout;
 }
 

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace osgLego
@@ -24,12 +23,6 @@ constexpr double PENALTY = 2.0;
 constexpr glm::ivec3 REACH{3, 3, 1};
 /** The difference of the seeds of two rounds. */
 constexpr std::uint32_t SEED_OF_ROUND = 0x85ebca6bu;
-
-bool isCellLower(const LayoutCell& cell, const LayoutCell& other)
-{
-    return std::tie(cell.place[2], cell.place[1], cell.place[0]) <
-           std::tie(other.place[2], other.place[1], other.place[0]);
-}
 
 glm::ivec3 toVector(const std::array<std::uint16_t, 3>& place)
 {
@@ -64,14 +57,14 @@ LayoutProblem applyJoins(const std::vector<Join>& joins, const LayoutProblem& pr
     for (const Join& join : joins)
         for (const Join::Change& change : join.recolored)
         {
-            const auto cell =
-                std::lower_bound(changed.cells.begin(), changed.cells.end(), toLayoutCell(change.cell), isCellLower);
+            const auto cell = std::lower_bound(changed.cells.begin(), changed.cells.end(), toLayoutCell(change.cell),
+                                               isPlacedBefore<LayoutCell>);
             cell->color = change.color;
         }
     for (const Join& join : joins)
         for (const Join::Change& change : join.added)
             changed.cells.push_back(toLayoutCell(change.cell));
-    std::sort(changed.cells.begin(), changed.cells.end(), isCellLower);
+    std::sort(changed.cells.begin(), changed.cells.end(), isPlacedBefore<LayoutCell>);
     // Two joins may have a cell in common.
     const auto isSame = [](const LayoutCell& cell, const LayoutCell& other) { return cell.place == other.place; };
     changed.cells.erase(std::unique(changed.cells.begin(), changed.cells.end(), isSame), changed.cells.end());

@@ -1,5 +1,7 @@
 #include <osgLego/model/JoinSearch.h>
 
+#include <osgLego/layout/PartSizes.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -19,12 +21,6 @@ constexpr std::size_t STRAY_CELLS = 2;
 glm::ivec3 toCell(CellKey key)
 {
     return {static_cast<int>(key & 0xffff), static_cast<int>(key >> 16 & 0xffff), static_cast<int>(key >> 32)};
-}
-
-/** Whether a part may cover cells of both colours. */
-bool areCompatible(std::uint16_t color, std::uint16_t other)
-{
-    return color == other || color == LayoutCell::ANY_COLOR || other == LayoutCell::ANY_COLOR;
 }
 
 } // namespace
@@ -82,7 +78,7 @@ void JoinSearch::joinBeside(const glm::ivec3& cell, const glm::ivec3& other)
     const std::uint16_t color = _map.getColor(cell);
     const std::uint16_t otherColor = _map.getColor(other);
     const double cost = BESIDE + getPenalty(cell) + getPenalty(other);
-    if (areCompatible(color, otherColor))
+    if (PartSizes::join(color, otherColor))
     {
         finish(first, nullptr, other, std::nullopt, cost);
         return;
@@ -124,7 +120,7 @@ void JoinSearch::continueFrom(const State& state)
             continue;
         }
         if (!isOfOther(other)) continue;
-        if (areCompatible(state.color, _map.getColor(other)))
+        if (PartSizes::join(state.color, _map.getColor(other)))
             finish(last, &state, other, std::nullopt, last.cost + BESIDE);
         else
             recolor(last, &state, other, state.color, last.cost + BESIDE);

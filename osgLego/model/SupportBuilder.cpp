@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace osgLego
@@ -67,12 +66,6 @@ LaidParts removeNear(const LaidParts& parts, const std::vector<std::uint32_t>& w
                                          [&](std::uint32_t index) { return isNear(part, parts[index], reach); });
                  });
     return rest;
-}
-
-bool isLower(const LayoutCell& cell, const LayoutCell& other)
-{
-    return std::tie(cell.place[2], cell.place[1], cell.place[0]) <
-           std::tie(other.place[2], other.place[1], other.place[0]);
 }
 
 /** Count the pieces that reach the ground, and each other, through columns alone.
@@ -141,7 +134,7 @@ bool SupportBuilder::thicken(SupportedLayout& layout)
         SupportedLayout other = layout;
         std::vector<LayoutCell>& cells = other.problem.cells;
         const auto middle = cells.insert(cells.end(), added.begin(), added.end());
-        std::inplace_merge(cells.begin(), middle, cells.end(), isLower);
+        std::inplace_merge(cells.begin(), middle, cells.end(), isPlacedBefore<LayoutCell>);
         LayoutOptions options = _options;
         options.bond = BOND;
         other.parts = layOut(other.problem, options, removeNear(layout.parts, weak, attempt + 1 + REACH));
