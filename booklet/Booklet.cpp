@@ -20,9 +20,11 @@
 #include <cmath>
 #include <span>
 #include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 #include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
 
 namespace osgLego
 {
@@ -62,6 +64,7 @@ private:
     void setSteps(std::size_t numSteps, BookletFacts& facts) const;
     void writePage(const std::string& fileName, const BookletModel& model, const BookletFacts& facts,
                    BookletPictureSource& pictures) const;
+    void writeDownloads(const std::string& fileName, const std::vector<BookletDownload>& downloads) const;
 
     const LegoNode& _lego;
     const BookletOptions& _options;
@@ -207,7 +210,16 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     BookletPictures pictures(model, renderer, _options.view);
     facts.downloads.push_back({"Instructions in words", name + ".txt", "text/plain;charset=utf-8", words.str()});
     writePage(fileName, model, facts, pictures);
-    writeBookletFile(nameText(fileName), [&words](std::ostream& stream) { stream << words.str(); });
+    writeDownloads(fileName, facts.downloads);
+}
+
+void BookletWriter::writeDownloads(const std::string& fileName, const std::vector<BookletDownload>& downloads) const
+{
+    const std::string words = osgDB::getSimpleFileName(nameText(fileName));
+    for (const BookletDownload& download : downloads)
+        if (_options.writesDownloads || download.fileName == words)
+            writeBookletFile(osgDB::concatPaths(osgDB::getFilePath(fileName), download.fileName),
+                             [&](std::ostream& stream) { stream << download.content; });
 }
 
 void checkFile(const std::string& fileName)

@@ -98,15 +98,14 @@ BrickGrid BrickGrid::fit(const osg::BoundingBoxd& bounds, const LegoSettings& se
 
     glm::dvec3 proportions(1.0);
     proportions[up] = settings.getCellHeight();
-    const double pitch = extent[longest] / settings.grid.resolution / proportions[longest];
+    const double pitch = extent[longest] / settings.grid.resolution;
     if (!(pitch > 0.0)) return grid;
     grid.cellSize = pitch * proportions;
 
     for (int axis = 0; axis < 3; ++axis)
     {
         const double cells = extent[axis] / grid.cellSize[axis];
-        grid.dimensions[axis] = axis == longest ? static_cast<int>(settings.grid.resolution)
-                                                : std::max(1, static_cast<int>(std::ceil(cells - EXTENT_TOLERANCE)));
+        grid.dimensions[axis] = std::max(1, static_cast<int>(std::ceil(cells - EXTENT_TOLERANCE)));
         const double spare = std::max(0.0, grid.dimensions[axis] * grid.cellSize[axis] - extent[axis]);
         const bool shared = axis != up && axis != longest;
         grid.origin[axis] = minimum[axis] - (shared ? 0.5 * spare : 0.0);

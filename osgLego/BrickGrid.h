@@ -20,9 +20,9 @@ namespace osgLego
  * Cell (x, y, z) is the half-open box from `origin + (x, y, z) * cellSize` to `origin + (x+1, y+1, z+1) * cellSize`
  * in model units, along the axes of the model. A point in "cell units" is `(point - origin) / cellSize`.
  *
- * Without a cell pitch in the settings, the grid is fitted to bounds. The longest side of the bounds has exactly
- * `resolution` cells; if several sides are equally long, a horizontal one counts as the longest. The other two sides
- * are rounded up to whole cells. A horizontal side shares the excess between both ends, so that a symmetric mesh gets
+ * Without a cell pitch in the settings, the grid is fitted to bounds. The longest side of the bounds is `resolution`
+ * widths of a cell long, so that a model has the same real size in all proportions; if several sides are equally long, a
+ * horizontal one counts as the longest. The other sides, and a vertical one, are rounded up to whole cells. A horizontal side shares the excess between both ends, so that a symmetric mesh gets
  * symmetric bricks; the vertical side has it at the top, so that the lowest bricks stand where the mesh stands.
  *
  * With a cell pitch, the grid is a box of cells of a lattice, which extends from LegoSettings::Grid::origin in all

@@ -70,15 +70,16 @@ std::string describe(const SupportStatistics& support)
 std::string LayoutStatistics::toString() const
 {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(3);
+    text << std::fixed;
     text << counted(numParts, "part", "parts") << " in " << counted(numColors, "colour", "colours") << " for "
          << counted(numCells, "cell", "cells") << ", " << numInterior << " of them inside";
     if (lowerBound) text << "; the fewest possible, layer by layer: " << *lowerBound;
-    text << '\n'
+    text << std::setprecision(1) << "\nsize: " << 0.1 * size.x << " cm wide, " << 0.1 * size.y << " cm deep and "
+         << 0.1 * size.z << " cm high\n"
          << counted(numComponents, "piece", "pieces") << ", where the cells allow " << numComponentsPossible << "; "
          << counted(numFloating, "part floats", "parts float") << ", and "
          << counted(numArticulationParts, "part holds", "parts hold") << " a piece together alone\n";
-    text << "stacked seams: " << std::setprecision(1) << 100.0 * stackedSeams << " %, a length of " << stackedLength
+    text << "stacked seams: " << 100.0 * stackedSeams << " %, a length of " << stackedLength
          << "; colour error: " << meanColorError << " on average, at most " << maximumColorError << " in CIEDE2000";
     if (numUnavailable > 0)
         text << '\n'

@@ -49,6 +49,9 @@ struct OSGLEGO_EXPORT LayoutStatistics
     std::size_t numCells = 0;
     std::size_t numInterior = 0; //!< cells that LegoSettings::Parts::fill added
     std::size_t numParts = 0;
+    /** Width, depth and height of the model in millimetres, in real parts with a pitch of 8 mm, without the studs on
+     * top. */
+    glm::dvec3 size{0.0};
     /** The sum over all layers of the fewest parts that can cover one; unset unless it was asked for. */
     std::optional<std::size_t> lowerBound;
     std::size_t numComponents = 0;         //!< pieces of the model that no stud holds together

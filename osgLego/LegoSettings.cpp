@@ -86,7 +86,7 @@ void addGrid(Table& table)
     using Grid = LegoSettings::Grid;
     SettingsGroup grid(table, "grid", &LegoSettings::grid);
     grid.add("resolution", &Grid::resolution, NumberRange(1u, LegoSettings::MAXIMUM_RESOLUTION),
-             "cells along the longest side of the model");
+             "widths of a cell along the longest side of the model");
     grid.add("cell", &Grid::cellPitch,
              NumberRange(LegoSettings::MINIMUM_CELL, LegoSettings::MAXIMUM_CELL, "model units"),
              "width of a cell, instead of a resolution", "none");

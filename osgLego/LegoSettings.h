@@ -152,8 +152,8 @@ struct OSGLEGO_EXPORT LegoSettings
     /** The lattice of cells. */
     struct Grid
     {
-        /** Cells along the longest side of the source's bounds, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the default
-         * if there is a `cellPitch`. */
+        /** The longest side of the source's bounds in widths of a cell, 1 to MAXIMUM_RESOLUTION ("N" in the paper); the
+         * default if there is a `cellPitch`. */
         unsigned int resolution = 64;
         /** The width of a cell in model units, MINIMUM_CELL to MAXIMUM_CELL; its height follows from the proportions.
          * Unset: the resolution determines it. */

@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include <osgDB/FileNameUtils>
+#include <osgLego/ModelDesigner.h>
 #include <osgLego/PlanningOptions.h>
 
 #include <CLI/CLI.hpp>
@@ -55,12 +57,47 @@ std::string readView(const std::string& text, CaptureOptions& options)
     return {};
 }
 
-std::string readSettings(const std::string& text, CaptureOptions& options)
+/** Read the settings of the bricks; for --build, the others get values that suit parts. */
+void readSettings(CaptureOptions& options)
 {
-    std::string error;
     LegoSettings settings;
-    if (!LegoSettings::parse(text, settings, error)) return "--legolize: " + error;
+    if (!options.build.empty())
+    {
+        settings.parts.set = PartSet::BRICKS;
+        settings.grid.proportions = Proportions::BRICK;
+    }
+    std::string error;
+    const bool isEmpty = options.settingsText.empty() && !options.build.empty();
+    if (!isEmpty && !LegoSettings::parse(options.settingsText, settings, error))
+        throw CLI::ValidationError("--legolize: " + error);
     options.settings = settings;
+}
+
+/** Read a length such as 20cm, 200mm or 8in. */
+std::string readLength(const std::string& text, CaptureOptions& options)
+{
+    static const std::map<std::string, double, std::less<>> UNITS{
+        {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}};
+    double number = 0.0;
+    int length = 0;
+    const bool isRead = std::sscanf(text.c_str(), "%lf%n", &number, &length) == 1;
+    const auto unit = UNITS.find(isRead ? text.substr(static_cast<std::size_t>(length)) : std::string());
+    const double millimeters = unit == UNITS.end() ? 0.0 : number * unit->second;
+    // Written so that NaN is rejected.
+    if (!(millimeters >= DesignOptions::SHORTEST && millimeters <= DesignOptions::LONGEST))
+        return badValue("--length", text, "a number with mm, cm, m or in, from 8mm to 8.192m, for example 20cm");
+    options.buildLength = millimeters;
+    return {};
+}
+
+std::string readParts(const std::string& text, CaptureOptions& options)
+{
+    constexpr std::size_t MOST_DIGITS = 5;
+    const bool isNumber =
+        !text.empty() && text.size() <= MOST_DIGITS && text.find_first_not_of("0123456789") == std::string::npos;
+    const std::size_t number = isNumber ? std::stoul(text) : 0;
+    if (number < 1 || number > DesignOptions::MOST_PARTS) return badValue("--parts", text, "1 to 10000 parts");
+    options.buildParts = number;
     return {};
 }
 
@@ -150,16 +187,21 @@ void checkBound(const CaptureOptions& options)
             "--bound counts bricks; expected parts=bricks and proportions=brick among the settings of --legolize");
 }
 
+/** Throws if a booklet can't be seen from the view. */
+void checkInstructionsView(const CaptureOptions& options)
+{
+    const double elevation = options.view.elevation;
+    if (options.isViewGiven && (elevation < BuildingView::LEAST_ELEVATION || elevation > BuildingView::MOST_ELEVATION))
+        throw CLI::ValidationError("a booklet shows studs and layers; expected 10 to 80 degrees of elevation in --view "
+                                   "with --instructions or --build");
+}
+
 /** Throws if options of a booklet can't be combined with others. */
 void checkInstructions(const CaptureOptions& options)
 {
     if (options.instructions.empty() && options.bookletSteps)
         throw CLI::ValidationError("--steps has no booklet; expected --instructions with it");
-    if (const double elevation = options.view.elevation;
-        !options.instructions.empty() && options.isViewGiven &&
-        (elevation < BuildingView::LEAST_ELEVATION || elevation > BuildingView::MOST_ELEVATION))
-        throw CLI::ValidationError("a booklet shows studs and layers; expected 10 to 80 degrees of elevation in --view "
-                                   "with --instructions");
+    if (!options.instructions.empty()) checkInstructionsView(options);
     if (options.instructions.empty() && !(options.title + options.author + options.license).empty())
         throw CLI::ValidationError(
             "--title, --author and --license have no booklet; expected --instructions with them");
@@ -169,12 +211,33 @@ void checkInstructions(const CaptureOptions& options)
         throw CLI::ValidationError("--original has no parts; expected --instructions without --original");
 }
 
+/** Throws if options of --build can't be combined with others. */
+void checkBuild(const CaptureOptions& options)
+{
+    if (options.build.empty() && (options.buildParts || options.buildLength))
+        throw CLI::ValidationError("--parts and --length have no model to choose; expected --build with them");
+    if (options.build.empty()) return;
+    if (options.buildParts && options.buildLength)
+        throw CLI::ValidationError("--parts and --length both determine the size of the model; expected one of them");
+    if (options.needsContext() || !options.partsList.empty() || !options.instructions.empty() || options.bound ||
+        options.original || options.bookletSteps)
+        throw CLI::ValidationError(
+            "--build writes a picture, lists and instructions with names of its own; expected it "
+            "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, "
+            "--original and --compare");
+    if (osgDB::getLowerCaseFileExtension(options.mesh) == "legolize")
+        throw CLI::ValidationError("--build chooses settings; expected MESH without .legolize, and settings to keep in "
+                                   "--legolize");
+}
+
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
+    checkBuild(options);
+    if (!options.build.empty()) return checkInstructionsView(options);
     if (!options.needsContext() && options.partsList.empty() && options.instructions.empty() && !options.base)
         throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells, --parts-list, --base, "
-                                   "--instructions and --compare");
+                                   "--instructions, --build and --compare");
     checkInstructions(options);
     if (options.original && !options.cells.empty())
         throw CLI::ValidationError("--original has no cells; expected --cells without --original");
@@ -214,9 +277,7 @@ void addPicture(CLI::App& app, CaptureOptions& options)
                    "Options for the reader of MESH, including .legolize, as osgviewer's -O")
         ->type_name("OPTIONS");
     app.add_option("-o,--output", options.output, "The picture to write; its extension is its format");
-    app.add_option("--legolize", toCallback([&](const std::string& text) { return readSettings(text, options); }),
-                   "Settings of the bricks, as below")
-        ->type_name("SETTINGS");
+    app.add_option("--legolize", options.settingsText, "Settings of the bricks, as below")->type_name("SETTINGS");
     app.add_option("--size", toCallback([&](const std::string& text) { return readSize(text, options); }),
                    "Pixels of the picture (1280x720)")
         ->type_name("WxH");
@@ -323,6 +384,22 @@ void addBooklet(CLI::App& app, CaptureOptions& options)
     app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
 }
 
+/** A model with settings that the program chooses. */
+void addBuild(CLI::App& app, CaptureOptions& options)
+{
+    app.add_option("--build", options.build,
+                   "Choose the settings that make the best model to build, and write its picture, instructions, parts "
+                   "lists, .mpd and a report into DIR; settings in --legolize are kept, and --base, --view, --title, "
+                   "--author, --license and --yes apply")
+        ->type_name("DIR");
+    app.add_option("--parts", toCallback([&](const std::string& text) { return readParts(text, options); }),
+                   "For --build: the most parts of the model (500)")
+        ->type_name("N");
+    app.add_option("--length", toCallback([&](const std::string& text) { return readLength(text, options); }),
+                   "For --build: the longest side of the model, for example 20cm, instead of --parts")
+        ->type_name("LENGTH");
+}
+
 void addComparison(CLI::App& app, CaptureOptions& options)
 {
     app.add_option("--compare", options.reference,
@@ -369,11 +446,13 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     addDrawing(app, options);
     addReports(app, options);
     addBooklet(app, options);
+    addBuild(app, options);
     addComparison(app, options);
 
     try
     {
         app.parse(argc, argv);
+        if (app.count("--legolize") > 0 || !options.build.empty()) readSettings(options);
         checkCombination(options, app.count("--threshold") > 0);
         // A mesh has no grid.
         if (!options.isOcclusionGiven) options.hasOcclusion = options.original;

@@ -50,6 +50,7 @@ struct CaptureOptions
     std::string readerOptions; //!< for the reader of the mesh, like osgviewer's -O
     std::string output;
     std::optional<LegoSettings> settings; //!< unset: 64, or the settings in the mesh's file name
+    std::string settingsText;             //!< those given; a model for `build` keeps them
     int width = 1280;
     int height = 720;
     int samples = 4; //!< per pixel; the command line has no option for it
@@ -71,10 +72,13 @@ struct CaptureOptions
     std::string instructions; //!< the folder for a booklet; empty: none
     /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
     std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
-    std::string title;               //!< of the booklet and its model; empty: the readable name of the mesh
-    std::string author;              //!< likewise; empty: none
-    std::string license;             //!< of the booklet's model in LDraw's format; empty: none
-    bool isBookletConfirmed = false; //!< whether a very large booklet is confirmed
+    std::string title;                     //!< of the booklet and its model; empty: the readable name of the mesh
+    std::string author;                    //!< likewise; empty: none
+    std::string license;                   //!< of the booklet's model in LDraw's format; empty: none
+    bool isBookletConfirmed = false;       //!< whether a very large booklet is confirmed
+    std::string build;                     //!< the folder for a model with all that belongs to it; empty: none
+    std::optional<std::size_t> buildParts; //!< the most parts of that model; unset: a length, or the default
+    std::optional<double> buildLength;     //!< the longest side of that model in millimetres
     std::string reference;
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 

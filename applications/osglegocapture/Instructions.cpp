@@ -87,11 +87,13 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
     booklet.author = options.author;
     booklet.license = options.license;
     booklet.modelName = nameModel(options);
+    booklet.writesDownloads = !options.build.empty();
     booklet.isCancelled = Cancellation::isRequested;
     booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };
     const std::string page = findFile(options);
     throwIf(writeBooklet(lego, page, context, booklet));
     progress.clear();
+    if (!options.build.empty()) return;
     // The user has not typed the names. Standard output may be that of a list or of statistics.
     fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", page,
                std::filesystem::path(page).replace_extension(".txt").string());

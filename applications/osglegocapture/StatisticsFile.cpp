@@ -31,7 +31,10 @@ std::string glText(GLenum name)
 
 JsonValue toJson(const LayoutStatistics& layout)
 {
-    JsonValue json{{"cells", layout.numCells}, {"interior", layout.numInterior}, {"parts", layout.numParts}};
+    JsonValue json{{"cells", layout.numCells},
+                   {"interior", layout.numInterior},
+                   {"parts", layout.numParts},
+                   {"millimeters", toJson(layout.size)}};
     if (layout.lowerBound) json["lowerBound"] = *layout.lowerBound;
     json.update({{"components", layout.numComponents},
                  {"componentsPossible", layout.numComponentsPossible},

@@ -1,4 +1,5 @@
 #include "BrickMaking.h"
+#include "BuildCommand.h"
 #include "Cancellation.h"
 #include "CaptureFiles.h"
 #include "CaptureOptions.h"
@@ -232,7 +233,7 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
 /** Create the context that is drawn in, or continue as the program that can. @return null if nothing is drawn. */
 osg::ref_ptr<osg::GraphicsContext> createContextFor(const CaptureOptions& options, [[maybe_unused]] char** argv)
 {
-    if (!options.needsContext() && options.instructions.empty()) return nullptr;
+    if (!options.needsContext() && options.instructions.empty() && options.build.empty()) return nullptr;
 #if !defined(OSGLEGO_OSMESA)
     if (options.context == ContextKind::OSMESA) becomeOsMesa(argv);
 #endif
@@ -262,6 +263,11 @@ int run(int argc, char** argv)
     findOwnPlugins();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
+    if (!options.build.empty())
+    {
+        buildModel(options, *createContextFor(options, argv));
+        return EXIT_FINE;
+    }
     return capture(options, createContextFor(options, argv));
 }
 

@@ -35,6 +35,10 @@ struct BookletOptions
     std::string title;   //!< of the booklet and its model; empty: the readable name of the file, such as "Small Tower"
     std::string author;  //!< likewise; empty: none on the cover, and osgLego in the model
     std::string license; //!< of the model in LDraw's format, the text after !LICENSE; empty: no such line
+    /** Whether the files that readers can save from the page, the model and the parts lists, are written beside it,
+     * too.
+     */
+    bool writesDownloads = false;
     /** How messages name the model, such as "'tower.mpd'". */
     std::string modelName = "the model";
     /** Called regularly, from any thread; the booklet is not written if it returns true. May be empty. */

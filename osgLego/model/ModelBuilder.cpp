@@ -143,6 +143,24 @@ LaidParts selectPrevious(const PreviousLayout& previous, const BrickGrid& grid)
     return moveParts(previous.parts, previous.grid, grid);
 }
 
+/** Width, depth and height of the cells of a layout, in millimetres. */
+glm::dvec3 measureSize(const LayoutProblem& problem)
+{
+    constexpr double PITCH = 8.0;
+    constexpr double BRICK_HEIGHT = 9.6;
+    constexpr double PLATE_HEIGHT = 3.2;
+    if (problem.cells.empty()) return glm::dvec3(0.0);
+    glm::ivec3 lower = problem.size;
+    glm::ivec3 upper(0);
+    for (const LayoutCell& cell : problem.cells)
+    {
+        const glm::ivec3 place(cell.place[0], cell.place[1], cell.place[2]);
+        lower = glm::min(lower, place);
+        upper = glm::max(upper, place + 1);
+    }
+    return glm::dvec3(upper - lower) * glm::dvec3(PITCH, PITCH, problem.isOfPlates ? PLATE_HEIGHT : BRICK_HEIGHT);
+}
+
 /** Add the figures of a layout to its statistics. */
 LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
 {
@@ -150,6 +168,7 @@ LayoutStatistics measure(const Layout& layout, LayoutStatistics statistics)
     const LayoutFigures figures = computeLayoutFigures(layout.problem, layout.parts);
     statistics.numCells = figures.cells;
     statistics.numParts = figures.parts;
+    statistics.size = measureSize(layout.problem);
     statistics.numComponents = figures.components;
     statistics.numComponentsPossible = figures.componentsPossible;
     statistics.numArticulationParts = figures.articulationParts;

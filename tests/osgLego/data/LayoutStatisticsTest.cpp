@@ -15,6 +15,7 @@ TEST(LayoutStatistics, TheReportNamesEveryFigure)
     layout.numInterior = 12;
     layout.numParts = 997;
     layout.numColors = 24;
+    layout.size = glm::dvec3(208.0, 160.0, 192.04);
     layout.numComponents = 3;
     layout.numComponentsPossible = 2;
     layout.numFloating = 5;
@@ -25,6 +26,7 @@ TEST(LayoutStatistics, TheReportNamesEveryFigure)
     layout.maximumColorError = 12.06;
     EXPECT_EQ(layout.toString(),
               "997 parts in 24 colours for 2955 cells, 12 of them inside\n"
+              "size: 20.8 cm wide, 16.0 cm deep and 19.2 cm high\n"
               "3 pieces, where the cells allow 2; 5 parts float, and 1 part holds a piece together alone\n"
               "stacked seams: 6.2 %, a length of 72; colour error: 3.5 on average, at most 12.1 in CIEDE2000");
     layout.lowerBound = 990;

@@ -157,7 +157,7 @@ const SettingDescription& describe(const std::string& key)
 TEST(LegoSettings, DescribesEachKindOfValues)
 {
     EXPECT_EQ(describe("resolution"), (SettingDescription{"resolution", "grid", "<number>", "1 to 1024", "64",
-                                                          "cells along the longest side of the model",
+                                                          "widths of a cell along the longest side of the model",
                                                           SettingType::WHOLE_NUMBER, SettingRange{1.0, 1024.0}}));
     EXPECT_EQ(describe("proportions").form, "cube|brick|plate");
     EXPECT_EQ(describe("proportions").values, "cube, brick, plate");

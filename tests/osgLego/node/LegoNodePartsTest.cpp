@@ -52,7 +52,7 @@ TEST(LegoNodeParts, AMissingPaletteIsReportedAndChangesNothing)
     EXPECT_FALSE(model);
 }
 
-std::set<std::array<std::uint8_t, 3>> colorsOf(const BrickModel& model)
+std::set<std::array<std::uint8_t, 3>> partColorsOf(const BrickModel& model)
 {
     std::set<std::array<std::uint8_t, 3>> colors;
     for (const Brick& brick : model.getBricks())
@@ -81,13 +81,13 @@ TEST_F(LegoNodePalette, IsReadWhenItIsSetAndNotAgainForAChangedSource)
     {
         node->addChild(createSphere());
         ASSERT_TRUE(node->getBricks()) << node->getObstacle();
-        EXPECT_EQ(colorsOf(*node->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
+        EXPECT_EQ(partColorsOf(*node->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
     }
     write("0055BF");
     lego->dirty();
-    EXPECT_EQ(colorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
+    EXPECT_EQ(partColorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0xC9, 0x1A, 0x09}}));
     ASSERT_TRUE(lego->setSettings(lego->getSettings()));
-    EXPECT_EQ(colorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0x00, 0x55, 0xBF}}));
+    EXPECT_EQ(partColorsOf(*lego->getBricks()), (std::set<std::array<std::uint8_t, 3>>{{0x00, 0x55, 0xBF}}));
 }
 
 /** A node whose interior has too many cells. */

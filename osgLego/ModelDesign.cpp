@@ -1,0 +1,59 @@
+#include <osgLego/ModelDesign.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
+
+namespace osgLego
+{
+
+namespace
+{
+
+std::string describeStability(const StabilityReport& stability)
+{
+    if (stability.stands) return stability.safe ? "safely" : "yes";
+    return stability.falls() ? "no" : "unknown";
+}
+
+/** A row for each candidate, below a header. */
+std::string listCandidates(const std::vector<DesignCandidate>& candidates)
+{
+    std::size_t width = 8;
+    for (const DesignCandidate& candidate : candidates)
+        width = std::max(width, candidate.settings.toString().size());
+    std::ostringstream text;
+    text << std::fixed << std::left << std::setw(static_cast<int>(width)) << "settings" << std::right
+         << "  parts pieces  stands surface  colour unlikeness\n";
+    for (const DesignCandidate& candidate : candidates)
+        text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
+             << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.layout.numComponents
+             << std::setw(8) << describeStability(candidate.stability) << std::setprecision(2) << std::setw(6)
+             << 100.0 * candidate.surfaceError << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError
+             << std::setw(11) << std::setprecision(2) << candidate.getError() << '\n';
+    return text.str();
+}
+
+std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates)
+{
+    const std::string of = " of " + std::to_string(numCandidates) + " models";
+    if (!best.isWhole()) return "none" + of + " is one piece; this one is most like the mesh";
+    if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
+    return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
+           (best.stability.safe ? " safely" : "");
+}
+
+} // namespace
+
+std::string ModelDesign::toString() const
+{
+    const DesignCandidate& best = getBest();
+    return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size()) + "\n" +
+           best.layout.toString() + "\n" + best.stability.toString() + "\n\n" +
+           "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
+           "CIEDE2000; unlikeness: surface, and a tenth of colour\n" +
+           listCandidates(candidates);
+}
+
+} // namespace osgLego

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/Export.h>
+#include <osgLego/LayoutStatistics.h>
+#include <osgLego/LegoSettings.h>
+#include <osgLego/StabilityReport.h>
+
+#include <string>
+#include <vector>
+
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** A model of a mesh that designModel() tried. */
+struct OSGLEGO_EXPORT DesignCandidate
+{
+    LegoSettings settings;                //!< with these, legolizeOnCpu() makes the same model
+    osg::ref_ptr<const BrickModel> model; //!< made of parts
+    LayoutStatistics layout;              //!< the figures of its parts
+    StabilityReport stability;            //!< on the base of DesignOptions
+    /** The distance between the outer sides of bricks and the mesh: the root of the mean square over their area, as a
+     * share of the longest side of the mesh. */
+    double surfaceError = 0.0;
+    /** The mean difference (CIEDE2000) between the outer sides of bricks and the nearest place of the mesh. */
+    double colorError = 0.0;
+
+    /** The unlikeness of the model to the mesh, by which candidates are compared: `surfaceError` in percent, and a
+     * tenth of `colorError`. */
+    double getError() const { return 100.0 * surfaceError + 0.1 * colorError; }
+    /** Whether the model is one piece. */
+    bool isWhole() const { return layout.numComponents == 1; }
+    /** Whether the model can be built and stays up: it is one piece and stands. */
+    bool isSound() const { return isWhole() && stability.stands; }
+};
+
+/** The models of a mesh that were compared, and the one that was chosen. */
+struct OSGLEGO_EXPORT ModelDesign
+{
+    /** The best first: sound models before others, and those more like the mesh before those less like it. Not empty.
+     */
+    std::vector<DesignCandidate> candidates;
+
+    const DesignCandidate& getBest() const { return candidates.front(); }
+    /** The settings, the size, the figures and the defects of the best model in a few lines of English, and why it was
+     * chosen: a table of all candidates. */
+    std::string toString() const;
+};
+
+} // namespace osgLego

@@ -1,0 +1,38 @@
+#include <osgLego/ModelDesigner.h>
+
+#include <osgLego/design/DesignSearch.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+std::string check(const DesignOptions& options)
+{
+    if (options.numParts < 1 || options.numParts > DesignOptions::MOST_PARTS)
+        return "the number of parts is out of range; expected 1 to " + std::to_string(DesignOptions::MOST_PARTS);
+    // Also false for a length that is not a number.
+    const bool isLengthGood =
+        !options.length || (*options.length >= DesignOptions::SHORTEST && *options.length <= DesignOptions::LONGEST);
+    return isLengthGood ? "" : "the length is out of range; expected 8 to 8192 millimetres";
+}
+
+} // namespace
+
+std::optional<ModelDesign> designModel(const osg::Node& node, const DesignOptions& options, std::string& error)
+{
+    error = check(options);
+    if (!error.empty()) return std::nullopt;
+    try
+    {
+        return DesignSearch(node, options).run();
+    }
+    catch (const DesignSearch::Failure& failure)
+    {
+        error = failure.error;
+        return std::nullopt;
+    }
+}
+
+} // namespace osgLego

@@ -1,0 +1,290 @@
+#include <osgLego/design/DesignSearch.h>
+
+#include <osgLego/Stability.h>
+#include <osgLego/design/ResolutionSearch.h>
+#include <osgLego/flattening/LegoSource.h>
+#include <osgLego/model/CpuBricks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <osg/BoundingBox>
+#include <tbb/parallel_for.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+constexpr double STUD_PITCH = 8.0; // millimetres
+// Cells of the surface that models are compared to, along the longest side.
+constexpr unsigned int REFERENCE_RESOLUTION = 256;
+constexpr unsigned int FEW_COLORS = 8;
+constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support
+
+/** 0 for models that a builder can rely on, more for others. */
+int rankSoundness(const DesignCandidate& candidate)
+{
+    if (!candidate.isWhole()) return 3;
+    if (!candidate.stability.stands) return 2;
+    return candidate.stability.safe ? 0 : 1;
+}
+
+/** Sound models before others, then those more like the mesh; among those that look alike, the one of fewer parts. */
+bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
+{
+    const auto rank = [](const DesignCandidate& candidate)
+    {
+        constexpr double VISIBLE = 0.01;
+        return std::tuple(rankSoundness(candidate), std::lround(candidate.getError() / VISIBLE),
+                          candidate.layout.numParts);
+    };
+    return rank(a) < rank(b);
+}
+
+/** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands, if any.
+ */
+std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCandidate>& candidates)
+{
+    constexpr double CLEARLY = 0.95;
+    const DesignCandidate& best = candidates.front();
+    std::vector<const DesignCandidate*> falling;
+    for (const DesignCandidate& candidate : candidates)
+        if (!candidate.isSound() && !candidate.settings.parts.support &&
+            (!best.isSound() || candidate.getError() < CLEARLY * best.getError()))
+            falling.push_back(&candidate);
+    std::sort(falling.begin(), falling.end(),
+              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
+    return falling;
+}
+
+bool haveSameParts(const BrickModel& a, const BrickModel& b)
+{
+    return a.getGrid() == b.getGrid() && a.getParts() == b.getParts();
+}
+
+/** Settings of a model of parts whose others can be chosen. */
+LegoSettings createFreeSettings()
+{
+    LegoSettings settings;
+    settings.parts.set = PartSet::BRICKS;
+    settings.parts.connect = true;
+    settings.grid.proportions = Proportions::BRICK;
+    return settings;
+}
+
+/** Replace the settings in a text. @return false, with a sentence in `error`, if they are bad. */
+bool replace(const std::string& text, LegoSettings& settings, std::string& error)
+{
+    return text.empty() || LegoSettings::parse(text, settings, error);
+}
+
+} // namespace
+
+DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) : _node(node), _options(options) {}
+
+/** Whether settings determine the size of cells, so that nothing of it can be chosen. */
+bool DesignSearch::determineSize() const
+{
+    const auto readWith = [&](unsigned int resolution)
+    {
+        LegoSettings settings = createFreeSettings();
+        settings.grid.resolution = resolution;
+        std::string error;
+        if (!replace(_options.settings, settings, error)) throw Failure(error);
+        return settings.grid;
+    };
+    return readWith(1) == readWith(2);
+}
+
+ModelDesign DesignSearch::run()
+{
+    _isSizeGiven = determineSize();
+    if (_isSizeGiven && _options.length)
+        throw Failure("a length can't be combined with a resolution or a cell; expected either");
+    const std::vector<LegoSettings> settings = listSettings();
+    readSurface(settings.front().grid.upAxis);
+    makeCandidates(settings);
+    supportBetter();
+    report(1.0);
+    return {std::move(_candidates)};
+}
+
+std::vector<LegoSettings> DesignSearch::listSettings() const
+{
+    std::vector<LegoSettings> list;
+    std::string error;
+    for (const Proportions proportions : {Proportions::BRICK, Proportions::PLATE})
+        for (const Fill fill : {Fill::SURFACE, Fill::SHELL, Fill::SOLID})
+            for (const bool hasFewColors : {false, true})
+            {
+                LegoSettings settings = createFreeSettings();
+                settings.grid.proportions = proportions;
+                settings.parts.fill = fill;
+                if (hasFewColors) settings.colors.count = FEW_COLORS;
+                // Some settings that are kept exclude others, as that of no palette excludes few colours.
+                const bool isPossible = replace(_options.settings, settings, error);
+                if (isPossible && std::find(list.begin(), list.end(), settings) == list.end()) list.push_back(settings);
+            }
+    if (list.empty()) throw Failure(error);
+    if (list.front().parts.set == PartSet::NONE) throw Failure("parts=none gives no parts; expected parts=bricks");
+    return list;
+}
+
+void DesignSearch::readSurface(UpAxis upAxis)
+{
+    _triangles = SceneTriangles::create(_node);
+    _triangles->warnOfTexts(_node);
+    if (_triangles->getNumTriangles() == 0)
+        throw Failure("'" + _node.getName() + "' has no visible triangles to legolize");
+    const osg::BoundingBoxd& bounds = _triangles->getBounds();
+    _longestSide =
+        std::max({bounds.xMax() - bounds.xMin(), bounds.yMax() - bounds.yMin(), bounds.zMax() - bounds.zMin()});
+    LegoSettings settings;
+    settings.grid.resolution = REFERENCE_RESOLUTION;
+    settings.grid.upAxis = upAxis;
+    _surface = std::make_unique<SurfaceReference>(*lay(settings).model);
+}
+
+DesignSearch::Laid DesignSearch::lay(const LegoSettings& settings) const
+{
+    checkCancelled();
+    std::string error = BrickGrid::findObstacle(_triangles->getBounds(), settings);
+    if (!error.empty()) throw Failure(error);
+    const osg::ref_ptr<const LegoSource> source = LegoSource::create(*_triangles, settings, error);
+    if (!source) throw Failure(error);
+    CpuBricksWork work;
+    work.isCancelled = _options.isCancelled;
+    Laid laid{makeBricksOnCpu(*source, work), {}};
+    checkCancelled();
+    if (!laid.model) throw Failure(work.error);
+    if (work.measureLayout) laid.layout = work.measureLayout();
+    return laid;
+}
+
+std::size_t DesignSearch::countDraftParts(const LegoSettings& settings) const
+{
+    LegoSettings draft = settings;
+    draft.parts.effort = Effort::INSTANT;
+    draft.parts.connect = false;
+    draft.parts.support = false;
+    return lay(draft).model->getParts().size();
+}
+
+unsigned int DesignSearch::findResolution(LegoSettings settings) const
+{
+    constexpr unsigned int FIRST_RESOLUTION = 24;
+    ResolutionSearch search(_options.numParts, FIRST_RESOLUTION);
+    while (const std::optional<unsigned int> resolution = search.getNext())
+    {
+        settings.grid.resolution = *resolution;
+        search.add(*resolution, countDraftParts(settings));
+    }
+    return search.getBest();
+}
+
+DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
+{
+    if (_isSizeGiven) return measure(settings, lay(settings));
+    if (_options.length)
+    {
+        settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
+        return measure(settings, lay(settings));
+    }
+    settings.grid.resolution = findResolution(settings);
+    ResolutionSearch search(_options.numParts, settings.grid.resolution);
+    Laid best;
+    while (const std::optional<unsigned int> resolution = search.getNext())
+    {
+        settings.grid.resolution = *resolution;
+        const Laid laid = lay(settings);
+        search.add(*resolution, laid.layout.numParts);
+        if (search.getBest() == *resolution) best = laid;
+    }
+    settings.grid.resolution = search.getBest();
+    return measure(settings, best);
+}
+
+DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
+{
+    constexpr int MOST_TRIES = 3; // each is slow
+    settings.parts.support = true;
+    Laid laid = lay(settings);
+    const bool canShrink = !_isSizeGiven && !_options.length;
+    for (int tries = 1; canShrink && tries < MOST_TRIES; ++tries)
+    {
+        if (laid.layout.numParts <= _options.numParts || settings.grid.resolution == 1) break;
+        --settings.grid.resolution;
+        laid = lay(settings);
+    }
+    return measure(settings, laid);
+}
+
+DesignCandidate DesignSearch::measure(const LegoSettings& settings, const Laid& laid) const
+{
+    if (laid.model->getParts().empty()) throw Failure("the grid misses the model; expected another origin or size");
+    const std::optional<StabilityReport> stability =
+        computeStability(*laid.model, {_options.base, _options.isCancelled});
+    checkCancelled();
+    const SurfaceDifference difference = _surface->compare(*laid.model);
+    return {settings, laid.model, laid.layout, *stability, difference.distance / _longestSide, difference.color};
+}
+
+void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings)
+{
+    std::vector<DesignCandidate> made(settings.size());
+    tbb::parallel_for(std::size_t(0), settings.size(),
+                      [&](std::size_t index)
+                      {
+                          made[index] = makeLargest(settings[index]);
+                          report(SHARE_OF_MODELS / static_cast<double>(settings.size()));
+                      });
+    for (DesignCandidate& candidate : made)
+        addCandidate(std::move(candidate));
+}
+
+void DesignSearch::addCandidate(DesignCandidate candidate)
+{
+    const auto isSame = [&](const DesignCandidate& other) { return haveSameParts(*other.model, *candidate.model); };
+    if (std::any_of(_candidates.begin(), _candidates.end(), isSame)) return;
+    const auto place = std::upper_bound(_candidates.begin(), _candidates.end(), candidate, isBetter);
+    _candidates.insert(place, std::move(candidate));
+}
+
+void DesignSearch::supportBetter()
+{
+    constexpr std::size_t AT_ONCE = 2; // each takes longer than all other work
+    constexpr std::size_t MOST_SUPPORTED = 6;
+    std::vector<LegoSettings> falling;
+    for (const DesignCandidate* candidate : listFallingBetter(_candidates))
+        falling.push_back(candidate->settings);
+    falling.resize(std::min(falling.size(), MOST_SUPPORTED));
+    for (std::size_t first = 0; first < falling.size(); first += AT_ONCE)
+    {
+        std::vector<DesignCandidate> made(std::min(AT_ONCE, falling.size() - first));
+        tbb::parallel_for(std::size_t(0), made.size(),
+                          [&](std::size_t index) { made[index] = makeSupported(falling[first + index]); });
+        for (DesignCandidate& candidate : made)
+            addCandidate(std::move(candidate));
+        report((1.0 - SHARE_OF_MODELS) * static_cast<double>(AT_ONCE) / static_cast<double>(MOST_SUPPORTED));
+        if (_candidates.front().isSound()) return;
+    }
+}
+
+void DesignSearch::checkCancelled() const
+{
+    if (_options.isCancelled && _options.isCancelled()) throw Failure("");
+}
+
+void DesignSearch::report(double share)
+{
+    if (!_options.progress) return;
+    const std::lock_guard lock(_reporting);
+    _progress = std::min(1.0, _progress + share);
+    _options.progress(_progress);
+}
+
+} // namespace osgLego

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+
+#include <utility>
+#include <vector>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgLego
+{
+
+/** The unlikeness of a model to a surface. */
+struct SurfaceDifference
+{
+    /** The distance between the outer sides of bricks and the surface, in model units: the root of the mean square over
+     * their area. Their corners, edges and studs do not count, only the middle of each side of each cell. */
+    double distance = 0.0;
+    double color = 0.0; //!< the mean difference (CIEDE2000) to the nearest place of the surface, over the same area
+};
+
+/** The surface of a mesh as the centres and colours of small cells, to which models of larger cells are compared.
+ *
+ * Immutable; may be called from any thread. */
+class SurfaceReference
+{
+public:
+    /** @param cells the cells that the mesh covers, much smaller than those of models, in the colours of the mesh. Not
+     * empty. */
+    explicit SurfaceReference(const BrickModel& cells);
+
+    /** @param model with at least one brick, in the same coordinates. Sides inside closed cavities do not count. */
+    SurfaceDifference compare(const BrickModel& model) const;
+
+private:
+    using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+    using Entry = std::pair<Place, std::size_t>; // and the index of its colour
+    using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
+
+    Tree _places;
+    std::vector<glm::dvec3> _colors; // in CIELAB
+};
+
+} // namespace osgLego

@@ -1,0 +1,156 @@
+#include <osgLego/ModelDesigner.h>
+
+#include <osgLego/CpuLegolizer.h>
+#include <osgLego/Stability.h>
+
+#include <common/RacingCar.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <osg/ShapeDrawable>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** A white box with its middle at the origin. */
+osg::ref_ptr<osg::Node> makeBox(const osg::Vec3& size)
+{
+    return new osg::ShapeDrawable(new osg::Box(osg::Vec3(), size.x(), size.y(), size.z()));
+}
+
+std::string errorOf(const osg::Node& node, const DesignOptions& options)
+{
+    std::string error;
+    EXPECT_FALSE(designModel(node, options, error));
+    return error;
+}
+
+TEST(ModelDesigner, TheCarBecomesOnePieceThatStands)
+{
+    DesignOptions options;
+    options.numParts = 150;
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*createRacingCar(), options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    EXPECT_TRUE(best.isWhole());
+    EXPECT_TRUE(computeStability(*best.model)->safe);
+    EXPECT_LE(best.model->getParts().size(), 150u);
+    EXPECT_GE(best.model->getParts().size(), 100u);
+    EXPECT_GE(design->candidates.size(), 4u);
+    for (const DesignCandidate& candidate : design->candidates)
+    {
+        EXPECT_EQ(candidate.layout.numParts, candidate.model->getParts().size());
+        const bool isSafe = candidate.isSound() && candidate.stability.safe;
+        EXPECT_TRUE(!isSafe || candidate.getError() > best.getError() - 0.01) << candidate.settings.toString();
+    }
+}
+
+TEST(ModelDesigner, TheSettingsMakeTheSameModel)
+{
+    DesignOptions options;
+    options.numParts = 60;
+    options.settings = "fill=solid,proportions=brick";
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*car, options, error);
+    ASSERT_TRUE(design) << error;
+    for (const DesignCandidate& candidate : design->candidates)
+    {
+        EXPECT_EQ(candidate.settings.parts.fill, Fill::SOLID);
+        EXPECT_EQ(candidate.settings.grid.proportions, Proportions::BRICK);
+        EXPECT_EQ(legolizeOnCpu(*car, candidate.settings)->getParts(), candidate.model->getParts());
+    }
+}
+
+TEST(ModelDesigner, ALengthIsThatOfTheLongestSideWhicheverItIs)
+{
+    // 3 x 1 x 1 and 1 x 1 x 3, in bricks 9.6 mm high and plates 3.2 mm high.
+    for (const bool isTall : {false, true})
+        for (const char* proportions : {"proportions=brick", "proportions=plate"})
+        {
+            const osg::ref_ptr<osg::Node> box = makeBox(isTall ? osg::Vec3(1, 1, 3) : osg::Vec3(3, 1, 1));
+            DesignOptions options;
+            options.length = 96.0;
+            options.settings = proportions;
+            std::string error;
+            const std::optional<ModelDesign> design = designModel(*box, options, error);
+            ASSERT_TRUE(design) << error;
+            const glm::dvec3 size = design->getBest().layout.size;
+            EXPECT_NEAR(std::max({size.x, size.y, size.z}), 96.0, 9.6) << proportions << isTall;
+            EXPECT_NEAR(isTall ? size.z : size.x, 96.0, 9.6) << proportions;
+        }
+}
+
+TEST(ModelDesigner, AModelThatFallsIsSupported)
+{
+    // A table with one leg at its end.
+    const osg::ref_ptr<osg::Group> table = new osg::Group;
+    table->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 5.5f), 12, 3, 0.9f)));
+    table->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(-5.4f, 0, 2.5f), 0.9f, 2.9f, 5)));
+    DesignOptions options;
+    options.settings = "12,proportions=brick,fill=surface,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*table, options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_TRUE(design->getBest().isSound());
+    EXPECT_TRUE(design->getBest().settings.parts.support);
+    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(),
+                            [](const DesignCandidate& candidate) { return candidate.stability.falls(); }))
+        << "the model without support belongs in the comparison";
+    const std::string text = design->toString();
+    EXPECT_NE(text.find("chosen: " + design->getBest().settings.toString()), std::string::npos);
+    EXPECT_NE(text.find("support=on"), std::string::npos);
+}
+
+TEST(ModelDesigner, BadGoalsAreRefusedInOneSentence)
+{
+    const osg::ref_ptr<osg::Node> box = makeBox(osg::Vec3(1, 1, 1));
+    DesignOptions options;
+    options.numParts = 0;
+    EXPECT_EQ(errorOf(*box, options), "the number of parts is out of range; expected 1 to 10000");
+    options = {};
+    options.length = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(errorOf(*box, options), "the length is out of range; expected 8 to 8192 millimetres");
+    options = {};
+    options.settings = "up=x";
+    EXPECT_NE(errorOf(*box, options).find("up"), std::string::npos);
+    options.settings = "parts=none,connect=off";
+    EXPECT_EQ(errorOf(*box, options), "parts=none gives no parts; expected parts=bricks");
+    options.settings = "12";
+    options.length = 100.0;
+    EXPECT_EQ(errorOf(*box, options), "a length can't be combined with a resolution or a cell; expected either");
+    options = {};
+    EXPECT_NE(errorOf(*new osg::Group, options).find("no visible triangles"), std::string::npos);
+}
+
+TEST(ModelDesigner, ACancelledDesignIsNone)
+{
+    DesignOptions options;
+    options.isCancelled = [] { return true; };
+    EXPECT_EQ(errorOf(*createRacingCar(), options), "");
+}
+
+TEST(ModelDesigner, TheProgressGrowsToOne)
+{
+    DesignOptions options;
+    options.numParts = 20;
+    double last = 0.0;
+    options.progress = [&last](double share)
+    {
+        EXPECT_GE(share, last);
+        last = share;
+    };
+    std::string error;
+    EXPECT_TRUE(designModel(*makeBox(osg::Vec3(2, 1, 1)), options, error)) << error;
+    EXPECT_EQ(last, 1.0);
+}
+
+} // namespace
+
+} // namespace osgLego
