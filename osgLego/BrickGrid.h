@@ -21,9 +21,10 @@ namespace osgLego
  * in model units, along the axes of the model. A point in "cell units" is `(point - origin) / cellSize`.
  *
  * Without a cell pitch in the settings, the grid is fitted to bounds. The longest side of the bounds is `resolution`
- * widths of a cell long, so that a model has the same real size in all proportions; if several sides are equally long, a
- * horizontal one counts as the longest. The other sides, and a vertical one, are rounded up to whole cells. A horizontal side shares the excess between both ends, so that a symmetric mesh gets
- * symmetric bricks; the vertical side has it at the top, so that the lowest bricks stand where the mesh stands.
+ * widths of a cell long, so that a model has the same real size in all proportions; if several sides are equally long,
+ * a horizontal one counts as the longest. The other sides, and a vertical one, are rounded up to whole cells. A
+ * horizontal side shares the excess between both ends, so that a symmetric mesh gets symmetric bricks; the vertical
+ * side has it at the top, so that the lowest bricks stand where the mesh stands.
  *
  * With a cell pitch, the grid is a box of cells of a lattice, which extends from LegoSettings::Grid::origin in all
  * directions: `gridSize` cells from there on, or without a size the cells that the bounds reach into. Such a grid need

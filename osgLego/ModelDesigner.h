@@ -40,7 +40,7 @@ struct DesignOptions
  * Tries combinations of LegoSettings::Grid::proportions, LegoSettings::Parts::fill and LegoSettings::Colors::count,
  * each with the highest resolution whose model has few enough parts, joined to one piece
  * (LegoSettings::Parts::connect). Models that fall but are more like the mesh than all that stand are changed to stand
- * (LegoSettings::Parts::support). docs/design.md has the comparison, and times.
+ * (LegoSettings::Parts::support). docs/design.md has the comparison.
  *
  * Preconditions:
  * 1. No other thread changes the node during the call.

@@ -73,6 +73,7 @@ void copyWithPaper(const std::string& page, const std::filesystem::path& copy)
 bool run(const std::vector<std::string>& command)
 {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& argument : command)
         arguments.push_back(const_cast<char*>(argument.c_str())); // posix_spawn() does not change them
     arguments.push_back(nullptr);

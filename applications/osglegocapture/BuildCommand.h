@@ -12,6 +12,6 @@ namespace osgLego
  * LDraw's format, and a report on the choice.
  *
  * Throws CaptureError. Files are written atomically, after the choice. */
-void buildModel(const CaptureOptions& options, osg::GraphicsContext& context);
+void buildModel(const CaptureOptions& given, osg::GraphicsContext& context);
 
 } // namespace osgLego

@@ -1,13 +1,11 @@
 #include "CaptureOptions.h"
 
 #include "ExitCode.h"
+#include "OptionReaders.h"
 #include "SettingsHelp.h"
 
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
-#include <vector>
 
 #include <osgDB/FileNameUtils>
 #include <osgLego/ModelDesigner.h>
@@ -20,42 +18,6 @@ namespace osgLego
 
 namespace
 {
-
-constexpr int MAXIMUM_SIZE = 8192;
-constexpr double MAXIMUM_NUMBER = std::numeric_limits<double>::max();
-
-std::string badValue(const char* option, const std::string& text, const char* expected)
-{
-    return std::string("bad value '") + text + "' for " + option + "; expected " + expected;
-}
-
-std::string readSize(const std::string& text, CaptureOptions& options)
-{
-    int width = 0;
-    int height = 0;
-    char rest = 0;
-    const bool isRead = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-    if (!isRead || width < 1 || height < 1 || width > MAXIMUM_SIZE || height > MAXIMUM_SIZE)
-        return badValue("--size", text, "WIDTHxHEIGHT in pixels, each 1 to 8192");
-    options.width = width;
-    options.height = height;
-    return {};
-}
-
-std::string readView(const std::string& text, CaptureOptions& options)
-{
-    CaptureView read;
-    char rest = 0;
-    const int count = std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &read.azimuth, &read.elevation, &read.distance, &rest);
-    const bool isFinite = std::isfinite(read.azimuth) && std::isfinite(read.elevation) && std::isfinite(read.distance);
-    const bool isWhole = count == 3 || (count == 2 && text.find_last_of(',') == text.find(','));
-    if (!isWhole || !isFinite || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
-        return badValue("--view", text,
-                        "AZIMUTH,ELEVATION[,DISTANCE]: degrees, degrees from -90 to 90, and radii of the mesh above 0");
-    options.view = read;
-    options.isViewGiven = true;
-    return {};
-}
 
 /** Read the settings of the bricks; for --build, the others get values that suit parts. */
 void readSettings(CaptureOptions& options)
@@ -71,105 +33,6 @@ void readSettings(CaptureOptions& options)
     if (!isEmpty && !LegoSettings::parse(options.settingsText, settings, error))
         throw CLI::ValidationError("--legolize: " + error);
     options.settings = settings;
-}
-
-/** Read a length such as 20cm, 200mm or 8in. */
-std::string readLength(const std::string& text, CaptureOptions& options)
-{
-    static const std::map<std::string, double, std::less<>> UNITS{
-        {"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}};
-    double number = 0.0;
-    int length = 0;
-    const bool isRead = std::sscanf(text.c_str(), "%lf%n", &number, &length) == 1;
-    const auto unit = UNITS.find(isRead ? text.substr(static_cast<std::size_t>(length)) : std::string());
-    const double millimeters = unit == UNITS.end() ? 0.0 : number * unit->second;
-    // Written so that NaN is rejected.
-    if (!(millimeters >= DesignOptions::SHORTEST && millimeters <= DesignOptions::LONGEST))
-        return badValue("--length", text, "a number with mm, cm, m or in, from 8mm to 8.192m, for example 20cm");
-    options.buildLength = millimeters;
-    return {};
-}
-
-std::string readParts(const std::string& text, CaptureOptions& options)
-{
-    constexpr std::size_t MOST_DIGITS = 5;
-    const bool isNumber =
-        !text.empty() && text.size() <= MOST_DIGITS && text.find_first_not_of("0123456789") == std::string::npos;
-    const std::size_t number = isNumber ? std::stoul(text) : 0;
-    if (number < 1 || number > DesignOptions::MOST_PARTS) return badValue("--parts", text, "1 to 10000 parts");
-    options.buildParts = number;
-    return {};
-}
-
-std::string readOcclusion(const std::string& text, CaptureOptions& options)
-{
-    if (text.empty()) return badValue("--occlusion", text, "off, grid, screen or both, then settings");
-    options.isOcclusionGiven = true;
-    static const std::map<std::string, BrickOcclusion, std::less<>> KINDS{{"off", BrickOcclusion::OFF},
-                                                                          {"grid", BrickOcclusion::GRID},
-                                                                          {"screen", BrickOcclusion::SCREEN},
-                                                                          {"both", BrickOcclusion::BOTH}};
-    const std::size_t comma = text.find(',');
-    const auto kind = KINDS.find(text.substr(0, comma));
-    options.brickOcclusion = kind == KINDS.end() ? BrickOcclusion::SCREEN : kind->second;
-    const std::string settings = kind == KINDS.end()          ? text
-                                 : comma == std::string::npos ? std::string()
-                                                              : text.substr(comma + 1);
-    std::string error;
-    if (!settings.empty() && !AmbientOcclusionSettings::parse(settings, options.occlusion, error))
-        return "--occlusion: " + error + " (or off, grid, screen or both first)";
-    options.hasOcclusion = options.brickOcclusion == BrickOcclusion::SCREEN ||
-                           options.brickOcclusion == BrickOcclusion::BOTH ||
-                           options.occlusion.output != AmbientOcclusionOutput::PICTURE;
-    return {};
-}
-
-/** The valid range of an option's number, and its description in messages. */
-struct NumberRange
-{
-    double minimum;
-    double maximum;
-    const char* text;
-};
-
-std::string readNumber(const char* option, const std::string& text, const NumberRange& range, double& number)
-{
-    char rest = 0;
-    double read = 0.0;
-    const bool isRead = std::sscanf(text.c_str(), "%lf%c", &read, &rest) == 1;
-    // Written so that NaN is rejected.
-    if (!isRead || !(read >= range.minimum && read <= range.maximum)) return badValue(option, text, range.text);
-    number = read;
-    return {};
-}
-
-std::string readSteps(const std::string& text, CaptureOptions& options)
-{
-    unsigned long first = 0;
-    unsigned long last = 0;
-    char rest = 0;
-    const bool isRead = text.find_first_not_of("0123456789-") == std::string::npos &&
-                        std::sscanf(text.c_str(), "%9lu-%9lu%c", &first, &last, &rest) == 2;
-    if (!isRead || first < 1 || last < first) return badValue("--steps", text, "FIRST-LAST, for example 1-50");
-    options.bookletSteps = {first, last};
-    return {};
-}
-
-std::string readContext(const std::string& text, ContextKind& kind)
-{
-    static const std::map<std::string, ContextKind> kinds{
-        {"auto", ContextKind::AUTO}, {"egl", ContextKind::EGL}, {"osmesa", ContextKind::OSMESA}};
-    const auto found = kinds.find(text);
-    if (found == kinds.end()) return badValue("--context", text, "auto, egl or osmesa");
-    kind = found->second;
-    return {};
-}
-
-std::string readBase(const std::string& text, CaptureOptions& options)
-{
-    if (text != "table" && text != "plate") return badValue("--base", text, "table or plate");
-    options.base = text == "table" ? BuildingBase::TABLE : BuildingBase::PLATE;
-    return {};
 }
 
 /** Throws if --bound has no parts to count. The settings of a mesh that was given without --legolize are not known
