@@ -14,7 +14,7 @@ namespace osgLego
 std::optional<StabilityReport> computeStability(const BrickModel& model, const StabilityOptions& options)
 {
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    StabilityAnalysis analysis(model, options.base);
+    StabilityAnalysis analysis(model, options.base, options.weights);
     analysis.setCancellation(options.isCancelled);
     std::vector<std::uint32_t> parts(model.getParts().size());
     std::iota(parts.begin(), parts.end(), 0u);

@@ -35,6 +35,23 @@ void readSettings(CaptureOptions& options)
     options.settings = settings;
 }
 
+/** Add the weight of one use of --load. */
+std::string readLoad(const std::string& text, CaptureOptions& options)
+{
+    constexpr double MOST_GRAMS = 1e6;
+    CaptureLoad load;
+    char unit = 0;
+    char rest = 0;
+    const int count = std::sscanf(text.c_str(), "%6d,%6d,%6d=%lf%c%c", &load.cell.x, &load.cell.y, &load.cell.z,
+                                  &load.grams, &unit, &rest);
+    // Written so that NaN is rejected.
+    if (count != 5 || unit != 'g' || !(load.grams > 0.0 && load.grams <= MOST_GRAMS))
+        return badValue("--load", text,
+                        "X,Y,Z=GRAMSg: a cell of a part, and more than 0 to 1000000 grams, for example 3,0,7=200g");
+    options.loads.push_back(load);
+    return {};
+}
+
 /** Throws if --bound has no parts to count. The settings of a mesh that was given without --legolize are not known
  * before it is read. */
 void checkBound(const CaptureOptions& options)
@@ -108,6 +125,8 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
     if (options.original && options.base)
         throw CLI::ValidationError("--original has no parts; expected --base without --original");
+    if (!options.loads.empty() && !options.base)
+        throw CLI::ValidationError("--load has nothing to stand on; expected --base with it");
     if (options.bound) checkBound(options);
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
         throw CLI::ValidationError(
@@ -124,8 +143,8 @@ CLI::callback_t toCallback(const Reader& reader)
 {
     return [reader](const CLI::results_t& results)
     {
-        const std::string error = reader(results.front());
-        if (!error.empty()) throw CLI::ValidationError(error);
+        for (const std::string& result : results)
+            if (const std::string error = reader(result); !error.empty()) throw CLI::ValidationError(error);
         return true;
     };
 }
@@ -220,6 +239,11 @@ void addReports(CLI::App& app, CaptureOptions& options)
            "--base", toCallback([&](const std::string& text) { return readBase(text, options); }),
            "Compute whether the parts stand on a table or on a studded base plate, and print it; for --stats too")
         ->type_name("table|plate");
+    app.add_option("--load", toCallback([&](const std::string& text) { return readLoad(text, options); }),
+                   "Put a weight on the part in a cell, for --base; the report names cells, and --cells lists them. "
+                   "May be repeated")
+        ->type_name("X,Y,Z=GRAMSg")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--cells", options.cells, "Write every covered cell: x,y,z,red,green,blue")->type_name("FILE.csv");
     app.add_option("--parts-list", options.partsList,
                    "Write the parts to order: a table as .csv, or a wanted list of BrickLink as .xml; - writes the "

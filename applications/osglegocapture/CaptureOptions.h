@@ -11,6 +11,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace osgLego
 {
@@ -43,6 +46,13 @@ struct CaptureProbe
     bool operator==(const CaptureProbe&) const = default;
 };
 
+/** A weight on a part, for the computation of stability. */
+struct CaptureLoad
+{
+    glm::ivec3 cell{0}; //!< a cell of the part, in the grid
+    double grams = 0.0;
+};
+
 /** The command line of osglegocapture. */
 struct CaptureOptions
 {
@@ -66,6 +76,7 @@ struct CaptureOptions
     ContextKind context = ContextKind::AUTO;
     bool bound = false;               //!< whether the statistics have the fewest parts possible
     std::optional<BuildingBase> base; //!< on which the stability of the parts is computed; unset: it is not
+    std::vector<CaptureLoad> loads;   //!< for `base`
     std::string statistics;           //!< STANDARD_OUTPUT: write to standard output
     std::string cells;
     std::string partsList;    //!< .csv or .xml; STANDARD_OUTPUT: write a table to standard output

@@ -1,6 +1,7 @@
 #include "SceneStability.h"
 
 #include "Cancellation.h"
+#include "ExitCode.h"
 
 #include <osgLego/PartType.h>
 
@@ -45,14 +46,37 @@ JsonValue toJson(const BrickModel& model, std::uint32_t index)
             {"cell", JsonValue::createArray({part.cell[0], part.cell[1], part.cell[2]})}};
 }
 
+std::vector<AddedWeight> findWeights(const std::vector<osg::ref_ptr<const BrickModel>>& models,
+                                     const std::vector<CaptureLoad>& loads)
+{
+    if (!loads.empty() && models.size() > 1)
+        throw CaptureError(EXIT_BAD_INPUT,
+                           fmt::format("there are {} nodes with parts; expected one with --load", models.size()));
+    std::vector<AddedWeight> weights;
+    for (const CaptureLoad& load : loads)
+    {
+        const BrickModel& model = *models.front();
+        const Part* part = model.findPart(load.cell);
+        if (!part)
+            throw CaptureError(EXIT_BAD_INPUT,
+                               fmt::format("--load: no part is in the cell {},{},{}; expected one that --cells lists",
+                                           load.cell.x, load.cell.y, load.cell.z));
+        weights.push_back({static_cast<std::uint32_t>(part - model.getParts().data()), load.grams});
+    }
+    return weights;
+}
+
 } // namespace
 
-SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base) :
-    _base(base)
+SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base,
+                               const std::vector<CaptureLoad>& loads) :
+    _base(base),
+    _weights(findWeights(models, loads))
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
     {
-        const std::optional<StabilityReport> report = computeStability(*model, {base, Cancellation::isRequested});
+        const std::optional<StabilityReport> report =
+            computeStability(*model, {base, Cancellation::isRequested, _weights});
         Cancellation::check();
         _models.push_back({model, *report});
     }
@@ -76,6 +100,8 @@ std::string SceneStability::toText() const
     for (const auto& [model, report] : _models)
     {
         text += fmt::format("on a {}, {}\n", _base == BuildingBase::TABLE ? "table" : "base plate", report.toString());
+        for (const AddedWeight& weight : _weights)
+            text += fmt::format("  load: {:g} g on {}\n", weight.grams, describe(*model, weight.part));
         if (report.weakest)
             text += fmt::format("  weakest joint: {} on {}\n", describe(*model, report.weakest->upper),
                                 describe(*model, report.weakest->lower));
@@ -96,6 +122,13 @@ JsonValue SceneStability::toJson() const
                    {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
     JsonValue falling = JsonValue::createArray();
     JsonValue unknown = JsonValue::createArray();
+    JsonValue loads = JsonValue::createArray();
+    for (const AddedWeight& weight : _weights)
+    {
+        JsonValue load = osgLego::toJson(*worst, weight.part);
+        load["grams"] = weight.grams;
+        loads.append(load);
+    }
     bool stands = true;
     bool safe = true;
     std::optional<double> tippingAngle;
@@ -123,6 +156,7 @@ JsonValue SceneStability::toJson() const
             {"falling", falling},
             {"unknown", unknown},
             {"weakest", weakest},
+            {"loads", loads},
             {"components", numComponents},
             {"milliseconds", std::round(1000.0 * milliseconds) / 1000.0}};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CaptureOptions.h"
+
 #include <common/JsonValue.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/Stability.h>
@@ -17,9 +19,10 @@ namespace osgLego
 class SceneStability
 {
 public:
-    /** Throws CaptureError if it is cancelled.
+    /** Throws CaptureError if it is cancelled, and if loads are on no part or could be on several.
      * @param models at least one, each with parts. */
-    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base);
+    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base,
+                   const std::vector<CaptureLoad>& loads);
 
     /** The report on the only model; nothing if there are several. */
     std::optional<StabilityReport> getReport() const;
@@ -39,6 +42,7 @@ private:
     const ModelStability& getWorst() const;
 
     BuildingBase _base;
+    std::vector<AddedWeight> _weights; // on the parts of the only model
     std::vector<ModelStability> _models;
 };
 

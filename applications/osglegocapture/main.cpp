@@ -130,7 +130,7 @@ std::optional<SceneStability> reportStability(const CaptureOptions& options, con
 {
     if (!options.base) return std::nullopt;
     progress.show("computing stability");
-    SceneStability stability(scene.findPartModels(), *options.base);
+    SceneStability stability(scene.findPartModels(), *options.base, options.loads);
     progress.clear();
     fmt::print("{}", stability.toText());
     return stability;
@@ -214,8 +214,10 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
     if (options.needsContext())
         code = drawAndWrite(options, *scene, stability ? &*stability : nullptr, output, reference, *context, progress);
     if (!options.instructions.empty())
-        writeInstructions(options, scene->getOnlyLegoNode(), stability ? stability->getReport() : std::nullopt,
-                          *context, progress);
+        // A booklet is about the model without loads.
+        writeInstructions(options, scene->getOnlyLegoNode(),
+                          stability && options.loads.empty() ? stability->getReport() : std::nullopt, *context,
+                          progress);
     return code;
 }
 

@@ -14,9 +14,10 @@ namespace osgLego
 /** The box of a part, with z upwards for every up axis of the grid. */
 struct PartBox
 {
-    glm::ivec3 low{0};  //!< in studs, studs and plates
-    glm::ivec3 high{0}; //!< exclusive
-    double mass = 0.0;  //!< grams
+    glm::ivec3 low{0};      //!< in studs, studs and plates
+    glm::ivec3 high{0};     //!< exclusive
+    double mass = 0.0;      //!< grams
+    double addedMass = 0.0; //!< grams, at the middle of its top
 };
 
 /** Two parts that touch. */

@@ -47,7 +47,8 @@ EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span
     _load(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * parts.size())))
 {
     for (std::size_t body = 0; body < parts.size(); ++body)
-        _load[static_cast<Eigen::Index>(6 * body + 2)] = NEWTONS_PER_GRAM * boxes[parts[body]].mass;
+        _load[static_cast<Eigen::Index>(6 * body + 2)] =
+            NEWTONS_PER_GRAM * (boxes[parts[body]].mass + boxes[parts[body]].addedMass);
     const auto findBody = [&](std::uint32_t part)
     { return static_cast<std::int32_t>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin()); };
     for (const Contact& contact : contacts)

@@ -57,7 +57,7 @@ public:
     std::size_t getNumForces() const { return _wrenches.size(); }
     /** In the order of the contacts. */
     const std::vector<Joint>& getJoints() const { return _joints; }
-    /** The forces that are needed, in newtons: the weights of the parts, upwards. */
+    /** The forces that are needed, in newtons: the weights of the parts, and those added, upwards. */
     const Eigen::VectorXd& getLoad() const { return _load; }
     const Wrench& getWrench(std::size_t force) const { return _wrenches[force]; }
     Kind getKind(std::size_t force) const { return _kinds[force]; }

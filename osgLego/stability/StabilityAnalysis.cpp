@@ -6,9 +6,12 @@
 #include <osgLego/stability/TippingAngle.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,13 +39,27 @@ private:
     UnionFind _sets;
 };
 
+std::vector<PartBox> findLoadedBoxes(const BrickModel& model, std::span<const AddedWeight> weights)
+{
+    std::vector<PartBox> boxes = findPartBoxes(model);
+    for (const AddedWeight& weight : weights)
+    {
+        if (weight.part >= boxes.size() || !std::isfinite(weight.grams) || weight.grams < 0.0)
+            throw std::invalid_argument("an added weight is on no part, negative or not finite; expected 0 or more "
+                                        "grams on one of the " +
+                                        std::to_string(boxes.size()) + " parts");
+        boxes[weight.part].addedMass += weight.grams;
+    }
+    return boxes;
+}
+
 } // namespace
 
 class StabilityAnalysis::Implementation
 {
 public:
-    Implementation(const BrickModel& model, BuildingBase base) :
-        _base(base), _boxes(findPartBoxes(model)), _contacts(findContacts(model))
+    Implementation(const BrickModel& model, BuildingBase base, std::span<const AddedWeight> weights) :
+        _base(base), _boxes(findLoadedBoxes(model, weights)), _contacts(findContacts(model))
     {
     }
 
@@ -203,8 +220,8 @@ private:
     int _lowest = 0;
 };
 
-StabilityAnalysis::StabilityAnalysis(const BrickModel& model, BuildingBase base) :
-    _implementation(std::make_unique<Implementation>(model, base))
+StabilityAnalysis::StabilityAnalysis(const BrickModel& model, BuildingBase base, std::span<const AddedWeight> weights) :
+    _implementation(std::make_unique<Implementation>(model, base, weights))
 {
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
-#include <osgLego/StabilityReport.h>
+#include <osgLego/Stability.h>
 
 #include <cstdint>
 #include <functional>
@@ -27,8 +27,10 @@ namespace osgLego
 class StabilityAnalysis
 {
 public:
-    /** @param model with parts that are in getPartTypes(); needed only during this call. */
-    StabilityAnalysis(const BrickModel& model, BuildingBase base);
+    /** @param model with parts that are in getPartTypes(); needed only during this call.
+     * @param weights those on parts that solve() is not given do not count.
+     * @throws std::invalid_argument if a weight is on a part that does not exist, is negative or not finite. */
+    StabilityAnalysis(const BrickModel& model, BuildingBase base, std::span<const AddedWeight> weights = {});
     ~StabilityAnalysis();
 
     StabilityAnalysis(const StabilityAnalysis&) = delete;

@@ -25,8 +25,11 @@ Eigen::Vector3d findMassCenter(std::span<const PartBox> boxes, std::span<const s
     for (const std::uint32_t part : parts)
     {
         const PartBox& box = boxes[part];
-        sum += 0.5 * box.mass * (toPitches(box.low) + toPitches(box.high));
-        mass += box.mass;
+        const Eigen::Vector3d low = toPitches(box.low);
+        const Eigen::Vector3d high = toPitches(box.high);
+        const Eigen::Vector3d top(0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), high.z());
+        sum += 0.5 * box.mass * (low + high) + box.addedMass * top;
+        mass += box.mass + box.addedMass;
     }
     return sum / mass - toPitches({0, 0, table});
 }

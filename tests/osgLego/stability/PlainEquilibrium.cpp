@@ -186,9 +186,12 @@ void addBase(Program& program, const Box& box, int index, BuildingBase base)
 
 } // namespace
 
-std::optional<double> computePlainTension(const BrickModel& model, BuildingBase base)
+std::optional<double> computePlainTension(const BrickModel& model, BuildingBase base,
+                                          const std::vector<AddedWeight>& weights)
 {
-    const std::vector<Box> boxes = findBoxes(model);
+    std::vector<Box> boxes = findBoxes(model);
+    for (const AddedWeight& weight : weights)
+        boxes[weight.part].weight += 9.8e-3 * weight.grams;
     Program program(boxes);
     double bottom = boxes.front().low.z;
     for (const Box& box : boxes)

@@ -8,8 +8,11 @@
 #include <osgLego/Stability.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -242,6 +245,49 @@ TEST(Stability, AStairOf19BricksStandsAndOneOf20Falls)
         EXPECT_EQ(report.stands, count == 19);
         EXPECT_NEAR(report.margin, marginByClp(*model, BuildingBase::PLATE), 1e-6);
     }
+}
+
+TEST(Stability, AddedWeightsActAtTheMiddleOfTheirParts)
+{
+    // The cantilever of ACantileverIsHeldByThreePointsOfItsStud. Weights on the lower brick do not load its stud.
+    constexpr double LEVER = 3.25;
+    const osg::ref_ptr<const BrickModel> model =
+        createPartModel({createBrick({0, 0, 0}, 1, 1), createBrick({0, 0, 1}, 8, 1)});
+    const auto computeWith = [&](std::vector<AddedWeight> weights) {
+        return *computeStability(*model, {BuildingBase::PLATE, {}, std::move(weights)});
+    };
+    EXPECT_NEAR(computeWith({{1, 10.0}}).margin, marginOf(GRAVITY * (MASS_1X8 + 10.0) * LEVER), 1e-6);
+    EXPECT_NEAR(computeWith({{1, 10.0}, {0, 500.0}, {1, 5.0}}).margin, marginOf(GRAVITY * (MASS_1X8 + 15.0) * LEVER),
+                1e-6);
+    EXPECT_TRUE(computeWith({{1, 27.7}}).stands);
+    EXPECT_FALSE(computeWith({{1, 27.8}}).stands);
+}
+
+TEST(Stability, AgreesWithClpOnRandomTowersWithWeights)
+{
+    int numStrained = 0;
+    int numFallen = 0;
+    for (unsigned int seed = 400; seed < 420; ++seed)
+        for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+        {
+            const osg::ref_ptr<const BrickModel> model = createRandomTower(seed, 15);
+            const std::vector<AddedWeight> weights{{14, 3.0 * (seed - 399)}, {seed % 15, 20.0}};
+            const std::optional<double> tension = computePlainTension(*model, base, weights);
+            const StabilityReport report = *computeStability(*model, {base, {}, weights});
+            EXPECT_NEAR(report.margin, tension ? std::max(-1.0, marginOf(*tension)) : -1.0, 1e-6) << seed;
+            numStrained += report.stands && report.margin < 0.99;
+            numFallen += report.falls() && computeStability(*model, {base, {}})->stands;
+        }
+    EXPECT_GT(numStrained, 3);
+    EXPECT_GT(numFallen, 3);
+}
+
+TEST(Stability, RejectsWeightsThatAreOnNoPartOrImpossible)
+{
+    const osg::ref_ptr<const BrickModel> model = createPartModel({createBrick({0, 0, 0}, 2, 2)});
+    for (const AddedWeight weight :
+         {AddedWeight{1, 5.0}, AddedWeight{0, -1.0}, AddedWeight{0, std::numeric_limits<double>::infinity()}})
+        EXPECT_THROW(computeStability(*model, {BuildingBase::TABLE, {}, {weight}}), std::invalid_argument);
 }
 
 TEST(Stability, ATallColumnStandsSafely)

@@ -65,6 +65,15 @@ TEST(TippingAngle, IsTheLeastOfAllPieces)
     EXPECT_NEAR(computeStability(*createPartModel(parts))->tippingAngle.value(), toDegrees(0.5 / HEIGHT), 1e-9);
 }
 
+TEST(TippingAngle, AnAddedWeightIsOnTopOfItsPart)
+{
+    // A brick 2 x 2 of 1.15 g, with 200 g in the middle of its top.
+    const osg::ref_ptr<const BrickModel> model = createPartModel({createBrick({20, 20, 0}, 2, 2)});
+    const double height = HEIGHT * (0.5 * 1.15 + 200.0) / 201.15;
+    EXPECT_NEAR(computeStability(*model, {BuildingBase::TABLE, {}, {{0, 200.0}}})->tippingAngle.value(),
+                toDegrees(1.0 / height), 1e-9);
+}
+
 TEST(TippingAngle, TowersThatStandSideBySideTipOneByOne)
 {
     std::vector<Part> parts;
