@@ -3,6 +3,7 @@
 #include <osgLego/data/UnionFind.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -80,6 +81,11 @@ BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, st
     _chapters.push_back(createChapter(plan, plan.getSteps()));
     for (const Submodel& submodel : plan.getSubmodels())
         _chapters.push_back(createChapter(plan, submodel.steps));
+    for (std::size_t chapter = 0; chapter < _chapters.size(); ++chapter)
+        _chapters[chapter].original = chapter;
+    for (const BookletChapter& chapter : _chapters)
+        for (const BookletStep& step : chapter.steps)
+            findCopies(step);
     std::size_t numNamed = 0;
     nameSteps(_chapters.front(), numNamed);
 }
@@ -139,7 +145,47 @@ std::vector<BookletItem> BookletModel::countKinds(const std::vector<std::uint32_
     return items;
 }
 
-/** Number the steps of a chapter, and give letters to its submodels in the order in which they are built. */
+/** Whether submodels have parts of the same kinds in the same places relative to each other, not turned. */
+bool BookletModel::areEqual(const BookletChapter& chapter, const BookletChapter& other) const
+{
+    const std::vector<Part>& parts = chapter.model->getParts();
+    const std::vector<Part>& others = other.model->getParts();
+    if (parts.size() != others.size()) return false;
+    const std::vector<std::size_t> kinds = _list.findRows(*chapter.model);
+    const std::vector<std::size_t> otherKinds = _list.findRows(*other.model);
+    const glm::ivec3 way = others.front().getCell() - parts.front().getCell();
+    for (std::size_t part = 0; part < parts.size(); ++part) // both are sorted by their cells
+        if (kinds[part] != otherKinds[part] || parts[part].getSize() != others[part].getSize() ||
+            parts[part].getCell() + way != others[part].getCell())
+            return false;
+    return true;
+}
+
+/** Find the submodels of a step that are equal, so that they are shown once. */
+void BookletModel::findCopies(const BookletStep& step)
+{
+    for (std::size_t place = 0; place < step.submodels.size(); ++place)
+        for (std::size_t before = 0; before < place; ++before)
+        {
+            BookletChapter& own = _chapters[step.submodels[place]];
+            BookletChapter& other = _chapters[step.submodels[before]];
+            if (other.original != step.submodels[before] || !areEqual(other, own)) continue;
+            own.original = other.original;
+            own.copy = ++other.quantity;
+            break;
+        }
+}
+
+std::vector<std::size_t> BookletModel::getOriginals(const BookletStep& step) const
+{
+    std::vector<std::size_t> originals;
+    std::copy_if(step.submodels.begin(), step.submodels.end(), std::back_inserter(originals),
+                 [this](std::size_t submodel) { return _chapters[submodel].original == submodel; });
+    return originals;
+}
+
+/** Number the steps of a chapter, and give letters to its submodels in the order in which they are built. Copies have
+ * the letters of their originals, and none for submodels within them, since they are not shown. */
 void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
 {
     for (std::size_t step = 0; step < chapter.steps.size(); ++step)
@@ -147,8 +193,9 @@ void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
         chapter.steps[step].name = chapter.letter + std::to_string(step + 1);
         for (const std::size_t submodel : chapter.steps[step].submodels)
         {
-            _chapters[submodel].letter = letterOf(numNamed++);
-            nameSteps(_chapters[submodel], numNamed);
+            BookletChapter& own = _chapters[submodel];
+            own.letter = own.original == submodel ? letterOf(numNamed++) : _chapters[own.original].letter;
+            if (own.original == submodel) nameSteps(own, numNamed);
         }
     }
 }

@@ -28,11 +28,12 @@ struct BookletItem
 /** A step as it is printed. */
 struct BookletStep
 {
-    std::string name;                   //!< such as "12", or "A3" in a submodel
-    std::vector<BookletItem> items;     //!< the parts it adds, without those of submodels, in the order of kinds
-    std::vector<std::size_t> submodels; //!< chapters that are built before this step and attached in it
-    int turns = 0;                      //!< as BuildingStep::turns
-    bool isUpsideDown = false;          //!< as BuildingStep::isFromBelow
+    std::string name;               //!< such as "12", or "A3" in a submodel
+    std::vector<BookletItem> items; //!< the parts it adds, without those of submodels, in the order of kinds
+    std::vector<std::size_t>
+        submodels;             //!< chapters that are built before this step and attached in it, copies included
+    int turns = 0;             //!< as BuildingStep::turns
+    bool isUpsideDown = false; //!< as BuildingStep::isFromBelow
     bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from upright
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
@@ -47,7 +48,15 @@ struct BookletStep
 /** The steps of the main model, or of a submodel. */
 struct BookletChapter
 {
+    static constexpr std::size_t MOST_IN_CALLOUT = 4; //!< parts
+
+    /** Whether it is a submodel that is built from a box within the step that attaches it. */
+    bool isCallout() const { return !letter.empty() && model->getParts().size() <= MOST_IN_CALLOUT; }
+
     std::string letter;                    //!< of a submodel, such as "A"; empty for the main model
+    std::size_t original = 0;              //!< the equal submodel of the same step that is built first, or this chapter
+    std::size_t copy = 1;                  //!< which one of those that are equal in the same step, from 1
+    std::size_t quantity = 1;              //!< of an original: how many are equal, itself included
     osg::ref_ptr<const BrickModel> model;  //!< of the parts of this chapter, those of submodels included
     osg::ref_ptr<const BuildingPlan> plan; //!< of that model, with one step for each of `steps`, and no submodels
     std::vector<BookletItem> items;        //!< all parts, those of submodels included, in the order of kinds
@@ -80,6 +89,8 @@ public:
     /** The main model, and then the submodels in the order of the plan. */
     const std::vector<BookletChapter>& getChapters() const { return _chapters; }
     const BookletChapter& getMainChapter() const { return _chapters.front(); }
+    /** The submodels of a step without the copies of others, in the order in which they are built. */
+    std::vector<std::size_t> getOriginals(const BookletStep& step) const;
 
     std::size_t getNumParts() const;
     /** The number of steps, those of submodels included. */
@@ -97,6 +108,8 @@ public:
 private:
     BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
     std::vector<BookletItem> countKinds(const std::vector<std::uint32_t>& parts) const;
+    void findCopies(const BookletStep& step);
+    bool areEqual(const BookletChapter& chapter, const BookletChapter& other) const;
     void nameSteps(BookletChapter& chapter, std::size_t& numNamed);
 
     osg::ref_ptr<const BrickModel> _model;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "BookletMarkup.h"
 #include "BookletModel.h"
 #include "BookletPicture.h"
+#include "BookletSteps.h"
 
 #include <cstddef>
 #include <functional>
@@ -53,29 +55,15 @@ private:
     void writePartsList();
     void writeBasePlate();
     void writeDetails(const PartsList::Row& row);
-    void writeSteps();
-    void writeSubmodels(const BookletStep& step);
-    void writeSubmodel(std::size_t chapter);
-    void writeStep(std::size_t chapter, std::size_t index);
-    void writeCallout(const BookletStep& step);
-    void writeNote(const BookletStep& step);
-    void writeArrows(const BookletStep& step, const BookletPicture& picture);
-    void writeItems(const std::vector<BookletItem>& items);
-    void writeItem(const BookletItem& item);
     void writeFinished();
-    void writeSymbol(const std::string& id, const BookletPicture& picture);
-    void writeUse(const std::string& id, const std::string& text, const glm::dvec2& size);
-    void writeImage(const BookletPicture& picture, const std::string& text);
-    std::string describeStep(const BookletChapter& chapter, const BookletStep& step) const;
-    std::size_t countStepPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
 
     const BookletModel& _model;
     const BookletFacts& _facts;
     BookletPictureSource& _pictures;
     std::function<void(const std::string&)> _progress;
     std::ostream* _stream = nullptr;
-    std::vector<glm::dvec2> _kindSizes;     // in pixels of CSS
-    std::vector<glm::dvec2> _submodelSizes; // likewise, of their symbols
+    BookletMarkup _markup;
+    BookletSteps _steps;
 };
 
 } // namespace osgLego

@@ -27,6 +27,7 @@ struct BookletPicture
     int width = 0;                    //!< pixels
     int height = 0;                   //!< pixels
     double density = 1.0;             //!< pixels per pixel of CSS (1/96 inch)
+    double pitch = 1.0;               //!< pixels per stud
     std::vector<BookletArrow> arrows; //!< one to each submodel, and then to each hidden part
 };
 
@@ -43,6 +44,8 @@ public:
     /** The finished model or submodel, on a transparent background. Submodels are drawn at the scale of parts alone,
      * unless they would be very large. */
     virtual BookletPicture drawFinished(std::size_t chapter) = 0;
+    /** Whether drawFinished() shows enough of each part of a submodel that it can be built from this picture. */
+    virtual bool showsAllParts(std::size_t chapter) = 0;
     /** A chapter after a step. All pictures of a chapter have the same scale and the same width. */
     virtual BookletPicture drawStep(std::size_t chapter, std::size_t step) = 0;
     /** The width of a chapter's pictures, divided by the height of the tallest of them. */

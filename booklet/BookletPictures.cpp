@@ -111,7 +111,7 @@ const PictureFormat& chooseFormat(const osg::Image& image)
     return image.s() * image.t() < LARGE ? SMALL_FORMAT : LARGE_FORMAT;
 }
 
-BookletPicture encode(const osg::Image& image, double density)
+BookletPicture encode(const osg::Image& image, double density, double pitch)
 {
     const PictureFormat& format = chooseFormat(image);
     OIIO::ImageBuf picture = toImageBuf(image);
@@ -125,6 +125,7 @@ BookletPicture encode(const osg::Image& image, double density)
     encoded.width = image.s();
     encoded.height = image.t();
     encoded.density = density;
+    encoded.pitch = pitch;
     return encoded;
 }
 
@@ -276,7 +277,7 @@ BookletPicture BookletPictures::drawKind(std::size_t kind)
     const BookletCamera camera(model->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(model->getParts()));
     const glm::ivec2 size = roundToPixels(frame, PART_PITCH * PART_DENSITY);
-    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY, PART_PITCH * PART_DENSITY);
 }
 
 BookletPicture BookletPictures::drawBasePlate()
@@ -291,9 +292,9 @@ BookletPicture BookletPictures::drawBasePlate()
     _shown = NONE;
     const BookletCamera camera(one->getGrid(), {});
     BookletFrame frame = addMargin(camera.findFrame(*one));
-    const glm::ivec2 size =
-        roundToPixels(frame, std::min(LARGEST_PLATE / frame.getSize().x, PART_PITCH * PART_DENSITY));
-    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY);
+    const double pixels = std::min(LARGEST_PLATE / frame.getSize().x, PART_PITCH * PART_DENSITY);
+    const glm::ivec2 size = roundToPixels(frame, pixels);
+    return encode(*_renderer.drawTransparent(camera, frame, size), PART_DENSITY, pixels);
 }
 
 BookletPicture BookletPictures::drawFinished(std::size_t chapter)
@@ -318,7 +319,16 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     const glm::dvec2 fitting = largest / frame.getSize();
     const double pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
     const glm::ivec2 size = roundToPixels(frame, pixels);
-    return encode(*_renderer.drawTransparent(camera, frame, size), isSubmodel ? PART_DENSITY : DENSITY);
+    return encode(*_renderer.drawTransparent(camera, frame, size), isSubmodel ? PART_DENSITY : DENSITY, pixels);
+}
+
+bool BookletPictures::showsAllParts(std::size_t chapter)
+{
+    constexpr double LEAST_SHARE = 0.25; // of the faces of a part towards the eye
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
+    return findHiddenParts(*own.model, own.plan->getOrder(), own.plan->getOrder(), camera.getToEye(), LEAST_SHARE)
+        .empty();
 }
 
 BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
@@ -338,7 +348,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
     NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
         .draw(*image);
-    BookletPicture picture = encode(*image, DENSITY);
+    BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
     for (const BookletArrow& arrow : findArrows(own, shown, camera))

@@ -25,6 +25,7 @@ public:
     BookletPicture drawKind(std::size_t kind) override;
     BookletPicture drawBasePlate() override;
     BookletPicture drawFinished(std::size_t chapter) override;
+    bool showsAllParts(std::size_t chapter) override;
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override;
     double getAspect(std::size_t chapter) const override;
 

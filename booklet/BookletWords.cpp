@@ -73,9 +73,22 @@ void BookletWords::writeIntroduction(const std::string& title)
              << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
              << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
              << "A submodel has a letter. Build it apart, and count its own columns, rows and layers from its left, "
-                "front and lowest end.\n\nParts\n";
+                "front and lowest end. Copies of a submodel are equal.\n\nParts\n";
     for (const PartsList::Row& row : _model.getKinds())
         *_stream << describeParts(row, row.quantity) << ".\n";
+}
+
+/** The names of the parts of an attached submodel, in the order of building: those of the original, with the number of
+ * the copy if there are several. */
+std::vector<std::string> BookletWords::findNamesOfCopy(const BookletChapter& copy) const
+{
+    const BookletChapter& original = _model.getChapters()[copy.original];
+    const std::vector<std::string> names = findNames(copy.original);
+    if (original.quantity == 1) return names;
+    std::vector<std::string> own;
+    for (const std::uint32_t part : copy.plan->getOrder()) // parts of both are sorted by their cells
+        own.push_back(fmt::format("{} of copy {}", names[original.plan->getRanks()[part]], copy.copy));
+    return own;
 }
 
 /** The names of the parts of a chapter, in the order of building. */
@@ -88,7 +101,7 @@ std::vector<std::string> BookletWords::findNames(std::size_t chapter) const
             names.push_back(fmt::format("{}.{}", step.name, part));
         for (const std::size_t submodel : step.submodels)
         {
-            const std::vector<std::string> inner = findNames(submodel);
+            const std::vector<std::string> inner = findNamesOfCopy(_model.getChapters()[submodel]);
             names.insert(names.end(), inner.begin(), inner.end());
         }
     }
@@ -101,7 +114,7 @@ std::vector<BookletWords::Place> BookletWords::findPlaces(std::size_t chapter) c
     const BookletChapter& own = _model.getChapters()[chapter];
     const BrickGrid& grid = own.model->getGrid();
     const std::vector<std::size_t> rows = _model.getPartsList().findRows(*own.model);
-    const std::vector<std::string> names = findNames(chapter);
+    const std::vector<std::string> names = findNames(own.original);
     std::vector<Place> places;
     glm::ivec3 lowest(std::numeric_limits<int>::max());
     for (const std::uint32_t part : own.plan->getOrder())
@@ -134,11 +147,12 @@ void BookletWords::writeChapter(std::size_t chapter)
     const BookletChapter& own = _model.getChapters()[chapter];
     for (const BookletStep& step : own.steps)
     {
-        for (const std::size_t submodel : step.submodels)
+        for (const std::size_t submodel : _model.getOriginals(step))
         {
             const BookletChapter& inner = _model.getChapters()[submodel];
-            *_stream << fmt::format("\nSubmodel {}, of {}. Build it apart.\n", inner.letter,
-                                    countOf(inner.model->getParts().size(), "part"));
+            *_stream << fmt::format("\nSubmodel {}, of {}. Build it apart{}.\n", inner.letter,
+                                    countOf(inner.model->getParts().size(), "part"),
+                                    inner.quantity == 1 ? "" : ", " + countOf(inner.quantity, "time"));
             if (inner.steps.front().isUpsideDown)
                 *_stream << "Build it upside down, from its highest layer to its lowest one. Its places are those when "
                             "its studs are up.\n";
@@ -212,8 +226,10 @@ void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>&
                                    places[other].last.z + 1 == own.first.z;
                         }))
             neighbors.push_back(places[other].name);
-    *_stream << fmt::format("Submodel {}: its column 1, row 1 and layer 1 come to column {}, row {}, layer {}.{}\n",
-                            inner.letter, offset.x, offset.y, offset.z,
+    const BookletChapter& original = _model.getChapters()[inner.original];
+    const std::string copy = original.quantity == 1 ? "" : fmt::format(", copy {}", inner.copy);
+    *_stream << fmt::format("Submodel {}{}: its column 1, row 1 and layer 1 come to column {}, row {}, layer {}.{}\n",
+                            inner.letter, copy, offset.x, offset.y, offset.z,
                             neighbors.empty() ? std::string() : " On " + joinNames(neighbors) + ".");
 }
 

@@ -33,6 +33,7 @@ private:
 
     std::vector<Place> findPlaces(std::size_t chapter) const;
     std::vector<std::string> findNames(std::size_t chapter) const;
+    std::vector<std::string> findNamesOfCopy(const BookletChapter& copy) const;
     void writeIntroduction(const std::string& title);
     void writeChapter(std::size_t chapter);
     void writeStep(const BookletChapter& chapter, const BookletStep& step, const std::vector<Place>& places);

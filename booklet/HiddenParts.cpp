@@ -44,16 +44,17 @@ double findVisibleShare(const BrickRayCaster& caster, const Part& part, const gl
 } // namespace
 
 std::vector<std::uint32_t> findHiddenParts(const BrickModel& model, std::span<const std::uint32_t> placed,
-                                           std::span<const std::uint32_t> shown, const glm::dvec3& toEye)
+                                           std::span<const std::uint32_t> shown, const glm::dvec3& toEye,
+                                           double leastShare)
 {
-    constexpr double HARDLY = 1.0 / 16.0;
     std::vector<Part> inPlace;
     for (const std::uint32_t part : placed)
         inPlace.push_back(model.getParts()[part]);
     const BrickRayCaster caster(*BrickModel::createOfParts(model.getGrid(), std::move(inPlace)));
     std::vector<std::uint32_t> hidden;
     std::copy_if(shown.begin(), shown.end(), std::back_inserter(hidden),
-                 [&](std::uint32_t part) { return findVisibleShare(caster, model.getParts()[part], toEye) < HARDLY; });
+                 [&](std::uint32_t part)
+                 { return findVisibleShare(caster, model.getParts()[part], toEye) < leastShare; });
     return hidden;
 }
 

@@ -58,11 +58,11 @@ def check_pictures(page):
         if abs(width / density - int(own["width"])) > 1 or abs(height / density - int(own["height"])) > 1:
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
         if own.find_ancestor(lambda other: other.has_class("frame")):
-            chapter = own.find_ancestor(lambda other: other.get("id", "").startswith("submodel-"))
-            widths[chapter and chapter["id"]].add(width)
+            step = own.find_ancestor(lambda other: other.get("id", "").startswith("step-"))
+            widths[step["id"].rstrip("0123456789")].add(width)
     for chapter, found in widths.items():
         if len(found) > 1:
-            fail(f"steps of {chapter or 'the model'} have pictures of different widths: {sorted(found)}")
+            fail(f"steps of {chapter} have pictures of different widths: {sorted(found)}")
 
 
 def read_quantity(text, where):
@@ -109,15 +109,34 @@ class Kinds:
                 fail(f"the parts list shows the colour {color[1]} of LDraw as '{match[7]}'")
 
 
+def read_multiplier(owner):
+    """How often a submodel is built."""
+    return next((read_quantity(own.get_text(), "a submodel") for own in owner.children if own.has_class("multiplier")), 1)
+
+
+def read_boxes(elements, where):
+    """The letters of the submodels in boxes among elements, as often as they are built."""
+    letters = []
+    for box in [box for own in elements if own.has_class("boxes") for box in own.children if box.has_class("box")]:
+        header = box.children[0]
+        letter = header.children[0].get_text()
+        if box["id"] != f"submodel-{letter.lower()}":
+            fail(f"{where} has a box {letter} with the id {box['id']}")
+        letters += [letter] * read_multiplier(header)
+    return letters
+
+
 def read_callout(owner, kinds, where):
-    """The parts and the letters of submodels that a list shows."""
+    """The parts and the letters of submodels that a list shows, each letter as often as the submodel is built."""
     parts, letters = collections.Counter(), []
     header = next(own for own in owner.children if own.tag == "header")
-    for item in next(own for own in header.children if own.has_class("callout")).children:
+    items = [item for own in header.children if own.has_class("callout") or own.has_class("items") for item in own.children]
+    for item in items:
         picture, label, text = item.children[0], item.children[0]["aria-label"], item.get_text()
         symbol = picture.children[0]["href"]
         if label.startswith("Submodel "):
-            letters.append(text)
+            text = item.children[1].get_text()
+            letters += [text] * read_multiplier(item)
             if label != f"Submodel {text}" or symbol != f"#submodel-{text.lower()}-picture":
                 fail(f"{where} shows '{text}' with {symbol}, described as '{label}'")
             continue
@@ -133,54 +152,75 @@ def letters_of(index):
     return letters[index] if index < 26 else letters_of(index // 26 - 1) + letters[index % 26]
 
 
+def find_submodels(page):
+    return [own for own in page.elements if own.tag == "section" and (own.has_class("submodel") or own.has_class("box"))]
+
+
 def check_letters(page):
-    sections = [own for own in page.elements if own.tag == "section" and own.has_class("submodel")]
-    for index, section in enumerate(sections):
-        heading = next(own for own in page.elements if own.tag == "h3" and own.find_ancestor(lambda other: other is section))
+    for index, section in enumerate(find_submodels(page)):
+        heading = section.children[0].children[0]
         if heading.get_text() != letters_of(index) or section["id"] != f"submodel-{letters_of(index).lower()}":
             fail(f"submodel {index + 1} has the letter '{heading.get_text()}' and the id {section['id']}")
 
 
-def find_steps(section):
-    return [own for own in section.children if own.tag == "section" and own.has_class("step")]
+def find_steps(page, letter):
+    """The steps of the model or of a submodel."""
+    return [own for own in page.elements if re.fullmatch(rf"step-{letter.lower()}\d+", own.get("id", ""))]
 
 
-def check_step(step, name, written, kinds, document, is_first):
+def match_submodels(page, letters, attached, kinds, document, where):
+    """Find a submodel of the .mpd with the same parts for each letter. Equal ones have one letter."""
+    pairs, left = {}, list(attached)
+    for letter in letters:
+        listed, _ = read_callout(page.find_id(f"submodel-{letter.lower()}"), kinds, f"submodel {letter}")
+        same = [own for own in left if document.count_parts(own) == listed]
+        if not same:
+            fail(f"{where} attaches {letter} with {listed}, which the .mpd does not")
+            continue
+        left.remove(same[0])
+        pairs.setdefault(letter, same[0])
+    return list(pairs.items())
+
+
+def check_step(page, step, name, written, kinds, document, is_first):
     """A step of the page has the parts, submodels and the turn of a step of the .mpd. Returns its submodels' letters."""
-    header = next(own for own in step.children if own.tag == "header")
-    shown = next(own for own in header.children if own.tag == "h3").get_text()
-    if shown != name:
-        fail(f"step {name} shows the number '{shown}'")
-    parts, letters = read_callout(step, kinds, f"step {name}")
-    direct = collections.Counter((own.name, own.color) for own in written.references if own.name not in document.files)
     attached = [own.name for own in written.references if own.name in document.files]
-    if parts != direct or len(letters) != len(attached):
-        fail(f"step {name} shows {parts} and submodels {letters}, and the .mpd places {direct} and {attached}")
+    if step.has_class("small-step"):  # the box around it lists its parts
+        header = step
+        heading = step.children[0]
+        before = [index for index, own in enumerate(step.parent.children) if own is step][0]
+        letters = read_boxes(step.parent.children[before - 1:before], f"step {name}")
+    else:
+        header = next(own for own in step.children if own.tag == "header")
+        heading, count = header.children[0].children
+        parts, letters = read_callout(step, kinds, f"step {name}")
+        letters += read_boxes(step.children, f"step {name}")
+        direct = collections.Counter((own.name, own.color) for own in written.references if own.name not in document.files)
+        if parts != direct or len(letters) != len(attached):
+            fail(f"step {name} shows {parts} and submodels {letters}, and the .mpd places {direct} and {attached}")
+        number = sum(direct.values()) + sum(document.count_parts(own).total() for own in attached)
+        if count.get_text() != f"{number} part{'s' if number != 1 else ''}":
+            fail(f"step {name} has {number} parts, and counts {count.get_text()}")
+    if heading.get_text() != name:
+        fail(f"step {name} shows the number '{heading.get_text()}'")
     # The first step begins upright, whatever its view is.
     must_turn = written.changes_view and (not is_first or written.is_from_below)
     if any(own.has_class("turn") for own in header.children) != must_turn:
         fail(f"step {name} {'has no' if must_turn else 'has an'} arrow for turning, unlike the .mpd")
-    return list(zip(letters, attached))
+    return match_submodels(page, letters, attached, kinds, document, f"step {name}")
 
 
-def check_chapter(page, section, letter, steps, kinds, document, first=1):
+def check_chapter(page, letter, steps, kinds, document, first=1):
     """The steps of the page are those of a file of the .mpd, and so are its submodels."""
-    for index, (step, written) in enumerate(zip(find_steps(section), steps)):
-        own_name = f"{letter}{first + index}"
-        for inner_letter, inner in check_step(step, own_name, written, kinds, document, first + index == 1):
-            inside = page.find_id(f"submodel-{inner_letter.lower()}")
-            if not inside:
-                fail(f"there is no submodel {inner_letter}")
-                continue
-            intro = next(own for own in inside.children if own.has_class("intro"))
-            listed, _ = read_callout(intro, kinds, f"submodel {inner_letter}")
-            if listed != document.count_parts(inner):
-                fail(f"submodel {inner_letter} lists {listed}, and the .mpd has {document.count_parts(inner)}")
+    for index, (step, written) in enumerate(zip(find_steps(page, letter), steps)):
+        name = f"{letter}{first + index}"
+        for inner_letter, inner in check_step(page, step, name, written, kinds, document, first + index == 1):
             steps_of_inner = document.files[inner]
-            # The picture of a finished submodel shows its only step.
-            if len(steps_of_inner) > 1 and len(find_steps(inside)) != len(steps_of_inner):
-                fail(f"submodel {inner_letter} has {len(find_steps(inside))} steps, and {len(steps_of_inner)} in the .mpd")
-            check_chapter(page, inside, inner_letter, steps_of_inner, kinds, document)
+            number = len(find_steps(page, inner_letter))
+            # The picture of a finished submodel may show all its parts.
+            if number not in (0, len(steps_of_inner)):
+                fail(f"submodel {inner_letter} has {number} steps, and {len(steps_of_inner)} in the .mpd")
+            check_chapter(page, inner_letter, steps_of_inner, kinds, document)
 
 
 def check_csv(text, parts):
@@ -255,16 +295,15 @@ def main():
         if document.find_places(document.main) != original.find_places(original.main):
             fail(f"the .mpd has other parts, colours or places than {model}")
     check_cover(page, document, last == "all")
-    section, written, begin = page.find_id("steps"), document.files[document.main], int(first)
-    steps = find_steps(section)
+    written, begin = document.files[document.main], int(first)
+    steps = find_steps(page, "")
     end = len(written) if last == "all" else int(last)
     if len(steps) != end - begin + 1:
         fail(f"there are {len(steps)} steps from {begin} to {end}")
-    check_chapter(page, section, "", written[begin - 1:end], kinds, document, begin)
+    check_chapter(page, "", written[begin - 1:end], kinds, document, begin)
     for failure in failures:
         print(failure)
-    submodels = [own for own in page.elements if own.tag == "section" and own.has_class("submodel")]
-    print(f"{len(steps)} steps, {len(submodels)} submodels")
+    print(f"{len(steps)} steps, {len(find_submodels(page))} submodels")
     return 1 if failures else 0
 
 

@@ -103,6 +103,30 @@ TEST_F(BookletModelTest, NamesStepsAndSubmodelsInTheOrderOfBuilding)
     EXPECT_EQ(_model.getChapters()[1].steps[1].name, "A2");
 }
 
+TEST_F(BookletModelTest, SubmodelsOfAStepAreCopiesIfTheirPartsAreEqualAndNotTurned)
+{
+    // Bricks of 2x4 on a row: three along x, of which the last is blue, one along y, and one along x in another step.
+    std::vector<Part> parts;
+    for (const int x : {0, 4, 8})
+        parts.push_back(createPart({x, 0, 0}, {4, 2, 1}, x == 8 ? BLUE : RED, x == 8 ? 1 : 4));
+    parts.push_back(createPart({12, 0, 0}, {2, 4, 1}, RED, 4));
+    parts.push_back(createPart({14, 0, 0}, {4, 2, 1}, RED, 4));
+    std::vector<Submodel> submodels;
+    for (std::uint32_t index = 0; index < 5; ++index)
+        submodels.push_back({{createStep({index})}});
+    const auto bricks = BrickModel::createOfParts(test::createPartGrid({18, 4, 1}, 1.2), parts);
+    const auto plan = BuildingPlan::create(5, {createStep({}, {0, 1, 2, 3}), createStep({}, {4})}, submodels);
+    const BookletModel model(*bricks, *plan, Palette::getKnownColors());
+    const std::vector<BookletChapter>& chapters = model.getChapters();
+    EXPECT_EQ(model.getOriginals(model.getMainChapter().steps[0]), (std::vector<std::size_t>{1, 3, 4}));
+    EXPECT_EQ(chapters[1].quantity, 2u);
+    EXPECT_EQ(chapters[2].original, 1u);
+    EXPECT_EQ(chapters[2].copy, 2u);
+    EXPECT_EQ(chapters[2].letter, "A");
+    EXPECT_EQ(chapters[3].letter, "B");
+    EXPECT_EQ(chapters[5].letter, "D") << "another step";
+}
+
 TEST_F(BookletModelTest, NamesSubmodelsAfterZWithTwoLetters)
 {
     // A submodel for each brick of a row.

@@ -52,4 +52,29 @@ BookletModel createTower(const TowerSetting& setting)
     return {*model, *plan, Palette::getKnownColors(), setting.base};
 }
 
+BookletModel createTwins()
+{
+    std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, RED, RED_CODE}};
+    for (std::uint16_t x = 0; x <= 2; x = static_cast<std::uint16_t>(x + 2))
+    {
+        parts.push_back({{x, 0, 1}, {2, 2, 1}, RED, RED_CODE});
+        parts.push_back({{x, 0, 2}, {2, 2, 1}, BLUE, BLUE_CODE});
+    }
+    for (std::uint16_t z = 1; z <= 5; ++z)
+        parts.push_back({{4, 0, z}, {2, 2, 1}, RED, RED_CODE});
+    const auto model = BrickModel::createOfParts(createPartGrid({8, 2, 6}, 1.2), parts);
+    const auto find = [&model](int x, int z) {
+        return static_cast<std::uint32_t>(model->findPart({x, 0, z}) - model->getParts().data());
+    };
+    std::vector<Submodel> submodels;
+    for (const int x : {0, 2})
+        submodels.push_back({{createStep({find(x, 1), find(x, 2)})}});
+    submodels.push_back({});
+    for (int z = 1; z <= 5; ++z)
+        submodels.back().steps.push_back(createStep({find(4, z)}));
+    const auto plan = BuildingPlan::create(
+        parts.size(), {createStep({find(0, 0)}), createStep({}, {0, 1}), createStep({}, {2})}, submodels);
+    return {*model, *plan, Palette::getKnownColors()};
+}
+
 } // namespace osgLego::test

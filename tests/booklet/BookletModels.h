@@ -31,4 +31,8 @@ struct TowerSetting
  * part 3. The third places parts 4 and 5. */
 BookletModel createTower(const TowerSetting& setting = {});
 
+/** The booklet of a red brick 2x8 on which step 2 attaches two equal submodels, each a blue brick 2x2 on a red one, and
+ * step 3 one of five red bricks 2x2 that are placed one by one. */
+BookletModel createTwins();
+
 } // namespace osgLego::test

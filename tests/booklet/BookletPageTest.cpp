@@ -25,6 +25,7 @@ public:
     BookletPicture drawKind(std::size_t kind) override { return create("kind " + std::to_string(kind)); }
     BookletPicture drawBasePlate() override { return create("plate"); }
     BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
+    bool showsAllParts(std::size_t) override { return showsAll; }
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override
     {
         BookletPicture picture = create("step " + std::to_string(chapter) + "-" + std::to_string(step));
@@ -36,6 +37,8 @@ public:
         return picture;
     }
     double getAspect(std::size_t) const override { return 1.5; }
+
+    bool showsAll = false;
 
 private:
     static BookletPicture create(const std::string& bytes)
@@ -51,15 +54,20 @@ private:
     const BookletModel& _model;
 };
 
-std::string write(const BookletModel& model, const Lines& warnings = {})
+/** @param showsAll whether finished submodels show all their parts. */
+std::string write(const BookletModel& model, const Lines& warnings = {}, bool showsAll = false)
 {
     BookletFacts facts;
     facts.title = "Tower";
     facts.warnings = warnings;
     facts.endStep = model.getMainChapter().steps.size();
     FakePictures pictures(model);
+    pictures.showsAll = showsAll;
     std::ostringstream stream;
-    BookletPage(model, facts, pictures, [](const std::string&) {}).write(stream);
+    std::size_t numPictures = 0;
+    BookletPage page(model, facts, pictures, [&](const std::string&) { ++numPictures; });
+    page.write(stream);
+    EXPECT_EQ(page.countPictures(), numPictures);
     return stream.str();
 }
 
@@ -97,18 +105,54 @@ TEST(BookletPage, ShowsNumbersQuantitiesAndLettersInEachStep)
 {
     const std::string html = write(createTower());
     const auto textOf = [&html](const std::string& id) { return toVisibleText(findElement(html, id)); };
-    EXPECT_EQ(textOf("step-1"), " 1 2× ") << "two red bricks of 2x4";
-    EXPECT_EQ(textOf("step-2"), " 2 A ");
-    EXPECT_EQ(textOf("step-3"), " 3 1× 1× ") << "a red brick of 1x1 and a blue one of 2x4";
-    EXPECT_EQ(textOf("step-a1"), " A1 1× ");
-    EXPECT_EQ(textOf("step-a2"), " A2 B ");
+    EXPECT_EQ(textOf("step-1"), " 1 2 parts 2× ") << "two red bricks of 2x4";
+    EXPECT_EQ(textOf("step-2"), " 2 2 parts ") << "both are in submodels";
+    EXPECT_EQ(textOf("step-3"), " 3 2 parts 1× 1× ") << "a red brick of 1x1 and a blue one of 2x4";
 }
 
-TEST(BookletPage, ShowsThePartsOfSubmodelsBeforeTheirFirstStep)
+TEST(BookletPage, ShowsSubmodelsOfFewPartsInTheStepThatAttachesThem)
 {
     const std::string html = write(createTower());
-    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 1× 1× ");
-    EXPECT_EQ(toVisibleText(findElement(html, "submodel-b")), " B 1× ");
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 1× 1× A1 ");
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-b")), " B 1× B1 A2 ") << "and behind it the next step of A";
+    const auto step = html.find("id=\"step-2\"");
+    EXPECT_LT(step, html.find("id=\"submodel-a\""));
+    EXPECT_LT(html.find("id=\"submodel-a\""), html.find("id=\"submodel-b\""));
+    EXPECT_LT(html.find("id=\"submodel-b\""), html.find("id=\"step-a2\"")) << "a step of A attaches B";
+    EXPECT_LT(html.find("id=\"step-a2\""), html.find("id=\"step-3\""));
+}
+
+TEST(BookletPage, ShowsEqualSubmodelsOfAStepOnceWithTheirNumber)
+{
+    const std::string html = write(createTwins());
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 2× 1× 1× A1 ");
+    EXPECT_NE(findElement(html, "step-2").find("id=\"step-2\""), std::string::npos);
+    EXPECT_NE(html.find("alt=\"Step 2 of 3: adds 2 submodels A\""), std::string::npos);
+    EXPECT_EQ(html.find("id=\"submodel-c\""), std::string::npos);
+    const std::string arrows = html.substr(html.find("adds 2 submodels A"));
+    EXPECT_NE(arrows.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
+    EXPECT_NE(arrows.find("<text x=\"210\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
+}
+
+TEST(BookletPage, ShowsTheStepsOfSubmodelsOfManyPartsBeforeTheStepThatAttachesThem)
+{
+    const std::string html = write(createTwins());
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-b")), " B 5× ");
+    EXPECT_EQ(toVisibleText(findElement(html, "step-b2")), " B2 1 part 1× ");
+    EXPECT_EQ(toVisibleText(findElement(html, "step-3")), " 3 5 parts B ");
+    EXPECT_LT(html.find("id=\"submodel-b\""), html.find("id=\"step-b1\""));
+    EXPECT_LT(html.find("id=\"step-b5\""), html.find("id=\"step-3\""));
+}
+
+TEST(BookletPage, ShowsNoStepsOfSubmodelsOfFewPartsIfTheirPictureShowsAllParts)
+{
+    const std::string html = write(createTwins(), {}, true);
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 2× 1× 1× ");
+    EXPECT_EQ(html.find("id=\"step-a1\""), std::string::npos);
+    EXPECT_NE(html.find("id=\"step-b1\""), std::string::npos) << "too many parts for one picture";
+    const std::string nested = write(createTower(), {}, true);
+    EXPECT_NE(nested.find("id=\"step-a1\""), std::string::npos) << "its second step attaches a submodel";
+    EXPECT_EQ(nested.find("id=\"step-b1\""), std::string::npos);
 }
 
 TEST(BookletPage, ListsTheQuantityOfEachKindAndAllThatIsNeededToOrderIt)
@@ -173,7 +217,7 @@ TEST(BookletPage, ShowsThePictureOfEachStepInIt)
     // "step 0-0", "step 0-2" and "step 1-1" in base64.
     EXPECT_NE(findElement(html, "step-1").find("c3RlcCAwLTA="), std::string::npos);
     EXPECT_NE(findElement(html, "step-3").find("c3RlcCAwLTI="), std::string::npos);
-    EXPECT_NE(findElement(html, "step-a2").find("c3RlcCAxLTE="), std::string::npos);
+    EXPECT_NE(html.find("c3RlcCAxLTE="), std::string::npos);
 }
 
 TEST(BookletPage, SaysWhenTheBuilderMustHoldTheModelAndWhichPartsNothingHolds)
@@ -181,9 +225,9 @@ TEST(BookletPage, SaysWhenTheBuilderMustHoldTheModelAndWhichPartsNothingHolds)
     const BookletModel model = createTower({.fallingSteps = {0}, .unheldParts = {5}});
     const std::string html = write(model);
     const auto textOf = [&html](const std::string& id) { return toVisibleText(findElement(html, id)); };
-    EXPECT_EQ(textOf("step-1"), " 1 2× Hold the model after this step: it does not stand by itself yet. ");
-    EXPECT_EQ(textOf("step-2"), " 2 A ");
-    EXPECT_EQ(textOf("step-3"), " 3 1× 1× Nothing holds 1 part of this step. ");
+    EXPECT_EQ(textOf("step-1"), " 1 2 parts 2× Hold the model after this step: it does not stand by itself yet. ");
+    EXPECT_EQ(textOf("step-2"), " 2 2 parts ");
+    EXPECT_EQ(textOf("step-3"), " 3 2 parts 1× 1× Nothing holds 1 part of this step. ");
 }
 
 TEST(BookletPage, ShowsWarningsOnTheCover)
@@ -198,18 +242,19 @@ TEST(BookletPage, TellsTheReaderToTurnTheModelBeforeStepsWithAnotherView)
     EXPECT_EQ(findElement(html, "step-1").find("class=\"turn\""), std::string::npos);
     const std::string turned = findElement(html, "step-3");
     EXPECT_NE(turned.find("aria-label=\"Turn the model\"><use href=\"#turn\"/>"), std::string::npos) << turned;
-    const std::string over = findElement(html, "step-b1");
+    const std::string over = findElement(html, "submodel-b");
     EXPECT_NE(over.find("aria-label=\"Turn the model upside down\"><use href=\"#turn-over\"/>"), std::string::npos)
         << over;
 }
 
 TEST(BookletPage, DrawsAnArrowToEachSubmodelWithItsLetterIfThereAreSeveral)
 {
-    const std::string one = findElement(write(createTower()), "step-2");
+    const auto arrowsOf = [](const std::string& html) { return html.substr(html.find("alt=\"Step 2 of 3")); };
+    const std::string one = arrowsOf(write(createTower()));
     // A shaft as wide as the arrow and a head of three widths: from the tail at the top to the tip below.
     EXPECT_NE(one.find("<path d=\"M95 10L95 50L85 50L100 70L115 50L105 50L105 10Z\"/></svg>"), std::string::npos)
         << one;
-    const std::string two = findElement(write(createTower({.hasTwoSubmodels = true})), "step-2");
+    const std::string two = arrowsOf(write(createTower({.hasTwoSubmodels = true})));
     const auto first = two.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>");
     const auto second = two.find("<text x=\"210\" y=\"30\" font-size=\"30\">B</text>");
     EXPECT_LT(first, second) << two;

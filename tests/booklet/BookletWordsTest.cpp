@@ -72,9 +72,9 @@ private:
     {
         static const std::regex part(R"(([A-Z]*\d+\.\d+): ([^,.]*)(?:, from [a-z ]*)?\. Columns? (\d+)(?: to (\d+))?, )"
                                      R"(rows? (\d+)(?: to (\d+))?, layers? (\d+)(?: to (\d+))?\.(.*))");
-        static const std::regex submodel(R"(Submodel ([A-Z]+), of \d+ parts?\. Build it apart\.)");
+        static const std::regex submodel(R"(Submodel ([A-Z]+), of \d+ parts?\. Build it apart(?:, \d+ times)?\.)");
         static const std::regex attached(
-            R"(Submodel ([A-Z]+): its .* come to column (\d+), row (\d+), layer (\d+)\..*)");
+            R"(Submodel ([A-Z]+)(?:, copy \d+)?: its .* come to column (\d+), row (\d+), layer (\d+)\..*)");
         static const std::regex finished(R"(Submodel ([A-Z]+) is finished\.)");
         std::smatch found;
         const auto number = [&found](std::size_t group) { return std::stoi(found[group]); };
@@ -107,8 +107,8 @@ private:
     void checkEdges(const glm::ivec3& first, const std::string& text)
     {
         static const std::regex edges(
-            R"(.*Its left edge is (level with|(\d+) studs? (right|left) of) that of (\S+), )"
-            R"(its front edge (level with|(\d+) studs? (behind|in front of)) that of (\S+)\.)");
+            R"(.*Its left edge is (level with|(\d+) studs? (right|left) of) that of (\S+)(?: of copy \d+)?, )"
+            R"(its front edge (level with|(\d+) studs? (behind|in front of)) that of (\S+)(?: of copy \d+)?\.)");
         std::smatch found;
         if (!std::regex_match(text, found, edges)) return;
         ++numEdges;
@@ -163,6 +163,37 @@ TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
           "3.1: blue brick 2 x 4, from left to right. Columns 2 to 5, rows 2 to 3, layer 3. On A1.1 and B1.1. Its left "
           "edge is level with that of A1.1, its front edge 1 stud behind that of A1.1.\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+}
+
+TEST(BookletWordsTest, DescribesEqualSubmodelsOfAStepOnce)
+{
+    const std::string text = write(createTwins());
+    for (const char* line :
+         {"\nSubmodel A, of 2 parts. Build it apart, 2 times.\n",
+          "Submodel A, copy 1: its column 1, row 1 and layer 1 come to column 1, row 1, layer 2. On 1.1.\n",
+          "Submodel A, copy 2: its column 1, row 1 and layer 1 come to column 3, row 1, layer 2. On 1.1.\n",
+          "\nSubmodel B, of 5 parts. Build it apart.\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+    EXPECT_EQ(text.find("Submodel A is finished."), text.rfind("Submodel A is finished."));
+}
+
+TEST(BookletWordsTest, NamesThePartsOfCopies)
+{
+    // A beam on both of two equal submodels of one brick.
+    const auto bricks =
+        BrickModel::createOfParts(createPartGrid({8, 2, 3}, 1.2), {{{0, 0, 0}, {8, 2, 1}, {180, 0, 0}, 4},
+                                                                   {{0, 0, 1}, {2, 2, 1}, {180, 0, 0}, 4},
+                                                                   {{4, 0, 1}, {2, 2, 1}, {180, 0, 0}, 4},
+                                                                   {{0, 0, 2}, {6, 2, 1}, {180, 0, 0}, 4}});
+    const auto plan = BuildingPlan::create(4, {createStep({0}), createStep({}, {0, 1}), createStep({3})},
+                                           {{{createStep({1})}}, {{createStep({2})}}});
+    const std::string text = write({*bricks, *plan, Palette::getKnownColors()});
+    EXPECT_NE(
+        text.find("3.1: red brick 2 x 6, from left to right. Columns 1 to 6, rows 1 to 2, layer 3. On A1.1 of copy 1 "
+                  "and A1.1 of copy 2."),
+        std::string::npos)
+        << text;
+    EXPECT_EQ(Reader(text).getParts().size(), 4u);
 }
 
 TEST(BookletWordsTest, AModelCanBeBuiltFromTheTextAlone)

@@ -1,0 +1,293 @@
+#include "BookletSteps.h"
+
+#include "BookletText.h"
+
+#include <common/NumberText.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <osgDB/FileNameUtils>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** Join words, as in "a, b and c". */
+std::string joinWords(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (std::size_t word = 0; word < words.size(); ++word)
+        text += (word == 0 ? "" : word + 1 < words.size() ? ", " : " and ") + words[word];
+    return text;
+}
+
+/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
+std::string drawArrow(const BookletArrow& arrow)
+{
+    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
+    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
+    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
+    std::string path;
+    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
+                                     neck - 3.0 * across, neck - across, arrow.tail - across})
+        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
+    return path + "Z";
+}
+
+std::string nameSubmodel(const BookletChapter& chapter)
+{
+    return "submodel-" + osgDB::convertToLowerCase(chapter.letter);
+}
+
+std::string nameStep(const BookletStep& step)
+{
+    return "step-" + osgDB::convertToLowerCase(step.name);
+}
+
+} // namespace
+
+BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
+                           const std::function<void(const std::string&)>& progress, BookletMarkup& markup) :
+    _model(model),
+    _pictures(pictures), _progress(progress), _markup(markup), _submodelSizes(model.getChapters().size())
+{
+    for (std::size_t chapter = 0; chapter < model.getChapters().size(); ++chapter)
+    {
+        const BookletChapter& own = model.getChapters()[chapter];
+        const bool hasSubmodels = std::any_of(own.steps.begin(), own.steps.end(),
+                                              [](const BookletStep& step) { return !step.submodels.empty(); });
+        // A few parts are put together in any order, and in any direction.
+        const bool isOneStep = own.isCallout() || (own.steps.size() == 1 && !own.steps.front().isUpsideDown);
+        _isWhole.push_back(chapter > 0 && isOneStep && !hasSubmodels && pictures.showsAllParts(chapter));
+    }
+}
+
+void BookletSteps::write(std::size_t first, std::size_t end)
+{
+    _markup.getStream() << "<section class=\"steps\" id=\"steps\">\n<h2 class=\"hidden\">Steps</h2>\n";
+    for (std::size_t step = first; step < end; ++step)
+        writeStep(0, step);
+    _markup.getStream() << "</section>\n";
+}
+
+std::size_t BookletSteps::countPictures(std::size_t first, std::size_t end) const
+{
+    return countPictures(_model.getMainChapter(), first, end);
+}
+
+std::size_t BookletSteps::countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const
+{
+    std::size_t number = end - first;
+    for (std::size_t step = first; step < end; ++step)
+        for (const std::size_t submodel : _model.getOriginals(chapter.steps[step]))
+        {
+            const BookletChapter& own = _model.getChapters()[submodel];
+            number += 1 + (_isWhole[submodel] ? 0 : countPictures(own, 0, own.steps.size()));
+        }
+    return number;
+}
+
+/** Draw a finished submodel, as a symbol that the page uses several times. */
+void BookletSteps::drawSubmodel(std::size_t chapter)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    _progress("submodel " + own.letter);
+    const BookletPicture picture = _pictures.drawFinished(chapter);
+    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height) / picture.density;
+    _markup.getStream() << "<svg class=\"symbols\" aria-hidden=\"true\">";
+    _markup.writeSymbol(nameSubmodel(own) + "-picture", picture);
+    _markup.getStream() << "</svg>\n";
+}
+
+/** Write a submodel of many parts: what it is made of, and its steps. */
+void BookletSteps::writeLarge(std::size_t chapter)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    drawSubmodel(chapter);
+    _markup.getStream() << "<section class=\"submodel\" id=\"" << nameSubmodel(own) << "\" data-stop=\"Submodel "
+                        << own.letter << "\">\n<header><h3>" << own.letter
+                        << "<span class=\"hidden\">: submodel</span></h3>\n";
+    writeMultiplier(own);
+    _markup.getStream() << "<ul class=\"callout\">\n";
+    _markup.writeItems(own.items);
+    _markup.getStream() << "</ul></header>\n<figure>";
+    writeUseOfSubmodel(chapter, _isWhole[chapter] ? describeStep(own, own.steps.front())
+                                                  : "Submodel " + own.letter + ", finished");
+    _markup.getStream() << "</figure>\n</section>\n";
+    for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
+        writeStep(chapter, step);
+}
+
+/** Write the submodels of few parts that a step attaches, each in a box. */
+void BookletSteps::writeBoxes(const BookletStep& step)
+{
+    std::vector<std::size_t> small = _model.getOriginals(step);
+    std::erase_if(small, [this](std::size_t submodel) { return !_model.getChapters()[submodel].isCallout(); });
+    if (small.empty()) return;
+    _markup.getStream() << "<div class=\"boxes\">\n";
+    for (const std::size_t submodel : small)
+        writeBox(submodel);
+    _markup.getStream() << "</div>\n";
+}
+
+void BookletSteps::writeBox(std::size_t chapter)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    drawSubmodel(chapter);
+    _markup.getStream() << "<section class=\"box\" id=\"" << nameSubmodel(own) << "\">\n<header><h4>" << own.letter
+                        << "<span class=\"hidden\">: submodel</span></h4>\n";
+    writeMultiplier(own);
+    _markup.getStream() << "<ul class=\"items\">\n";
+    _markup.writeItems(own.items);
+    _markup.getStream() << "</ul></header>\n";
+    for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
+        writeSmallStep(chapter, step);
+    _markup.getStream() << "<figure>";
+    writeUseOfSubmodel(chapter, "Submodel " + own.letter + ", finished");
+    _markup.getStream() << "</figure>\n</section>\n";
+}
+
+/** Write a step of a submodel of few parts: the box lists them, and the step shows where they are. */
+void BookletSteps::writeSmallStep(std::size_t chapter, std::size_t index)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BookletStep& step = own.steps[index];
+    writeBoxes(step);
+    _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
+    const BookletPicture picture = _pictures.drawStep(chapter, index);
+    _markup.getStream() << "<div class=\"small-step\" id=\"" << nameStep(step) << "\"><h5>" << step.name << "</h5>";
+    writeTurn(step);
+    writeFrame(chapter, step, picture);
+    _markup.getStream() << "</div>\n";
+}
+
+void BookletSteps::writeStep(std::size_t chapter, std::size_t index)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BookletStep& step = own.steps[index];
+    for (const std::size_t submodel : _model.getOriginals(step))
+        if (!_model.getChapters()[submodel].isCallout()) writeLarge(submodel);
+    _markup.getStream() << "<section class=\"step" << (chapter > 0 ? " of-submodel" : "") << "\" id=\""
+                        << nameStep(step) << "\" data-stop=\"Step " << step.name << " of " << own.steps.size()
+                        << "\">\n<header>";
+    writeNumber(step);
+    writeCallout(step);
+    writeTurn(step);
+    _markup.getStream() << "</header>\n";
+    writeBoxes(step);
+    writeNote(step);
+    _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
+    const BookletPicture picture = _pictures.drawStep(chapter, index);
+    _markup.getStream() << "<figure class=\"model\">";
+    writeFrame(chapter, step, picture);
+    _markup.getStream() << "</figure>\n</section>\n";
+}
+
+void BookletSteps::writeNumber(const BookletStep& step)
+{
+    _markup.getStream() << "<div class=\"number\"><h3><span class=\"hidden\">Step </span>" << step.name << "</h3><p>"
+                        << countOf(step.numNew, "part") << "</p></div>\n";
+}
+
+/** List the parts, and the submodels of many parts, that a step adds. */
+void BookletSteps::writeCallout(const BookletStep& step)
+{
+    std::vector<std::size_t> large = _model.getOriginals(step);
+    std::erase_if(large, [this](std::size_t submodel) { return _model.getChapters()[submodel].isCallout(); });
+    if (large.empty() && step.items.empty()) return;
+    _markup.getStream() << "<ul class=\"callout\">\n";
+    for (const std::size_t submodel : large)
+    {
+        const BookletChapter& own = _model.getChapters()[submodel];
+        _markup.getStream() << "<li>";
+        writeUseOfSubmodel(submodel, "Submodel " + own.letter);
+        _markup.getStream() << "<span class=\"letter\" aria-hidden=\"true\">" << own.letter << "</span>";
+        writeMultiplier(own);
+        _markup.getStream() << "</li>\n";
+    }
+    _markup.writeItems(step.items);
+    _markup.getStream() << "</ul>\n";
+}
+
+void BookletSteps::writeTurn(const BookletStep& step)
+{
+    if (!step.isTurned) return;
+    _markup.getStream() << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
+                        << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
+                        << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>\n";
+}
+
+/** Say whether the builder must hold something. */
+void BookletSteps::writeNote(const BookletStep& step)
+{
+    if (step.numUnheld > 0)
+        _markup.getStream() << "<p class=\"note\">Nothing holds " << countOf(step.numUnheld, "part")
+                            << " of this step.</p>\n";
+    else if (step.falls())
+        _markup.getStream()
+            << "<p class=\"note\">Hold the model after this step: it does not stand by itself yet.</p>\n";
+}
+
+void BookletSteps::writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture)
+{
+    _markup.getStream() << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px;--studs:{:.2f}">)",
+                                       _pictures.getAspect(chapter), picture.width / picture.density,
+                                       picture.width / picture.pitch);
+    _markup.writeImage(picture, describeStep(_model.getChapters()[chapter], step));
+    writeArrows(step, picture);
+    _markup.getStream() << "</div>";
+}
+
+void BookletSteps::writeArrows(const BookletStep& step, const BookletPicture& picture)
+{
+    if (picture.arrows.empty()) return;
+    std::ostream& stream = _markup.getStream();
+    stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
+                          picture.height);
+    for (std::size_t index = 0; index < picture.arrows.size(); ++index)
+    {
+        const BookletArrow& arrow = picture.arrows[index];
+        stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
+        if (step.submodels.size() > 1 && index < step.submodels.size())
+            stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
+                                  arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
+                                  _model.getChapters()[step.submodels[index]].letter);
+    }
+    stream << "</svg>";
+}
+
+void BookletSteps::writeUseOfSubmodel(std::size_t chapter, const std::string& text)
+{
+    _markup.writeUse(nameSubmodel(_model.getChapters()[chapter]) + "-picture", text, _submodelSizes[chapter]);
+}
+
+/** Say how often a submodel is built, if it is several times. */
+void BookletSteps::writeMultiplier(const BookletChapter& chapter)
+{
+    if (chapter.quantity > 1)
+        _markup.getStream() << "<span class=\"multiplier\"><span class=\"hidden\">Build it </span>" << chapter.quantity
+                            << "×</span>";
+}
+
+std::string BookletSteps::describeSubmodels(std::size_t chapter) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    return own.quantity == 1 ? "submodel " + own.letter : fmt::format("{} submodels {}", own.quantity, own.letter);
+}
+
+std::string BookletSteps::describeStep(const BookletChapter& chapter, const BookletStep& step) const
+{
+    std::vector<std::string> added;
+    for (const BookletItem& item : step.items)
+        added.push_back(describeParts(_model.getKinds()[item.kind], item.quantity));
+    for (const std::size_t submodel : _model.getOriginals(step))
+        added.push_back(describeSubmodels(submodel));
+    return fmt::format("Step {} of {}: adds {}", step.name, chapter.steps.size(), joinWords(added));
+}
+
+} // namespace osgLego

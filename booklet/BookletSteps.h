@@ -1,0 +1,61 @@
+#pragma once
+
+#include "BookletMarkup.h"
+#include "BookletModel.h"
+#include "BookletPicture.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace osgLego
+{
+
+/** Writes the steps of a booklet as HTML. Submodels come before the step that attaches them, or, if they are small, in
+ * a box within it. One thread. */
+class BookletSteps
+{
+public:
+    /** The other arguments must outlive this object.
+     * @param progress is called before each picture with the name of the work. */
+    BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
+                 const std::function<void(const std::string&)>& progress, BookletMarkup& markup);
+
+    /** Write some steps of the main model. */
+    void write(std::size_t first, std::size_t end);
+
+    /** The number of calls of `progress` by write(). */
+    std::size_t countPictures(std::size_t first, std::size_t end) const;
+
+private:
+    bool isWhole(const BookletChapter& chapter) const;
+    std::size_t countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
+    void writeLarge(std::size_t chapter);
+    void writeBoxes(const BookletStep& step);
+    void writeBox(std::size_t chapter);
+    void writeSmallStep(std::size_t chapter, std::size_t index);
+    void drawSubmodel(std::size_t chapter);
+    void writeStep(std::size_t chapter, std::size_t index);
+    void writeNumber(const BookletStep& step);
+    void writeCallout(const BookletStep& step);
+    void writeTurn(const BookletStep& step);
+    void writeNote(const BookletStep& step);
+    void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture);
+    void writeArrows(const BookletStep& step, const BookletPicture& picture);
+    void writeUseOfSubmodel(std::size_t chapter, const std::string& text);
+    void writeMultiplier(const BookletChapter& chapter);
+    std::string describeSubmodels(std::size_t chapter) const;
+    std::string describeStep(const BookletChapter& chapter, const BookletStep& step) const;
+
+    const BookletModel& _model;
+    BookletPictureSource& _pictures;
+    const std::function<void(const std::string&)>& _progress;
+    BookletMarkup& _markup;
+    std::vector<bool> _isWhole;             // whether the finished picture of a chapter shows all its steps
+    std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
+};
+
+} // namespace osgLego
