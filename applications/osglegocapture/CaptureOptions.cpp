@@ -35,23 +35,6 @@ void readSettings(CaptureOptions& options)
     options.settings = settings;
 }
 
-/** Add the weight of one use of --load. */
-std::string readLoad(const std::string& text, CaptureOptions& options)
-{
-    constexpr double MOST_GRAMS = 1e6;
-    CaptureLoad load;
-    char unit = 0;
-    char rest = 0;
-    const int count = std::sscanf(text.c_str(), "%6d,%6d,%6d=%lf%c%c", &load.cell.x, &load.cell.y, &load.cell.z,
-                                  &load.grams, &unit, &rest);
-    // Written so that NaN is rejected.
-    if (count != 5 || unit != 'g' || !(load.grams > 0.0 && load.grams <= MOST_GRAMS))
-        return badValue("--load", text,
-                        "X,Y,Z=GRAMSg: a cell of a part, and more than 0 to 1000000 grams, for example 3,0,7=200g");
-    options.loads.push_back(load);
-    return {};
-}
-
 /** Throws if --bound has no parts to count. The settings of a mesh that was given without --legolize are not known
  * before it is read. */
 void checkBound(const CaptureOptions& options)
@@ -100,7 +83,7 @@ void checkBuild(const CaptureOptions& options)
     if (options.buildParts && options.buildLength)
         throw CLI::ValidationError("--parts and --length both determine the size of the model; expected one of them");
     if (options.needsContext() || !options.partsList.empty() || !options.instructions.empty() || options.bound ||
-        options.original || options.bookletSteps)
+        options.original || options.bookletSteps || !options.loads.empty())
         throw CLI::ValidationError(
             "--build writes a picture, lists and instructions with names of its own; expected it "
             "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, "

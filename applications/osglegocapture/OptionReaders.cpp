@@ -139,4 +139,20 @@ std::string readBase(const std::string& text, CaptureOptions& options)
     return {};
 }
 
+std::string readLoad(const std::string& text, CaptureOptions& options)
+{
+    constexpr double MOST_GRAMS = 1e6;
+    CaptureLoad load;
+    char unit = 0;
+    char rest = 0;
+    const int count = std::sscanf(text.c_str(), "%6d,%6d,%6d=%lf%c%c", &load.cell.x, &load.cell.y, &load.cell.z,
+                                  &load.grams, &unit, &rest);
+    // Written so that NaN is rejected.
+    if (count != 5 || unit != 'g' || !(load.grams > 0.0 && load.grams <= MOST_GRAMS))
+        return badValue("--load", text,
+                        "X,Y,Z=GRAMSg: a cell of a part, and more than 0 to 1000000 grams, for example 3,0,7=200g");
+    options.loads.push_back(load);
+    return {};
+}
+
 } // namespace osgLego

@@ -36,6 +36,8 @@ std::string readSteps(const std::string& text, CaptureOptions& options);
 std::string readContext(const std::string& text, ContextKind& kind);
 /** Read --base. */
 std::string readBase(const std::string& text, CaptureOptions& options);
+/** Read --load, X,Y,Z=200g; each call adds a weight. */
+std::string readLoad(const std::string& text, CaptureOptions& options);
 /** Read --length, such as 20cm, 200mm or 8in. */
 std::string readLength(const std::string& text, CaptureOptions& options);
 /** Read --parts. */

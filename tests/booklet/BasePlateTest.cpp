@@ -40,7 +40,7 @@ TEST(BasePlateTest, LiesBelowTheMiddleOfTheModelWithItsStudsInTheModelsCells)
 {
     const osg::ref_ptr<const BrickModel> model = createModel({10, 4});
     const BrickGrid& own = model->getGrid();
-    const BrickGrid& grid = BasePlate(*model).createModel(true)->getGrid();
+    const BrickGrid grid = BasePlate(*model).createModel(true)->getGrid();
     EXPECT_EQ(grid.dimensions, glm::ivec3(16, 8, 1));
     EXPECT_DOUBLE_EQ(grid.origin.x, own.origin.x - 3.0 * own.cellSize.x);
     EXPECT_DOUBLE_EQ(grid.origin.y, own.origin.y - 2.0 * own.cellSize.y);
