@@ -16,7 +16,7 @@ constexpr const char* START_OF_EMPTY_LINE = "\r\x1b[K";
 
 } // namespace
 
-ProgressBar::ProgressBar() : _isTerminal(isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar() : _isTerminal(isatty(STDERR_FILENO) != 0), _printed(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar()
 {
@@ -25,7 +25,7 @@ ProgressBar::~ProgressBar()
 
 void ProgressBar::show(const std::string& work) const
 {
-    if (!_isTerminal) return;
+    if (!_isTerminal) return printSometimes(work + " ...");
     fmt::print(stderr, "{}{} ...", START_OF_EMPTY_LINE, work);
     std::fflush(stderr);
 }
@@ -33,8 +33,8 @@ void ProgressBar::show(const std::string& work) const
 void ProgressBar::show(double share, const std::string& work) const
 {
     constexpr double WIDTH = 30.0;
-    if (!_isTerminal) return;
     const double done = std::clamp(share, 0.0, 1.0);
+    if (!_isTerminal) return printSometimes(fmt::format("{:.0f} %  {}", 100.0 * done, work));
     const auto filled = static_cast<std::size_t>(WIDTH * done);
     fmt::print(stderr, "{}[{:<{}}] {:3.0f} %  {}", START_OF_EMPTY_LINE, std::string(filled, '#'),
                static_cast<int>(WIDTH), 100.0 * done, work);
@@ -46,6 +46,15 @@ void ProgressBar::clear() const
     if (!_isTerminal) return;
     fmt::print(stderr, "{}", START_OF_EMPTY_LINE);
     std::fflush(stderr);
+}
+
+void ProgressBar::printSometimes(const std::string& text) const
+{
+    constexpr std::chrono::seconds INTERVAL(30);
+    const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+    if (now - _printed < INTERVAL) return;
+    _printed = now;
+    fmt::print(stderr, "osglegocapture: {}\n", text);
 }
 
 } // namespace osgLego

@@ -1,18 +1,20 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace osgLego
 {
 
-/** Shows the progress of long work in a line on a terminal; prints nothing if standard error is not a terminal.
+/** Shows the progress of long work in a line on a terminal. If standard error is not a terminal, work that takes longer
+ * than half a minute prints a line twice a minute.
  *
  *     ProgressBar progress;
  *     progress.show("reading");
  *     progress.show(0.5, "step 2 of 4");
  *     progress.clear(); // before anything else is printed
  *
- * One thread.
+ * One thread at a time.
  */
 class ProgressBar
 {
@@ -32,7 +34,10 @@ public:
     void clear() const;
 
 private:
+    void printSometimes(const std::string& text) const;
+
     bool _isTerminal;
+    mutable std::chrono::steady_clock::time_point _printed; // the last line, if this is no terminal
 };
 
 } // namespace osgLego

@@ -33,15 +33,15 @@ std::string errorOf(const osg::Node& node, const DesignOptions& options)
 TEST(ModelDesigner, TheCarBecomesOnePieceThatStands)
 {
     DesignOptions options;
-    options.numParts = 150;
+    options.numParts = 80;
     std::string error;
     const std::optional<ModelDesign> design = designModel(*createRacingCar(), options, error);
     ASSERT_TRUE(design) << error;
     const DesignCandidate& best = design->getBest();
     EXPECT_TRUE(best.isWhole());
     EXPECT_TRUE(computeStability(*best.model)->safe);
-    EXPECT_LE(best.model->getParts().size(), 150u);
-    EXPECT_GE(best.model->getParts().size(), 100u);
+    EXPECT_LE(best.model->getParts().size(), 80u);
+    EXPECT_GE(best.model->getParts().size(), 50u);
     EXPECT_GE(design->candidates.size(), 4u);
     for (const DesignCandidate& candidate : design->candidates)
     {
@@ -54,7 +54,7 @@ TEST(ModelDesigner, TheCarBecomesOnePieceThatStands)
 TEST(ModelDesigner, TheSettingsMakeTheSameModel)
 {
     DesignOptions options;
-    options.numParts = 60;
+    options.numParts = 40;
     options.settings = "fill=solid,proportions=brick";
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     std::string error;
