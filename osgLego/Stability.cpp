@@ -19,6 +19,7 @@ std::optional<StabilityReport> computeStability(const BrickModel& model, const S
     std::vector<std::uint32_t> parts(model.getParts().size());
     std::iota(parts.begin(), parts.end(), 0u);
     std::optional<StabilityReport> report = analysis.solve(parts);
+    if (report && options.findsTilt && !analysis.addTilt(parts, *report)) return std::nullopt;
     if (report) report->milliseconds = osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());
     return report;
 }

@@ -27,6 +27,8 @@ struct StabilityOptions
      * empty. */
     std::function<bool()> isCancelled;
     std::vector<AddedWeight> weights = {}; //!< those of one part add up
+    /** Whether StabilityReport::tiltAngles are found, which takes about five times as long. */
+    bool findsTilt = false;
 };
 
 /** Compute whether a model of parts stands under its own weight and added weights, which parts fall otherwise, and how

@@ -1,5 +1,6 @@
 #include <osgLego/StabilityReport.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -33,6 +34,12 @@ std::string StabilityReport::toString() const
     if (stands && tippingAngle)
         text << "; on a table that tilts, it would tip as a whole at " << std::fixed << std::setprecision(1)
              << *tippingAngle << " degrees";
+    if (stands && tiltAngles)
+    {
+        const double least = *std::min_element(tiltAngles->begin(), tiltAngles->end());
+        text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
+             << (least >= MOST_TILT || isTiltBound ? ", or more" : ", but not more");
+    }
     if (!unknown.empty())
         text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";
     return text.str();

@@ -2,6 +2,7 @@
 
 #include <osgLego/Export.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,14 @@ struct OSGLEGO_EXPORT StabilityReport
      * give way before. 0 if
      * parts fall, and unset on a base plate, for no parts and if it is unknown whether the model stands. */
     std::optional<double> tippingAngle;
+    static constexpr double MOST_TILT = 45.0; //!< the greatest of `tiltAngles`
+    /** The angles in degrees, from 0 to MOST_TILT, by which the base can be tilted towards +x, -x, +y and -y of the
+     * ground, so that this side descends, before the model falls: because a piece tips over, or because joints break.
+     * Nothing slides. y is the grid's axis beside x that is not the up axis. 0 if parts fall; unset if
+     * StabilityOptions::findsTilt is not set, for no parts, and if they are unknown. */
+    std::optional<std::array<double, 4>> tiltAngles;
+    /** Whether a true angle may be larger, as for isMarginBound. */
+    bool isTiltBound = false;
     std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately
     double milliseconds = 0.0;     //!< the time taken
 

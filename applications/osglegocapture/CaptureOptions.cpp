@@ -108,6 +108,7 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
     if (options.original && options.base)
         throw CLI::ValidationError("--original has no parts; expected --base without --original");
+    if (options.tilt && !options.base) throw CLI::ValidationError("--tilt has no base; expected --base with it");
     if (!options.loads.empty() && !options.base)
         throw CLI::ValidationError("--load has nothing to stand on; expected --base with it");
     if (options.bound) checkBound(options);
@@ -222,6 +223,9 @@ void addReports(CLI::App& app, CaptureOptions& options)
            "--base", toCallback([&](const std::string& text) { return readBase(text, options); }),
            "Compute whether the parts stand on a table or on a studded base plate, and print it; for --stats too")
         ->type_name("table|plate");
+    app.add_flag("--tilt", options.tilt,
+                 "Also compute by how many degrees the base can be tilted until the parts fall, for --base; takes "
+                 "about five times as long");
     app.add_option("--load", toCallback([&](const std::string& text) { return readLoad(text, options); }),
                    "Put a weight on the part in a cell, for --base; the report names cells, and --cells lists them. "
                    "May be repeated")

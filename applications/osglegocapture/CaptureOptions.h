@@ -76,6 +76,7 @@ struct CaptureOptions
     ContextKind context = ContextKind::AUTO;
     bool bound = false;               //!< whether the statistics have the fewest parts possible
     std::optional<BuildingBase> base; //!< on which the stability of the parts is computed; unset: it is not
+    bool tilt = false;                //!< whether the tilt that the parts stand is computed, for `base`
     std::vector<CaptureLoad> loads;   //!< for `base`
     std::string statistics;           //!< STANDARD_OUTPUT: write to standard output
     std::string cells;

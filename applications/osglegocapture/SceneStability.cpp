@@ -6,6 +6,7 @@
 #include <osgLego/PartType.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -68,15 +69,15 @@ std::vector<AddedWeight> findWeights(const std::vector<osg::ref_ptr<const BrickM
 
 } // namespace
 
-SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base,
-                               const std::vector<CaptureLoad>& loads) :
-    _base(base),
-    _weights(findWeights(models, loads))
+SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models,
+                               const CaptureOptions& options) :
+    _base(options.base.value()),
+    _weights(findWeights(models, options.loads))
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
     {
         const std::optional<StabilityReport> report =
-            computeStability(*model, {base, Cancellation::isRequested, _weights});
+            computeStability(*model, {_base, Cancellation::isRequested, _weights, options.tilt});
         Cancellation::check();
         _models.push_back({model, *report});
     }
@@ -132,6 +133,8 @@ JsonValue SceneStability::toJson() const
     bool stands = true;
     bool safe = true;
     std::optional<double> tippingAngle;
+    std::optional<std::array<double, 4>> tiltAngles;
+    bool isTiltBound = false;
     std::size_t numComponents = 0;
     double milliseconds = 0.0;
     for (const auto& [model, report] : _models)
@@ -144,6 +147,13 @@ JsonValue SceneStability::toJson() const
         safe = safe && report.safe;
         if (report.tippingAngle)
             tippingAngle = std::min(tippingAngle.value_or(*report.tippingAngle), *report.tippingAngle);
+        if (report.tiltAngles)
+        {
+            if (!tiltAngles) tiltAngles = report.tiltAngles;
+            for (std::size_t side = 0; side < tiltAngles->size(); ++side)
+                (*tiltAngles)[side] = std::min((*tiltAngles)[side], (*report.tiltAngles)[side]);
+        }
+        isTiltBound = isTiltBound || report.isTiltBound;
         numComponents += report.numComponents;
         milliseconds += report.milliseconds;
     }
@@ -153,6 +163,10 @@ JsonValue SceneStability::toJson() const
             {"margin", worstReport.margin},
             {"marginIsBound", worstReport.isMarginBound},
             {"tippingAngle", tippingAngle ? JsonValue(*tippingAngle) : JsonValue()},
+            {"tiltAngles", tiltAngles ? JsonValue::createArray(
+                                            {(*tiltAngles)[0], (*tiltAngles)[1], (*tiltAngles)[2], (*tiltAngles)[3]})
+                                      : JsonValue()},
+            {"tiltIsBound", isTiltBound},
             {"falling", falling},
             {"unknown", unknown},
             {"weakest", weakest},

@@ -20,9 +20,9 @@ class SceneStability
 {
 public:
     /** Throws CaptureError if it is cancelled, and if loads are on no part or could be on several.
-     * @param models at least one, each with parts. */
-    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, BuildingBase base,
-                   const std::vector<CaptureLoad>& loads);
+     * @param models at least one, each with parts.
+     * @param options their base, loads and tilt. */
+    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, const CaptureOptions& options);
 
     /** The report on the only model; nothing if there are several. */
     std::optional<StabilityReport> getReport() const;

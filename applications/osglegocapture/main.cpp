@@ -130,7 +130,7 @@ std::optional<SceneStability> reportStability(const CaptureOptions& options, con
 {
     if (!options.base) return std::nullopt;
     progress.show("computing stability");
-    SceneStability stability(scene.findPartModels(), *options.base, options.loads);
+    SceneStability stability(scene.findPartModels(), options);
     progress.clear();
     fmt::print("{}", stability.toText());
     return stability;

@@ -1,12 +1,9 @@
 #include <osgLego/stability/ComponentSolver.h>
 
-#include <osgLego/stability/EquilibriumProgram.h>
-#include <osgLego/stability/InteriorPointSolver.h>
+#include <osgLego/stability/EquilibriumSearch.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <utility>
 
 #include <osg/Notify>
 
@@ -16,16 +13,8 @@ namespace osgLego
 namespace
 {
 
-// The largest residual of an equilibrium, in newtons, or newtons times the pitch: a quarter of a percent of the weight
-// of a brick 1 x 1.
-constexpr double RESIDUAL_TOLERANCE = 1e-5;
 // A tension below this, in newtons, counts as 0.
 constexpr double TENSION_TOLERANCE = 1e-6;
-// The penalty of a missing newton, relative to a newton of tension: more than a single lever in pitches. Those in grids
-// of 1024 cells are at most 1229 long. With a penalty of 1e7, the solver does not converge at levers of 500.
-constexpr double PENALTY = 1e4;
-// The larger ones make the equations better conditioned, but take more steps.
-constexpr std::array<EquilibriumInertia, 2> OTHER_INERTIAS{{{1e-8, 1e-7, 1e-6}, {1e-7, 1e-6, 1e-7}}};
 
 /** Solves the linear programs of one component. */
 class ComponentSolver
@@ -34,18 +23,18 @@ public:
     ComponentSolver(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
                     std::span<const Contact> contacts, const std::function<bool()>& isCancelled) :
         _contacts(contacts),
-        _program(boxes, parts, contacts), _solver(_program, isCancelled)
+        _search(boxes, parts, contacts, isCancelled), _program(_search.getProgram())
     {
     }
 
     std::optional<ComponentStability> solve()
     {
-        std::optional<Equilibrium> equilibrium = findTension(StabilityReport::CAPACITY);
+        std::optional<Equilibrium> equilibrium = _search.find(StabilityReport::CAPACITY, {});
         if (!equilibrium) return std::nullopt;
         ComponentStability result;
         result.tension = getTension(*equilibrium);
         result.isTensionBound = !equilibrium->hasConverged;
-        if (!equilibrium->hasConverged && !isProven(*equilibrium))
+        if (!EquilibriumSearch::isKnown(*equilibrium))
         {
             giveUp(result);
             return result;
@@ -56,7 +45,7 @@ public:
             // A higher capacity helps only if the forces use all of the capacity.
             if (equilibrium->tension > StabilityReport::CAPACITY - TENSION_TOLERANCE)
             {
-                const std::optional<Equilibrium> stronger = findTension(2.0 * StabilityReport::CAPACITY);
+                const std::optional<Equilibrium> stronger = _search.find(2.0 * StabilityReport::CAPACITY, {});
                 if (!stronger) return std::nullopt;
                 result.tension = getTension(*stronger);
                 result.isTensionBound = !stronger->hasConverged;
@@ -68,26 +57,9 @@ public:
     }
 
 private:
-    /** Find the least tension. If the solver does not converge, it starts again with other proximal terms. */
-    std::optional<Equilibrium> findTension(double capacity)
-    {
-        EquilibriumGoal goal{PENALTY, capacity, true, {}};
-        std::optional<Equilibrium> best = _solver.solve(goal);
-        for (const EquilibriumInertia& inertia : OTHER_INERTIAS)
-        {
-            if (!best || best->hasConverged) break;
-            goal.inertia = inertia;
-            std::optional<Equilibrium> other = _solver.solve(goal);
-            if (!other) return std::nullopt;
-            if (other->hasConverged || getTension(*other) < getTension(*best)) best = std::move(other);
-        }
-        return best;
-    }
-
     double getTension(const Equilibrium& equilibrium) const
     {
-        if (!isComplete(equilibrium) || (!equilibrium.hasConverged && !isProven(equilibrium)))
-            return std::numeric_limits<double>::infinity();
+        if (!EquilibriumSearch::isComplete(equilibrium)) return std::numeric_limits<double>::infinity();
         return _program.getNumDrags() == 0 ? 0.0 : equilibrium.tension;
     }
 
@@ -99,21 +71,6 @@ private:
         OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
                  << " parts can't be computed precisely enough, so that it is unknown whether the piece stands"
                  << std::endl;
-    }
-
-    /** Whether forces keep all parts in equilibrium, even if they are not optimal: their margin is a lower bound. */
-    bool isProven(const Equilibrium& equilibrium) const
-    {
-        if (!equilibrium.forces.isFinite().all()) return false;
-        const Eigen::VectorXd forces = equilibrium.forces.matrix();
-        Eigen::VectorXd rows(static_cast<Eigen::Index>(_program.getNumRows()));
-        _program.multiply(forces, rows);
-        return (rows - _program.getLoad()).cwiseAbs().maxCoeff() <= RESIDUAL_TOLERANCE;
-    }
-
-    bool isComplete(const Equilibrium& equilibrium) const
-    {
-        return equilibrium.residuals.abs().maxCoeff() <= RESIDUAL_TOLERANCE;
     }
 
     /** The joint whose capacity matters most. */
@@ -140,7 +97,7 @@ private:
     {
         for (std::uint32_t body = 0; body < _program.getNumBodies(); ++body)
             if (equilibrium.residuals.segment<6>(6 * static_cast<Eigen::Index>(body)).abs().maxCoeff() >
-                RESIDUAL_TOLERANCE)
+                EquilibriumSearch::RESIDUAL_TOLERANCE)
                 result.falling.push_back(body);
     }
 
@@ -161,8 +118,8 @@ private:
     }
 
     const std::span<const Contact> _contacts;
-    const EquilibriumProgram _program;
-    InteriorPointSolver _solver;
+    EquilibriumSearch _search;
+    const EquilibriumProgram& _program;
 };
 
 } // namespace

@@ -47,8 +47,11 @@ EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span
     _load(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * parts.size())))
 {
     for (std::size_t body = 0; body < parts.size(); ++body)
-        _load[static_cast<Eigen::Index>(6 * body + 2)] =
-            NEWTONS_PER_GRAM * (boxes[parts[body]].mass + boxes[parts[body]].addedMass);
+    {
+        const PartBox& box = boxes[parts[body]];
+        _load[static_cast<Eigen::Index>(6 * body + 2)] = NEWTONS_PER_GRAM * (box.mass + box.addedMass);
+        _addedTorques.push_back(NEWTONS_PER_GRAM * box.addedMass * (toPitches(box.high) - findCenter(box)).z());
+    }
     const auto findBody = [&](std::uint32_t part)
     { return static_cast<std::int32_t>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin()); };
     for (const Contact& contact : contacts)
@@ -79,6 +82,8 @@ void EquilibriumProgram::addForces(std::span<const PartBox> boxes, const Contact
         const glm::ivec3 size = boxes[contact.upper].high - boxes[contact.upper].low;
         addStuds(findStudPoints({halfSize.x(), halfSize.y()}, {upper.x(), upper.y()}, {size.x, size.y}), halfSize);
     }
+    else if (contact.kind == Contact::ROUGH_TABLE)
+        addFriction(halfSize);
     else
         addPressure(contact.kind, halfSize);
 }
@@ -107,6 +112,30 @@ void EquilibriumProgram::addPressure(int axis, const Eigen::Vector3d& halfSize)
             point[third] = b;
             addForce(createWrench(point, Eigen::Vector3d::Unit(axis)), PRESSURE);
         }
+}
+
+void EquilibriumProgram::addFriction(const Eigen::Vector3d& halfSize)
+{
+    // The sums of four inclined forces are the pressures with friction in all directions.
+    for (const double x : {-halfSize.x(), halfSize.x()})
+        for (const double y : {-halfSize.y(), halfSize.y()})
+            for (const Eigen::Vector2d& side : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(-1.0, 0.0),
+                                                Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(0.0, -1.0)})
+                addForce(createWrench({x, y, 0.0}, {FRICTION * side.x(), FRICTION * side.y(), 1.0}), PRESSURE);
+}
+
+Eigen::VectorXd EquilibriumProgram::createSideLoad(const Eigen::Vector2d& direction) const
+{
+    Eigen::VectorXd load(_load.size());
+    for (std::size_t body = 0; body < _numBodies; ++body)
+    {
+        const auto row = static_cast<Eigen::Index>(6 * body);
+        const double weight = _load[row + 2];
+        const double torque = _addedTorques[body];
+        load.segment<6>(row) << -weight * direction.x(), -weight * direction.y(), 0.0, torque * direction.y(),
+            -torque * direction.x(), 0.0;
+    }
+    return load;
 }
 
 void EquilibriumProgram::addForce(const Wrench& wrench, Kind kind)

@@ -27,6 +27,8 @@ class EquilibriumProgram
 public:
     static constexpr std::int32_t NO_BODY = -1; //!< instead of a part: the base
     static constexpr double NEWTONS_PER_GRAM = 9.8e-3;
+    /** The greatest friction on a rough table, as a share of the pressure: nothing slides below 63 degrees. */
+    static constexpr double FRICTION = 2.0;
 
     enum Kind : std::uint8_t
     {
@@ -59,6 +61,9 @@ public:
     const std::vector<Joint>& getJoints() const { return _joints; }
     /** The forces that are needed, in newtons: the weights of the parts, and those added, upwards. */
     const Eigen::VectorXd& getLoad() const { return _load; }
+    /** The forces that are needed in addition if the base is tilted, for a tangent of the angle of 1.
+     * @param direction horizontal, in which the base descends, of length 1. */
+    Eigen::VectorXd createSideLoad(const Eigen::Vector2d& direction) const;
     const Wrench& getWrench(std::size_t force) const { return _wrenches[force]; }
     Kind getKind(std::size_t force) const { return _kinds[force]; }
     std::size_t getNumDrags() const { return _numDrags; }
@@ -73,6 +78,7 @@ private:
                    const Eigen::Vector3d& place);
     void addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize);
     void addPressure(int axis, const Eigen::Vector3d& halfSize);
+    void addFriction(const Eigen::Vector3d& halfSize);
     void addForce(const Wrench& wrench, Kind kind);
 
     std::size_t _numBodies = 0;
@@ -81,6 +87,8 @@ private:
     std::vector<Wrench> _wrenches;
     std::vector<Kind> _kinds;
     Eigen::VectorXd _load;
+    std::vector<double>
+        _addedTorques; // of horizontal forces on added weights, as large as the weights, about the centres
 };
 
 } // namespace osgLego

@@ -15,7 +15,6 @@ constexpr double STEP_SHARE = 0.995;
 
 constexpr double ROW_TOLERANCE = 1e-8;   // newtons
 constexpr double FORCE_TOLERANCE = 1e-5; // of the dual equations
-constexpr double GAP_TOLERANCE = 1e-8;   // of the goal, relative above 1
 
 /** Changes of products that bring those at the end of a step near to a target. */
 Eigen::ArrayXd findCorrection(const Eigen::ArrayXd& reached, double target)
@@ -51,7 +50,7 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
 {
     constexpr int MOST_CORRECTIONS = 2;
     _goal = goal;
-    if (_program.getNumDrags() == 0) _goal.minimizesTension = false;
+    chooseParameter();
     if (!_rows.isCancelled()) start();
     if (_rows.isCancelled()) return std::nullopt;
     Equilibrium result;
@@ -70,7 +69,7 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
         products.slacks -= _step.slacks * _step.prices;
         products.lacks -= _step.lacks * _step.lackCosts;
         products.excesses -= _step.excesses * _step.excessCosts;
-        products.tension -= _step.tensionSlack * _step.tensionPrice;
+        products.parameter -= _step.parameterSlack * _step.parameterPrice;
         findStep(products);
         for (int round = 0; round < MOST_CORRECTIONS && improveStep(products, center * gap / _numProducts);)
             ++round;
@@ -81,46 +80,105 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     result.forces = _point.forces;
     result.residuals = _point.lacks - _point.excesses;
     result.prices = _point.prices;
-    result.tension = _point.tension;
+    result.tension = _parameter.limit + _parameter.limitRate * _point.parameter;
+    if (_goal.tilt) result.tilt = _point.parameter;
+    if (!result.hasConverged) result.isBalanced = balance(result);
+    if (_rows.isCancelled()) return std::nullopt;
     return result;
+}
+
+/** Bring forces into equilibrium by the least changes, relative to their distances from the bounds, for the same
+ * tension and tilt. @return whether all forces are within their bounds, and nothing is missing. */
+bool InteriorPointSolver::balance(Equilibrium& result)
+{
+    constexpr int MOST_ROUNDS = 5;
+    constexpr double TOLERANCE = 1e-9; // newtons: in sum, little for 20,000 parts
+    const Eigen::VectorXd load = _program.getLoad() + _point.parameter * _parameter.load;
+    Eigen::ArrayXd& forces = result.forces;
+    for (int round = 0; forces.isFinite().all(); ++round)
+    {
+        const Eigen::ArrayXd above = (result.tension - forces) * _isDrag + (1.0 - _isDrag) * forces.abs();
+        const Eigen::ArrayXd distances = (_isSigned > 0.0).select(forces.min(above), forces.abs().max(1.0));
+        if (!(distances.minCoeff() >= 0.0)) return false;
+        Eigen::VectorXd rows;
+        _program.multiply(forces.matrix(), rows);
+        rows = load - rows;
+        if (rows.lpNorm<Eigen::Infinity>() <= TOLERANCE)
+        {
+            result.residuals.setZero();
+            return true;
+        }
+        if (round == MOST_ROUNDS) return false;
+        _weights = distances.square();
+        _rows.factorize(_weights, Eigen::ArrayXd::Constant(rows.size(), 1e-12));
+        if (_rows.isCancelled()) return false;
+        _rows.solve(rows);
+        Eigen::VectorXd change;
+        _program.multiplyTransposed(rows, change);
+        forces += _weights * change.array();
+    }
+    return false;
+}
+
+void InteriorPointSolver::chooseParameter()
+{
+    _parameter = {};
+    _parameter.limit = _goal.capacity;
+    _parameter.load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(_program.getNumRows()));
+    if (_goal.tilt)
+    {
+        _parameter.isFree = true;
+        _parameter.cost = -1.0;
+        _parameter.most = _goal.tilt->most;
+        _parameter.limitRate = _goal.tilt->capacityRate;
+        _parameter.load = _goal.tilt->sideLoad;
+    }
+    else if (_goal.minimizesTension && _program.getNumDrags() > 0)
+    {
+        _parameter.isFree = true;
+        _parameter.cost = 1.0;
+        _parameter.most = _goal.capacity;
+        _parameter.limit = 0.0;
+        _parameter.limitRate = 1.0;
+    }
 }
 
 void InteriorPointSolver::start()
 {
     const auto numRows = static_cast<Eigen::Index>(_program.getNumRows());
-    _point.tension = _goal.minimizesTension ? 0.5 * _goal.capacity : _goal.capacity;
+    _point.parameter = _parameter.isFree ? 0.5 * _parameter.most : 0.0;
+    const double tension = _parameter.limit + _parameter.limitRate * _point.parameter;
     _point.velocities = Eigen::ArrayXd::Zero(numRows);
-    startForces();
-    const double target = 0.5 * _point.tension / std::max(_isDrag.sum(), 1.0);
+    startForces(tension);
+    const double target = 0.5 * tension / std::max(_isDrag.sum(), 1.0);
     _divisors = _isSigned * _point.forces + (1.0 - _isSigned);
     _point.costs = _isSigned * target / _divisors;
-    _point.slacks = _isDrag * (_point.tension - _point.forces) + (1.0 - _isDrag);
+    _point.slacks = _isDrag * (tension - _point.forces) + (1.0 - _isDrag);
     _point.prices = _isDrag * target / _point.slacks;
     _point.lackCosts = Eigen::ArrayXd::Constant(numRows, _goal.penalty);
     _point.excessCosts = _point.lackCosts;
     Eigen::VectorXd rows;
     _program.multiply(_point.forces.matrix(), rows);
-    rows = _program.getLoad() - rows;
+    rows = _program.getLoad() + _point.parameter * _parameter.load - rows;
     _point.lacks = target / _point.lackCosts + rows.array().max(0.0);
     _point.excesses = target / _point.lackCosts - rows.array().min(0.0);
-    _point.tensionSlack = _goal.minimizesTension ? _goal.capacity - _point.tension : 1.0;
-    _point.tensionPrice = _goal.minimizesTension ? target / _point.tensionSlack : 0.0;
-    _numProducts =
-        _isSigned.sum() + static_cast<double>(2 * numRows) + _isDrag.sum() + (_goal.minimizesTension ? 1.0 : 0.0);
+    _point.parameterSlack = _parameter.isFree ? _parameter.most - _point.parameter : 1.0;
+    _point.parameterPrice = _parameter.isFree ? target / _point.parameterSlack : 0.0;
+    _numProducts = _isSigned.sum() + static_cast<double>(2 * numRows) + _isDrag.sum() + (_parameter.isFree ? 1.0 : 0.0);
 }
 
-void InteriorPointSolver::startForces()
+void InteriorPointSolver::startForces(double tension)
 {
     // Drags of half the tension, the pressure that balances them, and the least change of both that carries the weight.
     Eigen::ArrayXd& forces = _point.forces;
-    forces = _isDrag * (0.5 * _point.tension) + (1.0 - _isDrag);
+    forces = _isDrag * (0.5 * tension) + (1.0 - _isDrag);
     for (const EquilibriumProgram::Joint& joint : _program.getJoints())
     {
         const auto first = static_cast<Eigen::Index>(joint.first);
         const auto count = static_cast<Eigen::Index>(joint.end - joint.first);
         const double numDrags = _isDrag.segment(first, count).sum();
         const double numPressures = _isSigned.segment(first, count).sum() - numDrags;
-        const double pressure = numDrags > 0.0 ? 0.5 * _point.tension * numDrags / numPressures : 0.1;
+        const double pressure = numDrags > 0.0 ? 0.5 * tension * numDrags / numPressures : 0.1;
         for (Eigen::Index force = first; force < first + count; ++force)
             if (_isSigned[force] > 0.0 && _isDrag[force] == 0.0) forces[force] = pressure;
     }
@@ -131,40 +189,42 @@ void InteriorPointSolver::startForces()
     if (_rows.isCancelled()) return;
     Eigen::VectorXd rows, change;
     _program.multiply(wanted.matrix(), rows);
-    rows = _program.getLoad() - rows;
+    rows = _program.getLoad() + _point.parameter * _parameter.load - rows;
     _rows.solve(rows);
     _program.multiplyTransposed(rows, change);
     change.array() *= _weights;
     forces = wanted + change.array();
     forces = (_isSigned > 0.0).select(forces.max(0.1 * wanted), forces);
-    forces = (_isDrag > 0.0).select(forces.min(0.9 * _point.tension), forces);
+    forces = (_isDrag > 0.0).select(forces.min(0.9 * tension), forces);
 }
 
 void InteriorPointSolver::findErrors()
 {
     _program.multiply(_point.forces.matrix(), _rowErrors);
-    _rowErrors = _program.getLoad() - _rowErrors - (_point.lacks - _point.excesses).matrix();
+    _rowErrors = _program.getLoad() + _point.parameter * _parameter.load - _rowErrors -
+                 (_point.lacks - _point.excesses).matrix();
     _program.multiplyTransposed(_point.velocities.matrix(), _forceErrors);
-    _forceErrors =
-        (EquilibriumGoal::FORCE_COST * _isSigned - _forceErrors.array() - _point.costs + _point.prices).matrix();
-    _tensionError = _goal.minimizesTension ? 1.0 - _point.prices.sum() + _point.tensionPrice : 0.0;
+    _forceErrors = (_goal.forceCost * _isSigned - _forceErrors.array() - _point.costs + _point.prices).matrix();
+    _parameterError = _parameter.isFree ? _parameter.cost + _parameter.load.dot(_point.velocities.matrix()) -
+                                              _parameter.limitRate * _point.prices.sum() + _point.parameterPrice
+                                        : 0.0;
 }
 
 double InteriorPointSolver::computeGap(const Point& point) const
 {
     return (point.forces * point.costs).sum() + (point.slacks * point.prices).sum() +
            (point.lacks * point.lackCosts).sum() + (point.excesses * point.excessCosts).sum() +
-           point.tensionSlack * point.tensionPrice;
+           point.parameterSlack * point.parameterPrice;
 }
 
 bool InteriorPointSolver::hasConverged() const
 {
-    const double goal = _goal.penalty * (_point.lacks + _point.excesses).sum() + _point.tension;
+    const double goal = _goal.penalty * (_point.lacks + _point.excesses).sum() + std::abs(_point.parameter);
     // Where newtons are missing, the cost of forces matters less.
     const double forceTolerance = FORCE_TOLERANCE * std::min(1.0 + goal, 10.0);
     return _rowErrors.lpNorm<Eigen::Infinity>() <= ROW_TOLERANCE &&
-           _forceErrors.lpNorm<Eigen::Infinity>() <= forceTolerance && std::abs(_tensionError) <= FORCE_TOLERANCE &&
-           computeGap(_point) <= GAP_TOLERANCE * (1.0 + goal);
+           _forceErrors.lpNorm<Eigen::Infinity>() <= forceTolerance && std::abs(_parameterError) <= FORCE_TOLERANCE &&
+           computeGap(_point) <= _goal.gapTolerance * (1.0 + goal);
 }
 
 void InteriorPointSolver::factorize()
@@ -175,10 +235,11 @@ void InteriorPointSolver::factorize()
                       _goal.inertia.freeForces * (1.0 - _isSigned));
     _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + _goal.inertia.velocities;
     _rows.factorize(_weights, _rowWeights);
-    if (!_goal.minimizesTension || _rows.isCancelled()) return;
-    _program.multiply((_weights * _slackWeights).matrix(), _tensionColumn);
-    _tensionSolution = _tensionColumn;
-    _rows.solve(_tensionSolution);
+    if (!_parameter.isFree || _rows.isCancelled()) return;
+    _program.multiply((_weights * _slackWeights).matrix(), _parameterColumn);
+    _parameterColumn = _parameter.limitRate * _parameterColumn - _parameter.load;
+    _parameterSolution = _parameterColumn;
+    _rows.solve(_parameterSolution);
 }
 
 InteriorPointSolver::Products InteriorPointSolver::findProducts(double target) const
@@ -188,7 +249,7 @@ InteriorPointSolver::Products InteriorPointSolver::findProducts(double target) c
     products.slacks = _isDrag * target - _point.slacks * _point.prices;
     products.lacks = target - _point.lacks * _point.lackCosts;
     products.excesses = target - _point.excesses * _point.excessCosts;
-    products.tension = _goal.minimizesTension ? target - _point.tensionSlack * _point.tensionPrice : 0.0;
+    products.parameter = _parameter.isFree ? target - _point.parameterSlack * _point.parameterPrice : 0.0;
     return products;
 }
 
@@ -200,29 +261,31 @@ void InteriorPointSolver::findStep(const Products& products)
     rows += _rowErrors;
     rows.array() += products.excesses / _point.excessCosts - products.lacks / _point.lackCosts;
     _rows.solve(rows);
-    _step.tension = 0.0;
-    if (_goal.minimizesTension)
+    const double limitRate = _parameter.limitRate;
+    _step.parameter = 0.0;
+    if (_parameter.isFree)
     {
-        const double right = (products.slacks / _point.slacks).sum() - products.tension / _point.tensionSlack -
-                             (_slackWeights * _weights * shift).sum() - _tensionError;
-        const double diagonal =
-            (_slackWeights * _weights * _point.costs / _divisors).sum() + _point.tensionPrice / _point.tensionSlack;
-        _step.tension = (right + _tensionColumn.dot(rows)) / (diagonal + _tensionColumn.dot(_tensionSolution));
-        rows -= _step.tension * _tensionSolution;
+        const double right =
+            limitRate * ((products.slacks / _point.slacks).sum() - (_slackWeights * _weights * shift).sum()) -
+            products.parameter / _point.parameterSlack - _parameterError;
+        const double diagonal = limitRate * limitRate * (_slackWeights * _weights * _point.costs / _divisors).sum() +
+                                _point.parameterPrice / _point.parameterSlack;
+        _step.parameter = (right + _parameterColumn.dot(rows)) / (diagonal + _parameterColumn.dot(_parameterSolution));
+        rows -= _step.parameter * _parameterSolution;
     }
     _step.velocities = rows.array();
     Eigen::VectorXd rates;
     _program.multiplyTransposed(rows, rates);
-    _step.forces = _weights * (rates.array() + _slackWeights * _step.tension - shift);
+    _step.forces = _weights * (rates.array() + limitRate * _step.parameter * _slackWeights - shift);
     _step.costs = (products.forces - _point.costs * _step.forces) / _divisors;
-    _step.slacks = _isDrag * (_step.tension - _step.forces);
+    _step.slacks = _isDrag * (limitRate * _step.parameter - _step.forces);
     _step.prices = (products.slacks - _point.prices * _step.slacks) / _point.slacks;
     _step.lackCosts = -_step.velocities;
     _step.lacks = (products.lacks - _point.lacks * _step.lackCosts) / _point.lackCosts;
     _step.excessCosts = _step.velocities;
     _step.excesses = (products.excesses - _point.excesses * _step.excessCosts) / _point.excessCosts;
-    _step.tensionSlack = -_step.tension;
-    _step.tensionPrice = (products.tension - _point.tensionPrice * _step.tensionSlack) / _point.tensionSlack;
+    _step.parameterSlack = -_step.parameter;
+    _step.parameterPrice = (products.parameter - _point.parameterPrice * _step.parameterSlack) / _point.parameterSlack;
 }
 
 bool InteriorPointSolver::improveStep(Products& products, double target)
@@ -243,8 +306,9 @@ bool InteriorPointSolver::improveStep(Products& products, double target)
     changed.slacks += _isDrag * findCorrection(end.slacks * end.prices, target);
     changed.lacks += findCorrection(end.lacks * end.lackCosts, target);
     changed.excesses += findCorrection(end.excesses * end.excessCosts, target);
-    if (_goal.minimizesTension)
-        changed.tension += findCorrection(Eigen::ArrayXd::Constant(1, end.tensionSlack * end.tensionPrice), target)[0];
+    if (_parameter.isFree)
+        changed.parameter +=
+            findCorrection(Eigen::ArrayXd::Constant(1, end.parameterSlack * end.parameterPrice), target)[0];
     Point previous = _step;
     findStep(changed);
     const auto [changedPrimal, changedDual] = findTotals();
@@ -265,10 +329,10 @@ std::pair<double, double> InteriorPointSolver::findLengths() const
         std::min({findLength(_point.costs + (1.0 - _isSigned), _step.costs),
                   findLength(_point.prices + (1.0 - _isDrag), _step.prices),
                   findLength(_point.lackCosts, _step.lackCosts), findLength(_point.excessCosts, _step.excessCosts)});
-    if (_goal.minimizesTension)
+    if (_parameter.isFree)
     {
-        primal = std::min(primal, 1.0 / std::max(1e-10, -_step.tensionSlack / _point.tensionSlack));
-        dual = std::min(dual, 1.0 / std::max(1e-10, -_step.tensionPrice / _point.tensionPrice));
+        primal = std::min(primal, 1.0 / std::max(1e-10, -_step.parameterSlack / _point.parameterSlack));
+        dual = std::min(dual, 1.0 / std::max(1e-10, -_step.parameterPrice / _point.parameterPrice));
     }
     return {primal, dual};
 }
@@ -280,14 +344,14 @@ InteriorPointSolver::Point InteriorPointSolver::advance(double primal, double du
     point.slacks = _point.slacks + primal * _step.slacks;
     point.lacks = _point.lacks + primal * _step.lacks;
     point.excesses = _point.excesses + primal * _step.excesses;
-    point.tension = _point.tension + primal * _step.tension;
-    point.tensionSlack = _point.tensionSlack + primal * _step.tensionSlack;
+    point.parameter = _point.parameter + primal * _step.parameter;
+    point.parameterSlack = _point.parameterSlack + primal * _step.parameterSlack;
     point.costs = _point.costs + dual * _step.costs;
     point.prices = _point.prices + dual * _step.prices;
     point.lackCosts = _point.lackCosts + dual * _step.lackCosts;
     point.excessCosts = _point.excessCosts + dual * _step.excessCosts;
     point.velocities = _point.velocities + dual * _step.velocities;
-    point.tensionPrice = _point.tensionPrice + dual * _step.tensionPrice;
+    point.parameterPrice = _point.parameterPrice + dual * _step.parameterPrice;
     return point;
 }
 

@@ -15,7 +15,7 @@ namespace osgLego
 /** Proximal terms, which keep the equations well-conditioned: they slow down the steps of forces and of velocities, but
  * vanish together with the steps.
  *
- * The cost of a force moves a force by no more than FORCE_COST / (its inertia) in a step, and pressures between
+ * The cost of a force moves a force by no more than `forceCost` / (its inertia) in a step, and pressures between
  * neighbours and the free forces in their studs may have to move by newtons. */
 struct EquilibriumInertia
 {
@@ -24,18 +24,28 @@ struct EquilibriumInertia
     double velocities = 1e-6;
 };
 
-/** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tension + FORCE_COST * (sum of all
- * forces). */
+/** The tilt of the base, as the tangent of its angle, of which a linear program finds the greatest. */
+struct EquilibriumTilt
+{
+    Eigen::VectorXd sideLoad;  //!< the forces that are needed for a tangent of 1 in addition to the load
+    double most = 1.0;         //!< the upper bound of the tangent
+    double capacityRate = 0.0; //!< by which the limit of drags grows with the tangent, in newtons
+};
+
+/** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tension - tilt + forceCost * (sum of
+ * all forces). */
 struct EquilibriumGoal
 {
-    static constexpr double FORCE_COST = 1e-6;
-
     double penalty = 1.0;
     /** The upper bound of the tension, which is the limit of drags, in newtons. */
     double capacity = 1.0;
     /** Whether the tension is minimized; otherwise it is `capacity`. */
     bool minimizesTension = false;
     EquilibriumInertia inertia = {};
+    /** If set, the tilt is maximized instead; otherwise there is none. */
+    std::optional<EquilibriumTilt> tilt = {};
+    double forceCost = 1e-6;
+    double gapTolerance = 1e-7; //!< of the goal, relative above 1
 };
 
 /** Forces that bring parts as close to equilibrium as possible. */
@@ -45,13 +55,16 @@ struct Equilibrium
     Eigen::ArrayXd residuals; //!< for each row, the force that is missing, in newtons, or torque
     Eigen::ArrayXd prices;    //!< for each drag, the rate at which the goal would improve if its limit were raised
     double tension = 0.0;     //!< the upper limit of drags, in newtons
+    double tilt = 0.0;        //!< the tangent of the angle of the base
     int numIterations = 0;
     bool hasConverged = false;
+    /** Whether forces that have not converged are in equilibrium nevertheless, without residuals. */
+    bool isBalanced = false;
 };
 
 /** Solves the linear program of an equilibrium by Mehrotra's predictor-corrector method.
  *
- * RowEquations gives the steps. The tension is a dense column, which is eliminated after them.
+ * RowEquations gives the steps. The tension, or the tilt, is a dense column, which is eliminated after them.
  *
  * One thread at a time. */
 class InteriorPointSolver
@@ -61,7 +74,8 @@ public:
      * @param isCancelled ends the constructor and solve() early by returning true; may be empty. */
     explicit InteriorPointSolver(const EquilibriumProgram& program, const std::function<bool()>& isCancelled = {});
 
-    /** @return nothing if it was cancelled, or if the solver was before. */
+    /** If the forces do not converge, those found last are brought into equilibrium, if possible.
+     * @return nothing if it was cancelled, or if the solver was before. */
     std::optional<Equilibrium> solve(const EquilibriumGoal& goal);
 
 private:
@@ -73,20 +87,32 @@ private:
         Eigen::ArrayXd lacks, lackCosts;      //!< positive residuals, and their dual slacks
         Eigen::ArrayXd excesses, excessCosts; //!< negative residuals
         Eigen::ArrayXd velocities;            //!< the dual variables of the rows
-        double tension = 0.0;
-        double tensionSlack = 1.0; //!< up to the capacity
-        double tensionPrice = 0.0;
+        double parameter = 0.0;
+        double parameterSlack = 1.0; //!< up to its bound
+        double parameterPrice = 0.0;
+    };
+
+    /** The variable that all rows and all drags may share: the tension or the tilt. */
+    struct Parameter
+    {
+        bool isFree = false; //!< whether there is one
+        double cost = 0.0;
+        double most = 1.0;
+        double limit = 0.0;     //!< of drags, for a parameter of 0
+        double limitRate = 0.0; //!< by which the limit grows with it
+        Eigen::VectorXd load;   //!< the forces needed for each unit of it
     };
 
     /** Products of variables and their dual slacks that a step aims at, less the present ones. */
     struct Products
     {
         Eigen::ArrayXd forces, slacks, lacks, excesses;
-        double tension = 0.0;
+        double parameter = 0.0;
     };
 
+    void chooseParameter();
     void start();
-    void startForces();
+    void startForces(double tension);
     void findErrors();
     double computeGap(const Point& point) const;
     bool hasConverged() const;
@@ -99,6 +125,7 @@ private:
     /** The largest shares of the step that keep all variables and all dual slacks positive. */
     std::pair<double, double> findLengths() const;
     Point advance(double primal, double dual) const;
+    bool balance(Equilibrium& result);
 
     const EquilibriumProgram& _program;
     RowEquations _rows;
@@ -107,16 +134,17 @@ private:
     double _numProducts = 0.0;
 
     EquilibriumGoal _goal;
+    Parameter _parameter;
     Point _point;
     Point _step;
     Eigen::VectorXd _rowErrors;   //!< missing in the equations of the rows
     Eigen::VectorXd _forceErrors; //!< missing in the dual equations of the forces
-    double _tensionError = 0.0;   //!< missing in that of the tension
+    double _parameterError = 0.0; //!< missing in that of the parameter
     Eigen::ArrayXd _weights;      //!< of the forces in the normal equations
     Eigen::ArrayXd _rowWeights, _divisors;
     Eigen::ArrayXd _slackWeights; //!< prices / slacks
-    Eigen::VectorXd _tensionColumn;
-    Eigen::VectorXd _tensionSolution;
+    Eigen::VectorXd _parameterColumn;
+    Eigen::VectorXd _parameterSolution;
 };
 
 } // namespace osgLego

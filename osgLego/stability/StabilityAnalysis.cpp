@@ -3,13 +3,16 @@
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/ComponentSolver.h>
 #include <osgLego/stability/ContactFinder.h>
+#include <osgLego/stability/TiltSolver.h>
 #include <osgLego/stability/TippingAngle.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -89,6 +92,39 @@ public:
         std::sort(report.falling.begin(), report.falling.end());
         std::sort(report.unknown.begin(), report.unknown.end());
         return report;
+    }
+
+    bool addTilt(std::span<const std::uint32_t> parts, StabilityReport& report)
+    {
+        static const std::array<Eigen::Vector2d, 4> DIRECTIONS{{{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
+        if (report.falls()) report.tiltAngles = {0.0, 0.0, 0.0, 0.0};
+        if (!report.stands || parts.empty()) return true;
+        select(parts);
+        std::vector<Component> components = findComponents(parts);
+        for (Component& component : components)
+            for (Contact& contact : component.contacts)
+                if (contact.kind == Contact::TABLE) contact.kind = Contact::ROUGH_TABLE;
+        std::vector<std::optional<ComponentTilt>> tilts(DIRECTIONS.size() * components.size());
+        tbb::parallel_for(std::size_t(0), tilts.size(),
+                          [&](std::size_t index)
+                          {
+                              const Component& component = components[index / DIRECTIONS.size()];
+                              tilts[index] = TiltSolver(_boxes, component.parts, component.contacts, isCancelled)
+                                                 .solve(DIRECTIONS[index % DIRECTIONS.size()]);
+                          });
+        std::array<double, DIRECTIONS.size()> angles;
+        angles.fill(StabilityReport::MOST_TILT);
+        for (std::size_t index = 0; index < tilts.size(); ++index)
+        {
+            const std::optional<ComponentTilt>& tilt = tilts[index];
+            if (!tilt) return false;
+            if (!tilt->isKnown) return true;
+            double& angle = angles[index % DIRECTIONS.size()];
+            angle = std::min(angle, std::atan(tilt->tangent) * 180.0 / std::numbers::pi);
+            report.isTiltBound = report.isTiltBound || tilt->isTangentBound;
+        }
+        report.tiltAngles = angles;
+        return true;
     }
 
     std::function<bool()> isCancelled;
@@ -235,6 +271,11 @@ void StabilityAnalysis::setCancellation(std::function<bool()> isCancelled)
 std::optional<StabilityReport> StabilityAnalysis::solve(std::span<const std::uint32_t> parts)
 {
     return _implementation->solve(parts);
+}
+
+bool StabilityAnalysis::addTilt(std::span<const std::uint32_t> parts, StabilityReport& report)
+{
+    return _implementation->addTilt(parts, report);
 }
 
 } // namespace osgLego

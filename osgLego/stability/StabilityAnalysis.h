@@ -45,6 +45,10 @@ public:
      * nothing if it was cancelled. */
     std::optional<StabilityReport> solve(std::span<const std::uint32_t> parts);
 
+    /** Add StabilityReport::tiltAngles. @param report that of solve() for the same parts.
+     * @return false if it was cancelled. */
+    bool addTilt(std::span<const std::uint32_t> parts, StabilityReport& report);
+
 private:
     class Implementation;
     std::unique_ptr<Implementation> _implementation;

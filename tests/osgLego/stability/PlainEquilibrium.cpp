@@ -24,6 +24,7 @@ struct Box
 {
     glm::dvec3 low, high; // in pitches
     double weight;
+    double addedWeight = 0.0; // at the middle of its top
 };
 
 /** A linear program of forces at points. */
@@ -47,7 +48,8 @@ public:
         if (isDrag) addValue(6 * static_cast<int>(_boxes.size()) + _numDrags++, 1.0);
     }
 
-    std::optional<double> minimizeTension()
+    /** @param gravity the direction of weights, of length 1. */
+    std::optional<double> minimizeTension(const glm::dvec3& gravity)
     {
         const auto numEquations = 6 * static_cast<int>(_boxes.size());
         _starts.push_back(static_cast<CoinBigIndex>(_values.size()));
@@ -57,11 +59,16 @@ public:
         std::vector<double> low(static_cast<std::size_t>(numEquations), 0.0);
         for (std::size_t box = 0; box < _boxes.size(); ++box)
         {
+            const glm::dvec3 center = 0.5 * (_boxes[box].low + _boxes[box].high);
+            const glm::dvec3 top(center.x, center.y, _boxes[box].high.z);
+            const glm::dvec3 force = -(_boxes[box].weight + _boxes[box].addedWeight) * gravity;
             const glm::dvec3 torque =
-                glm::cross(0.5 * (_boxes[box].low + _boxes[box].high), glm::dvec3(0, 0, _boxes[box].weight));
-            low[6 * box + 2] = _boxes[box].weight;
-            low[6 * box + 3] = torque.x;
-            low[6 * box + 4] = torque.y;
+                glm::cross(center, -_boxes[box].weight * gravity) + glm::cross(top, -_boxes[box].addedWeight * gravity);
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                low[6 * box + static_cast<std::size_t>(axis)] = force[axis];
+                low[6 * box + static_cast<std::size_t>(3 + axis)] = torque[axis];
+            }
         }
         std::vector<double> high = low;
         low.resize(low.size() + static_cast<std::size_t>(_numDrags), -UNLIMITED);
@@ -170,7 +177,8 @@ void addContact(Program& program, const std::vector<Box>& boxes, int lower, int 
     }
 }
 
-void addBase(Program& program, const Box& box, int index, BuildingBase base)
+/** @param isRough whether a table holds sideways. */
+void addBase(Program& program, const Box& box, int index, BuildingBase base, bool isRough)
 {
     if (base == BuildingBase::PLATE)
     {
@@ -181,17 +189,23 @@ void addBase(Program& program, const Box& box, int index, BuildingBase base)
     }
     for (const double x : {box.low.x, box.high.x})
         for (const double y : {box.low.y, box.high.y})
+        {
             program.addForce(index, -1, {x, y, box.low.z}, {0, 0, 1});
+            if (!isRough) continue;
+            for (const double side : {-2.0, 2.0})
+            {
+                program.addForce(index, -1, {x, y, box.low.z}, {side, 0, 1});
+                program.addForce(index, -1, {x, y, box.low.z}, {0, side, 1});
+            }
+        }
 }
 
-} // namespace
-
-std::optional<double> computePlainTension(const BrickModel& model, BuildingBase base,
-                                          const std::vector<AddedWeight>& weights)
+std::optional<double> minimizeTension(const BrickModel& model, BuildingBase base,
+                                      const std::vector<AddedWeight>& weights, const glm::dvec3& gravity, bool isRough)
 {
     std::vector<Box> boxes = findBoxes(model);
     for (const AddedWeight& weight : weights)
-        boxes[weight.part].weight += 9.8e-3 * weight.grams;
+        boxes[weight.part].addedWeight += 9.8e-3 * weight.grams;
     Program program(boxes);
     double bottom = boxes.front().low.z;
     for (const Box& box : boxes)
@@ -199,11 +213,39 @@ std::optional<double> computePlainTension(const BrickModel& model, BuildingBase 
     for (int upper = 0; upper < static_cast<int>(boxes.size()); ++upper)
     {
         const Box& box = boxes[static_cast<std::size_t>(upper)];
-        if (box.low.z < bottom + 1e-9) addBase(program, box, upper, base);
+        if (box.low.z < bottom + 1e-9) addBase(program, box, upper, base, isRough);
         for (int lower = 0; lower < static_cast<int>(boxes.size()); ++lower)
             if (lower != upper) addContact(program, boxes, lower, upper);
     }
-    return program.minimizeTension();
+    return program.minimizeTension(gravity);
+}
+
+} // namespace
+
+std::optional<double> computePlainTension(const BrickModel& model, BuildingBase base,
+                                          const std::vector<AddedWeight>& weights)
+{
+    return minimizeTension(model, base, weights, {0, 0, -1}, false);
+}
+
+double computePlainTilt(const BrickModel& model, BuildingBase base, const glm::ivec2& direction,
+                        const std::vector<AddedWeight>& weights)
+{
+    const auto stands = [&](double tangent)
+    {
+        const glm::dvec3 gravity = glm::normalize(glm::dvec3(tangent * glm::dvec2(direction), -1.0));
+        const std::optional<double> tension = minimizeTension(model, base, weights, gravity, true);
+        return tension && *tension <= StabilityReport::CAPACITY;
+    };
+    if (stands(1.0)) return 1.0;
+    double least = 0.0;
+    double most = 1.0;
+    while (most - least > 1e-5)
+    {
+        const double middle = 0.5 * (least + most);
+        (stands(middle) ? least : most) = middle;
+    }
+    return least;
 }
 
 } // namespace osgLego::test

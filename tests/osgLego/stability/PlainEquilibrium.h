@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 namespace osgLego::test
 {
 
@@ -14,5 +16,11 @@ namespace osgLego::test
  * @param weights on the parts. */
 std::optional<double> computePlainTension(const BrickModel& model, BuildingBase base,
                                           const std::vector<AddedWeight>& weights = {});
+
+/** The tangent of the greatest angle by which the base can be tilted, at most 1, so that the model stands: by bisection
+ * with linear programs with the true weights at each angle, and friction on a table of twice the pressure.
+ * @param direction in which the base descends, along x or y. */
+double computePlainTilt(const BrickModel& model, BuildingBase base, const glm::ivec2& direction,
+                        const std::vector<AddedWeight>& weights = {});
 
 } // namespace osgLego::test

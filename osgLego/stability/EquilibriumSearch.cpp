@@ -1,0 +1,50 @@
+#include <osgLego/stability/EquilibriumSearch.h>
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// The penalty of a missing newton, relative to a newton of tension: more than a single lever in pitches. Those in grids
+// of 1024 cells are at most 1229 long. With a penalty of 1e7, the solver does not converge at levers of 500.
+constexpr double PENALTY = 1e4;
+// For a tilt, the tolerance of its tangent, and a cost of forces that does not matter within it.
+constexpr double TILT_TOLERANCE = 1e-6;
+constexpr double TILT_FORCE_COST = 1e-9;
+// The larger ones make the equations better conditioned, but take more steps.
+constexpr std::array<EquilibriumInertia, 2> OTHER_INERTIAS{{{1e-8, 1e-7, 1e-6}, {1e-7, 1e-6, 1e-7}}};
+
+} // namespace
+
+std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::optional<EquilibriumTilt>& tilt)
+{
+    EquilibriumGoal goal{PENALTY, capacity, !tilt, {}, tilt};
+    if (tilt)
+    {
+        // Which of the forces that allow it is of no interest.
+        goal.forceCost = TILT_FORCE_COST;
+        goal.gapTolerance = TILT_TOLERANCE;
+    }
+    std::optional<Equilibrium> best = _solver.solve(goal);
+    for (const EquilibriumInertia& inertia : OTHER_INERTIAS)
+    {
+        if (!best || best->hasConverged) break;
+        goal.inertia = inertia;
+        std::optional<Equilibrium> other = _solver.solve(goal);
+        if (!other) return std::nullopt;
+        if (other->hasConverged || getCost(*other) < getCost(*best)) best = std::move(other);
+    }
+    return best;
+}
+
+double EquilibriumSearch::getCost(const Equilibrium& equilibrium)
+{
+    return isComplete(equilibrium) ? equilibrium.tension - equilibrium.tilt : std::numeric_limits<double>::infinity();
+}
+
+} // namespace osgLego
