@@ -35,7 +35,7 @@ void BookletMarkup::writeSymbol(const std::string& id, const BookletPicture& pic
 void BookletMarkup::writeUse(const std::string& id, const std::string& text, const glm::dvec2& size)
 {
     *_stream << fmt::format(
-        R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}px" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
+        R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
         escapedForMarkup(text), id, size.x, size.y);
 }
 
