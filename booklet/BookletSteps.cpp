@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <osgDB/FileNameUtils>
 
 namespace osgLego
@@ -25,19 +24,6 @@ std::string joinWords(const std::vector<std::string>& words)
     for (std::size_t word = 0; word < words.size(); ++word)
         text += (word == 0 ? "" : word + 1 < words.size() ? ", " : " and ") + words[word];
     return text;
-}
-
-/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
-std::string drawArrow(const BookletArrow& arrow)
-{
-    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
-    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
-    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
-    std::string path;
-    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
-                                     neck - 3.0 * across, neck - across, arrow.tail - across})
-        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
-    return path + "Z";
 }
 
 std::string nameSubmodel(const BookletChapter& chapter)
@@ -61,7 +47,7 @@ std::string nameStep(const BookletStep& step)
 BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
                            const std::function<void(const std::string&)>& progress, BookletMarkup& markup) :
     _model(model),
-    _pictures(pictures), _progress(progress), _markup(markup), _bags(createBags(model)),
+    _pictures(pictures), _progress(progress), _markup(markup), _bags(createBags(model)), _similarColors(model),
     _submodelSizes(model.getChapters().size())
 {
     for (std::size_t chapter = 0; chapter < model.getChapters().size(); ++chapter)
@@ -115,6 +101,7 @@ void BookletSteps::writeSection(std::size_t first, std::size_t end, const Bookle
     for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
     {
         std::size_t numParts = 0;
+        std::set<std::size_t> kinds;
         _markup.getStream() << "<div class=\"sheet\">\n";
         if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag);
         _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << arrangement.getNumColumns() << "\">\n";
@@ -125,12 +112,47 @@ void BookletSteps::writeSection(std::size_t first, std::size_t end, const Bookle
             {
                 writeBlock(blocks[place.block], place);
                 numParts += countParts(blocks[place.block]);
+                addKinds(blocks[place.block], kinds);
             }
             _markup.getStream() << "</div>\n";
         }
-        _markup.getStream() << "</div>\n<p class=\"sheet-parts\">" << countOf(numParts, "part")
-                            << " on this page</p>\n</div>\n";
+        _markup.getStream() << "</div>\n";
+        writeLastLine(numParts, kinds);
+        _markup.getStream() << "</div>\n";
     }
+}
+
+/** Write the line below the steps of a sheet: names of similar colours, and the number of parts. */
+void BookletSteps::writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds)
+{
+    _markup.getStream() << "<footer class=\"last-line\">";
+    if (const std::vector<std::size_t> chosen = _similarColors.chooseKinds(kinds); !chosen.empty())
+    {
+        _markup.getStream() << "<ul class=\"colors\" aria-label=\"Similar colours\">";
+        for (const std::size_t kind : chosen)
+        {
+            _markup.getStream() << "<li>";
+            _markup.writeSwatch(kind);
+            _markup.getStream() << "</li>";
+        }
+        _markup.getStream() << "</ul>";
+    }
+    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " on this page</p></footer>\n";
+}
+
+/** Add the kinds of parts that a block shows. */
+void BookletSteps::addKinds(const Block& block, std::set<std::size_t>& kinds) const
+{
+    const auto add = [&kinds](const std::vector<BookletItem>& items)
+    {
+        for (const BookletItem& item : items)
+            kinds.insert(item.kind);
+    };
+    const BookletChapter& own = _model.getChapters()[block.chapter];
+    if (block.isContents) return add(own.items);
+    add(own.steps[block.step].items);
+    for (const std::size_t submodel : own.steps[block.step].submodels)
+        if (_model.getChapters()[submodel].isCallout()) add(_model.getChapters()[submodel].items);
 }
 
 void BookletSteps::writeBag(const BookletBag& bag)
@@ -329,26 +351,12 @@ void BookletSteps::writeFrame(std::size_t chapter, const BookletStep& step, cons
         _pictures.getAspect(chapter), static_cast<double>(picture.width) / picture.height,
         picture.width / picture.density, width);
     _markup.writeImage(picture, describeStep(_model.getChapters()[chapter], step));
-    writeArrows(step, picture);
+    std::vector<std::string> letters;
+    if (step.submodels.size() > 1)
+        for (const std::size_t submodel : step.submodels)
+            letters.push_back(_model.getChapters()[submodel].letter);
+    _markup.writeArrows(picture, letters);
     _markup.getStream() << "</div>";
-}
-
-void BookletSteps::writeArrows(const BookletStep& step, const BookletPicture& picture)
-{
-    if (picture.arrows.empty()) return;
-    std::ostream& stream = _markup.getStream();
-    stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
-                          picture.height);
-    for (std::size_t index = 0; index < picture.arrows.size(); ++index)
-    {
-        const BookletArrow& arrow = picture.arrows[index];
-        stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
-        if (step.submodels.size() > 1 && index < step.submodels.size())
-            stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
-                                  arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
-                                  _model.getChapters()[step.submodels[index]].letter);
-    }
-    stream << "</svg>";
 }
 
 void BookletSteps::writeUseOfSubmodel(std::size_t chapter, const std::string& text)

@@ -5,9 +5,11 @@
 #include "BookletModel.h"
 #include "BookletPicture.h"
 #include "SheetArrangement.h"
+#include "SimilarColors.h"
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,8 @@ private:
     void writeBag(const BookletBag& bag);
     void writeBlock(const Block& block, const PlacedBlock& place);
     std::size_t countParts(const Block& block) const;
+    void addKinds(const Block& block, std::set<std::size_t>& kinds) const;
+    void writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds);
     void writeContents(std::size_t chapter, const PlacedBlock& place);
     void writeBoxes(const BookletStep& step);
     void writeBox(std::size_t chapter);
@@ -59,7 +63,6 @@ private:
     void writeTurn(const BookletStep& step);
     void writeNote(const BookletStep& step);
     void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture, double width);
-    void writeArrows(const BookletStep& step, const BookletPicture& picture);
     void writeUseOfSubmodel(std::size_t chapter, const std::string& text);
     void writeMultiplier(const BookletChapter& chapter);
     std::string describeSubmodels(std::size_t chapter) const;
@@ -70,6 +73,7 @@ private:
     const std::function<void(const std::string&)>& _progress;
     BookletMarkup& _markup;
     std::vector<BookletBag> _bags;
+    SimilarColors _similarColors;
     std::vector<bool> _isWhole;             // whether the finished picture of a chapter shows all its steps
     std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
 };

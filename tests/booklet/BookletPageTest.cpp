@@ -255,6 +255,19 @@ TEST(BookletPage, CountsThePartsOfEachPage)
     }
 }
 
+TEST(BookletPage, NamesSimilarColoursOnTheirPages)
+{
+    EXPECT_EQ(write(createTower()).find("class=\"colors\""), std::string::npos) << "red and blue";
+    const auto bricks =
+        BrickModel::createOfParts(createPartGrid({8, 2, 1}, 1.2),
+                                  {{{0, 0, 0}, {4, 2, 1}, {95, 49, 9}, 70}, {{4, 0, 0}, {4, 2, 1}, {53, 33, 0}, 308}});
+    const std::string html =
+        write({*bricks, *BuildingPlan::create(2, {createStep({0, 1})}), Palette::getKnownColors()});
+    const std::string colors = html.substr(html.find("<ul class=\"colors\""));
+    EXPECT_EQ(toVisibleText(colors.substr(0, colors.find("</footer>"))),
+              " Reddish Brown Dark Brown 2 parts on this page ");
+}
+
 TEST(BookletPage, ListsThePartsOfBags)
 {
     // 201 bricks in a row: as many red ones of 2x4 as fit into the first bag, and others.
