@@ -6,6 +6,7 @@
 #include <common/MarkupText.h>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace osgLego
 {
@@ -16,6 +17,19 @@ namespace
 std::string nameSymbol(std::size_t kind)
 {
     return "part-" + std::to_string(kind + 1);
+}
+
+/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
+std::string drawArrow(const BookletArrow& arrow)
+{
+    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
+    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
+    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
+    std::string path;
+    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
+                                     neck - 3.0 * across, neck - across, arrow.tail - across})
+        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
+    return path + "Z";
 }
 
 } // namespace
@@ -35,7 +49,7 @@ void BookletMarkup::writeSymbol(const std::string& id, const BookletPicture& pic
 void BookletMarkup::writeUse(const std::string& id, const std::string& text, const glm::dvec2& size)
 {
     *_stream << fmt::format(
-        R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}px" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
+        R"(<svg role="img" aria-label="{0}" style="--w:{2:.0f}" viewBox="0 0 {2:.0f} {3:.0f}"><use href="#{1}"/></svg>)",
         escapedForMarkup(text), id, size.x, size.y);
 }
 
@@ -55,6 +69,33 @@ void BookletMarkup::writeKind(std::size_t kind, const BookletPicture& picture)
 void BookletMarkup::writeUseOfKind(const BookletItem& item)
 {
     writeUse(nameSymbol(item.kind), describeParts(_model.getKinds()[item.kind], item.quantity), _kindSizes[item.kind]);
+}
+
+void BookletMarkup::writeSwatch(std::size_t kind)
+{
+    const glm::dvec2& size = _kindSizes[kind];
+    const PaletteColor& color = _model.getKinds()[kind].color;
+    const std::string brickLinkName = nameBrickLinkColor(color);
+    *_stream << fmt::format(R"(<svg aria-hidden="true" viewBox="0 0 {:.0f} {:.0f}"><use href="#{}"/></svg>{})", size.x,
+                            size.y, nameSymbol(kind),
+                            escapedForMarkup(brickLinkName.empty() ? nameColor(color) : brickLinkName));
+}
+
+void BookletMarkup::writeArrows(const BookletPicture& picture, const std::vector<std::string>& letters)
+{
+    if (picture.arrows.empty()) return;
+    *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
+                            picture.height);
+    for (std::size_t index = 0; index < picture.arrows.size(); ++index)
+    {
+        const BookletArrow& arrow = picture.arrows[index];
+        *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
+        if (index < letters.size())
+            *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
+                                    arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
+                                    letters[index]);
+    }
+    *_stream << "</svg>";
 }
 
 void BookletMarkup::writeItems(const std::vector<BookletItem>& items)

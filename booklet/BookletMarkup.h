@@ -37,6 +37,10 @@ public:
     void writeUseOfKind(const BookletItem& item);
     /** The size of the symbol of a kind, in pixels of CSS. */
     const glm::dvec2& getKindSize(std::size_t kind) const { return _kindSizes[kind]; }
+    /** Write a small part of a kind with the name of its colour. */
+    void writeSwatch(std::size_t kind);
+    /** Write the arrows over a picture. @param letters beside the first of them. */
+    void writeArrows(const BookletPicture& picture, const std::vector<std::string>& letters);
     /** Write items of a list, each a picture with a quantity. */
     void writeItems(const std::vector<BookletItem>& items);
 

@@ -80,7 +80,10 @@ BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, st
     _kindOfPart = _list.findRows(model);
     _chapters.push_back(createChapter(plan, plan.getSteps()));
     for (const Submodel& submodel : plan.getSubmodels())
+    {
         _chapters.push_back(createChapter(plan, submodel.steps));
+        _chapters.back().isSubmodel = true;
+    }
     for (std::size_t chapter = 0; chapter < _chapters.size(); ++chapter)
         _chapters[chapter].original = chapter;
     for (const BookletChapter& chapter : _chapters)
@@ -181,6 +184,8 @@ std::vector<std::size_t> BookletModel::getOriginals(const BookletStep& step) con
     std::vector<std::size_t> originals;
     std::copy_if(step.submodels.begin(), step.submodels.end(), std::back_inserter(originals),
                  [this](std::size_t submodel) { return _chapters[submodel].original == submodel; });
+    std::stable_partition(originals.begin(), originals.end(),
+                          [this](std::size_t submodel) { return !_chapters[submodel].isCallout(); });
     return originals;
 }
 
@@ -191,12 +196,13 @@ void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
     for (std::size_t step = 0; step < chapter.steps.size(); ++step)
     {
         chapter.steps[step].name = chapter.letter + std::to_string(step + 1);
-        for (const std::size_t submodel : chapter.steps[step].submodels)
+        for (const std::size_t submodel : getOriginals(chapter.steps[step]))
         {
-            BookletChapter& own = _chapters[submodel];
-            own.letter = own.original == submodel ? letterOf(numNamed++) : _chapters[own.original].letter;
-            if (own.original == submodel) nameSteps(own, numNamed);
+            _chapters[submodel].letter = letterOf(numNamed++);
+            nameSteps(_chapters[submodel], numNamed);
         }
+        for (const std::size_t submodel : chapter.steps[step].submodels)
+            _chapters[submodel].letter = _chapters[_chapters[submodel].original].letter;
     }
 }
 

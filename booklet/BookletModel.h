@@ -51,7 +51,9 @@ struct BookletChapter
     static constexpr std::size_t MOST_IN_CALLOUT = 4; //!< parts
 
     /** Whether it is a submodel that is built from a box within the step that attaches it. */
-    bool isCallout() const { return !letter.empty() && model->getParts().size() <= MOST_IN_CALLOUT; }
+    bool isCallout() const { return isSubmodel && model->getParts().size() <= MOST_IN_CALLOUT; }
+
+    bool isSubmodel = false; //!< whether it is not the main model
 
     std::string letter;                    //!< of a submodel, such as "A"; empty for the main model
     std::size_t original = 0;              //!< the equal submodel of the same step that is built first, or this chapter
@@ -89,7 +91,8 @@ public:
     /** The main model, and then the submodels in the order of the plan. */
     const std::vector<BookletChapter>& getChapters() const { return _chapters; }
     const BookletChapter& getMainChapter() const { return _chapters.front(); }
-    /** The submodels of a step without the copies of others, in the order in which they are built. */
+    /** The submodels of a step without the copies of others, in the order in which they are built: those in boxes last.
+     */
     std::vector<std::size_t> getOriginals(const BookletStep& step) const;
 
     std::size_t getNumParts() const;

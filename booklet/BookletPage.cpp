@@ -1,7 +1,5 @@
 #include "BookletPage.h"
 
-#include "BookletText.h"
-
 #include <common/MarkupText.h>
 #include <common/NumberText.h>
 
@@ -51,7 +49,7 @@ BookletPage::BookletPage(const BookletModel& model, const BookletFacts& facts, B
                          std::function<void(const std::string&)> progress) :
     _model(model),
     _facts(facts), _pictures(pictures), _progress(std::move(progress)), _markup(model),
-    _steps(model, pictures, _progress, _markup)
+    _parts(model, pictures, _progress, _markup), _steps(model, pictures, _progress, _markup)
 {
 }
 
@@ -61,7 +59,7 @@ void BookletPage::write(std::ostream& stream)
     _markup.setStream(stream);
     writeHead();
     writeCover();
-    writePartsList();
+    _parts.write();
     _steps.write(_facts.firstStep, _facts.endStep);
     writeFinished();
     stream << "</main>\n<script>\n" << getBookletTexts().at("Booklet.js") << "</script>\n</body>\n</html>\n";
@@ -70,8 +68,7 @@ void BookletPage::write(std::ostream& stream)
 std::size_t BookletPage::countPictures() const
 {
     constexpr std::size_t COVER_AND_END = 2;
-    return COVER_AND_END + _model.getKinds().size() + (_model.getBasePlate() ? 1 : 0) +
-           _steps.countPictures(_facts.firstStep, _facts.endStep);
+    return COVER_AND_END + _parts.countPictures() + _steps.countPictures(_facts.firstStep, _facts.endStep);
 }
 
 void BookletPage::writeHead()
@@ -127,64 +124,6 @@ void BookletPage::writeFacts()
     for (const auto& [name, value] : rows)
         *_stream << "<div><dt>" << name << "</dt><dd>" << value << "</dd></div>\n";
     *_stream << "</dl>\n";
-}
-
-void BookletPage::writePartsList()
-{
-    const std::vector<PartsList::Row>& kinds = _model.getKinds();
-    *_stream << "<svg class=\"symbols\" aria-hidden=\"true\">\n";
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
-    {
-        _progress(fmt::format("part {} of {}", kind + 1, kinds.size()));
-        const BookletPicture picture = _pictures.drawKind(kind);
-        _markup.writeKind(kind, picture);
-    }
-    *_stream << "</svg>\n<section class=\"section\" id=\"parts\" data-stop=\"Parts\">\n<h2>Parts</h2>\n"
-             << "<p class=\"subtitle\">" << countOf(_model.getNumParts(), "part") << " of "
-             << countOf(kinds.size(), "kind") << "</p>\n<ul class=\"parts\">\n";
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
-    {
-        const PartsList::Row& row = kinds[kind];
-        *_stream << "<li>";
-        _markup.writeUseOfKind({kind, row.quantity});
-        writeDetails(row);
-        *_stream << "</li>\n";
-    }
-    if (_model.getBasePlate()) writeBasePlate();
-    *_stream << "</ul>\n</section>\n";
-}
-
-/** The base plate at the end of the parts, none of which it is. */
-void BookletPage::writeBasePlate()
-{
-    const BasePlate& plate = *_model.getBasePlate();
-    _progress("base plate");
-    const BookletPicture picture = _pictures.drawBasePlate();
-    *_stream << "<li class=\"base-plate\">";
-    _markup.writeImage(picture, fmt::format("{} in green", plate.getName()));
-    *_stream << "<p><span class=\"quantity\">" << plate.getQuantity() << "×</span> <span><span class=\"name\">"
-             << plate.getName() << "</span> <span class=\"code\">" << plate.getNumber()
-             << "</span></span> <span>Green, drawn smaller</span> <span class=\"code\"><span>BrickLink\u00a06</span> "
-             << "<span>LDraw\u00a02</span></span></p></li>\n";
-}
-
-/** The text below the picture of a part: all that is needed to order it. */
-void BookletPage::writeDetails(const PartsList::Row& row)
-{
-    const std::string name = nameColor(row.color);
-    const std::string brickLinkName = nameBrickLinkColor(row.color);
-    std::vector<std::string> codes;
-    if (row.color.brickLink >= 0) codes.push_back("BrickLink\u00a0" + std::to_string(row.color.brickLink));
-    if (row.color.code != Part::NO_CODE)
-        codes.push_back("LDraw\u00a0" + std::to_string(row.color.code) +
-                        (name == brickLinkName ? std::string() : " " + name));
-    std::string text;
-    for (const std::string& code : codes)
-        text += (text.empty() ? "<span>" : " <span>") + escapedForMarkup(code) + "</span>";
-    *_stream << "<p><span class=\"quantity\">" << formatNumber(row.quantity) << "×</span> <span><span class=\"name\">"
-             << escapedForMarkup(nameType(*row.type)) << "</span> <span class=\"code\">" << row.type->number
-             << "</span></span> <span>" << escapedForMarkup(brickLinkName.empty() ? name : brickLinkName)
-             << "</span> <span class=\"code\">" << text << "</span></p>";
 }
 
 void BookletPage::writeFinished()

@@ -2,6 +2,7 @@
 
 #include "BookletMarkup.h"
 #include "BookletModel.h"
+#include "BookletParts.h"
 #include "BookletPicture.h"
 #include "BookletSteps.h"
 
@@ -52,9 +53,6 @@ private:
     void writeHead();
     void writeCover();
     void writeFacts();
-    void writePartsList();
-    void writeBasePlate();
-    void writeDetails(const PartsList::Row& row);
     void writeFinished();
 
     const BookletModel& _model;
@@ -63,6 +61,7 @@ private:
     std::function<void(const std::string&)> _progress;
     std::ostream* _stream = nullptr;
     BookletMarkup _markup;
+    BookletParts _parts;
     BookletSteps _steps;
 };
 

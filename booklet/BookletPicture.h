@@ -44,6 +44,10 @@ public:
     /** The finished model or submodel, on a transparent background. Submodels are drawn at the scale of parts alone,
      * unless they would be very large. */
     virtual BookletPicture drawFinished(std::size_t chapter) = 0;
+    /** The size of drawFinished() of a submodel, in pixels of CSS. */
+    virtual glm::dvec2 measureFinished(std::size_t chapter) const = 0;
+    /** The size of drawStep(), in studs. */
+    virtual glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const = 0;
     /** Whether drawFinished() shows enough of each part of a submodel that it can be built from this picture. */
     virtual bool showsAllParts(std::size_t chapter) = 0;
     /** A chapter after a step. All pictures of a chapter have the same scale and the same width. */

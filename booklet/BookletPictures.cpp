@@ -305,21 +305,41 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     return *_finished;
 }
 
+BookletPictures::Whole BookletPictures::findWhole(std::size_t chapter) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const bool isSubmodel = chapter > 0;
+    Whole whole{BookletCamera(own.model->getGrid(), {0, false, _front}), {}};
+    whole.frame = addMargin(findWholeFrame(own, whole.camera));
+    const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
+    const glm::dvec2 fitting = largest / whole.frame.getSize();
+    whole.pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
+    whole.size = roundToPixels(whole.frame, whole.pixels);
+    return whole;
+}
+
 BookletPicture BookletPictures::drawWhole(std::size_t chapter)
 {
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    const bool isSubmodel = chapter > 0;
     _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
-    _renderer.setFullLook(!isSubmodel);
-    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
-    BookletFrame frame = addMargin(findWholeFrame(own, camera));
-    const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
-    const glm::dvec2 fitting = largest / frame.getSize();
-    const double pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
-    const glm::ivec2 size = roundToPixels(frame, pixels);
-    return encode(*_renderer.drawTransparent(camera, frame, size), isSubmodel ? PART_DENSITY : DENSITY, pixels);
+    _renderer.setFullLook(chapter == 0);
+    const Whole whole = findWhole(chapter);
+    return encode(*_renderer.drawTransparent(whole.camera, whole.frame, whole.size),
+                  chapter > 0 ? PART_DENSITY : DENSITY, whole.pixels);
+}
+
+glm::dvec2 BookletPictures::measureFinished(std::size_t chapter) const
+{
+    return glm::dvec2(findWhole(chapter).size) / (chapter > 0 ? PART_DENSITY : DENSITY);
+}
+
+glm::dvec2 BookletPictures::measureStep(std::size_t chapter, std::size_t step) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const BookletStep& shown = own.steps[step];
+    return {_scales[chapter].size.x, findFrame(own, shown, createCamera(own, shown)).getSize().y};
 }
 
 bool BookletPictures::showsAllParts(std::size_t chapter)

@@ -25,6 +25,8 @@ public:
     BookletPicture drawKind(std::size_t kind) override;
     BookletPicture drawBasePlate() override;
     BookletPicture drawFinished(std::size_t chapter) override;
+    glm::dvec2 measureFinished(std::size_t chapter) const override;
+    glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const override;
     bool showsAllParts(std::size_t chapter) override;
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override;
     double getAspect(std::size_t chapter) const override;
@@ -47,6 +49,16 @@ private:
     Scale findScale(const BookletChapter& chapter) const;
     BookletCamera createCamera(const BookletChapter& chapter, const BookletStep& step) const;
     void show(std::size_t chapter);
+    /** How the finished model or a submodel is drawn. */
+    struct Whole
+    {
+        BookletCamera camera;
+        BookletFrame frame;
+        glm::ivec2 size{0};  // pixels
+        double pixels = 0.0; // per pitch
+    };
+
+    Whole findWhole(std::size_t chapter) const;
     BookletPicture drawWhole(std::size_t chapter);
 
     const BookletModel& _model;

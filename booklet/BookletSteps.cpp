@@ -1,6 +1,7 @@
 #include "BookletSteps.h"
 
 #include "BookletText.h"
+#include "SheetMeasures.h"
 
 #include <common/NumberText.h>
 
@@ -8,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <osgDB/FileNameUtils>
 
 namespace osgLego
@@ -26,22 +26,15 @@ std::string joinWords(const std::vector<std::string>& words)
     return text;
 }
 
-/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
-std::string drawArrow(const BookletArrow& arrow)
-{
-    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
-    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
-    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
-    std::string path;
-    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
-                                     neck - 3.0 * across, neck - across, arrow.tail - across})
-        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
-    return path + "Z";
-}
-
 std::string nameSubmodel(const BookletChapter& chapter)
 {
     return "submodel-" + osgDB::convertToLowerCase(chapter.letter);
+}
+
+/** The place of a block on its sheet, for the style sheet. */
+std::string formatPlace(const PlacedBlock& place)
+{
+    return fmt::format(R"( style="--block:{:.2f};--space:{:.2f}")", place.height, place.space);
 }
 
 std::string nameStep(const BookletStep& step)
@@ -54,7 +47,8 @@ std::string nameStep(const BookletStep& step)
 BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
                            const std::function<void(const std::string&)>& progress, BookletMarkup& markup) :
     _model(model),
-    _pictures(pictures), _progress(progress), _markup(markup), _submodelSizes(model.getChapters().size())
+    _pictures(pictures), _progress(progress), _markup(markup), _bags(createBags(model)), _similarColors(model),
+    _submodelSizes(model.getChapters().size())
 {
     for (std::size_t chapter = 0; chapter < model.getChapters().size(); ++chapter)
     {
@@ -70,9 +64,128 @@ BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pict
 void BookletSteps::write(std::size_t first, std::size_t end)
 {
     _markup.getStream() << "<section class=\"steps\" id=\"steps\">\n<h2 class=\"hidden\">Steps</h2>\n";
-    for (std::size_t step = first; step < end; ++step)
-        writeStep(0, step);
+    if (_bags.empty()) writeSection(first, end, nullptr);
+    for (const BookletBag& bag : _bags)
+        if (bag.firstStep < end && bag.endStep > first)
+            writeSection(std::max(first, bag.firstStep), std::min(end, bag.endStep), &bag);
     _markup.getStream() << "</section>\n";
+}
+
+/** Collect a step and what is built before it. */
+void BookletSteps::collect(std::size_t chapter, std::size_t step, std::size_t quantity,
+                           std::vector<Block>& blocks) const
+{
+    for (const std::size_t submodel : _model.getOriginals(_model.getChapters()[chapter].steps[step]))
+    {
+        const BookletChapter& own = _model.getChapters()[submodel];
+        if (own.isCallout()) continue;
+        blocks.push_back({submodel, 0, true, quantity * own.quantity});
+        for (std::size_t inner = 0; inner < own.steps.size() && !_isWhole[submodel]; ++inner)
+            collect(submodel, inner, quantity * own.quantity, blocks);
+    }
+    blocks.push_back({chapter, step, false, quantity});
+}
+
+/** Write steps of the model on sheets of their own. @param bag null without one. */
+void BookletSteps::writeSection(std::size_t first, std::size_t end, const BookletBag* bag)
+{
+    std::vector<Block> blocks;
+    for (std::size_t step = first; step < end; ++step)
+        collect(0, step, 1, blocks);
+    const SheetMeasures measures(_model, _pictures, _markup, _isWhole);
+    std::vector<SheetBlock> sizes;
+    for (const Block& block : blocks)
+        sizes.push_back(block.isContents ? measures.measureSubmodel(block.chapter)
+                                         : measures.measureStep(block.chapter, block.step));
+    const SheetArrangement arrangement(sizes, bag ? measures.measureHeader(bag->items) : 0.0);
+    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+    {
+        std::size_t numParts = 0;
+        std::set<std::size_t> kinds;
+        _markup.getStream() << "<div class=\"sheet\">\n";
+        if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag);
+        _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << arrangement.getNumColumns() << "\">\n";
+        for (const SheetColumn& column : sheet)
+        {
+            _markup.getStream() << "<div class=\"column\">\n";
+            for (const PlacedBlock& place : column)
+            {
+                writeBlock(blocks[place.block], place);
+                numParts += countParts(blocks[place.block]);
+                addKinds(blocks[place.block], kinds);
+            }
+            _markup.getStream() << "</div>\n";
+        }
+        _markup.getStream() << "</div>\n";
+        writeLastLine(numParts, kinds);
+        _markup.getStream() << "</div>\n";
+    }
+}
+
+/** Write the line below the steps of a sheet: names of similar colours, and the number of parts. */
+void BookletSteps::writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds)
+{
+    _markup.getStream() << "<footer class=\"last-line\">";
+    if (const std::vector<std::size_t> chosen = _similarColors.chooseKinds(kinds); !chosen.empty())
+    {
+        _markup.getStream() << "<ul class=\"colors\" aria-label=\"Similar colours\">";
+        for (const std::size_t kind : chosen)
+        {
+            _markup.getStream() << "<li>";
+            _markup.writeSwatch(kind);
+            _markup.getStream() << "</li>";
+        }
+        _markup.getStream() << "</ul>";
+    }
+    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " on this page</p></footer>\n";
+}
+
+/** Add the kinds of parts that a block shows. */
+void BookletSteps::addKinds(const Block& block, std::set<std::size_t>& kinds) const
+{
+    const auto add = [&kinds](const std::vector<BookletItem>& items)
+    {
+        for (const BookletItem& item : items)
+            kinds.insert(item.kind);
+    };
+    const BookletChapter& own = _model.getChapters()[block.chapter];
+    if (block.isContents) return add(own.items);
+    add(own.steps[block.step].items);
+    for (const std::size_t submodel : own.steps[block.step].submodels)
+        if (_model.getChapters()[submodel].isCallout()) add(_model.getChapters()[submodel].items);
+}
+
+void BookletSteps::writeBag(const BookletBag& bag)
+{
+    const auto number = &bag - _bags.data() + 1;
+    _markup.getStream() << fmt::format("<header class=\"bag\" id=\"bag-{0}\" data-stop=\"Bag {0} of {1}\">\n<h2>Bag "
+                                       "{0} <span>of {1}</span></h2>\n<p>{2} of "
+                                       "{3}</p>\n<ul class=\"callout\">\n",
+                                       number, _bags.size(), countOf(bag.countParts(), "part"),
+                                       countOf(bag.items.size(), "kind"));
+    _markup.writeItems(bag.items);
+    _markup.getStream() << "</ul>\n</header>\n";
+}
+
+void BookletSteps::writeBlock(const Block& block, const PlacedBlock& place)
+{
+    if (block.isContents)
+        writeContents(block.chapter, place);
+    else
+        writeStep(block.chapter, block.step, place);
+}
+
+/** The number of parts that a builder places by a block. */
+std::size_t BookletSteps::countParts(const Block& block) const
+{
+    const BookletChapter& own = _model.getChapters()[block.chapter];
+    if (block.isContents) return _isWhole[block.chapter] ? block.quantity * own.model->getParts().size() : 0;
+    const BookletStep& step = own.steps[block.step];
+    std::size_t number = step.numDirect;
+    for (const std::size_t submodel : step.submodels)
+        if (const BookletChapter& inner = _model.getChapters()[submodel]; inner.isCallout())
+            number += inner.model->getParts().size();
+    return block.quantity * number;
 }
 
 std::size_t BookletSteps::countPictures(std::size_t first, std::size_t end) const
@@ -104,23 +217,22 @@ void BookletSteps::drawSubmodel(std::size_t chapter)
     _markup.getStream() << "</svg>\n";
 }
 
-/** Write a submodel of many parts: what it is made of, and its steps. */
-void BookletSteps::writeLarge(std::size_t chapter)
+/** Write the parts of a submodel of many parts, and how it looks when it is finished. */
+void BookletSteps::writeContents(std::size_t chapter, const PlacedBlock& place)
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     drawSubmodel(chapter);
     _markup.getStream() << "<section class=\"submodel\" id=\"" << nameSubmodel(own) << "\" data-stop=\"Submodel "
-                        << own.letter << "\">\n<header><h3>" << own.letter
+                        << own.letter << "\"" << formatPlace(place) << ">\n<header><h3>" << own.letter
                         << "<span class=\"hidden\">: submodel</span></h3>\n";
     writeMultiplier(own);
     _markup.getStream() << "<ul class=\"callout\">\n";
     _markup.writeItems(own.items);
-    _markup.getStream() << "</ul></header>\n<figure>";
+    const double width = SheetMeasures(_model, _pictures, _markup, _isWhole).measureContents(chapter).x;
+    _markup.getStream() << "</ul></header>\n<figure style=\"--print:" << fmt::format("{:.2f}", width) << "\">";
     writeUseOfSubmodel(chapter, _isWhole[chapter] ? describeStep(own, own.steps.front())
                                                   : "Submodel " + own.letter + ", finished");
     _markup.getStream() << "</figure>\n</section>\n";
-    for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
-        writeStep(chapter, step);
 }
 
 /** Write the submodels of few parts that a step attaches, each in a box. */
@@ -162,19 +274,17 @@ void BookletSteps::writeSmallStep(std::size_t chapter, std::size_t index)
     const BookletPicture picture = _pictures.drawStep(chapter, index);
     _markup.getStream() << "<div class=\"small-step\" id=\"" << nameStep(step) << "\"><h5>" << step.name << "</h5>";
     writeTurn(step);
-    writeFrame(chapter, step, picture);
+    writeFrame(chapter, step, picture, SheetMeasures::toBox(glm::dvec2(picture.width / picture.pitch)).x);
     _markup.getStream() << "</div>\n";
 }
 
-void BookletSteps::writeStep(std::size_t chapter, std::size_t index)
+void BookletSteps::writeStep(std::size_t chapter, std::size_t index, const PlacedBlock& place)
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& step = own.steps[index];
-    for (const std::size_t submodel : _model.getOriginals(step))
-        if (!_model.getChapters()[submodel].isCallout()) writeLarge(submodel);
     _markup.getStream() << "<section class=\"step" << (chapter > 0 ? " of-submodel" : "") << "\" id=\""
-                        << nameStep(step) << "\" data-stop=\"Step " << step.name << " of " << own.steps.size()
-                        << "\">\n<header>";
+                        << nameStep(step) << "\" data-stop=\"Step " << step.name << " of " << own.steps.size() << "\""
+                        << formatPlace(place) << ">\n<header>";
     writeNumber(step);
     writeCallout(step);
     writeTurn(step);
@@ -184,7 +294,7 @@ void BookletSteps::writeStep(std::size_t chapter, std::size_t index)
     _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
     const BookletPicture picture = _pictures.drawStep(chapter, index);
     _markup.getStream() << "<figure class=\"model\">";
-    writeFrame(chapter, step, picture);
+    writeFrame(chapter, step, picture, picture.width / picture.pitch * place.pitch);
     _markup.getStream() << "</figure>\n</section>\n";
 }
 
@@ -233,32 +343,20 @@ void BookletSteps::writeNote(const BookletStep& step)
             << "<p class=\"note\">Hold the model after this step: it does not stand by itself yet.</p>\n";
 }
 
-void BookletSteps::writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture)
+/** @param width of the picture on a sheet, in millimetres. */
+void BookletSteps::writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture, double width)
 {
-    _markup.getStream() << fmt::format(R"(<div class="frame" style="--aspect:{:.4f};--width:{:.0f}px;--studs:{:.2f}">)",
-                                       _pictures.getAspect(chapter), picture.width / picture.density,
-                                       picture.width / picture.pitch);
+    _markup.getStream() << fmt::format(
+        R"(<div class="frame" style="--aspect:{:.4f};--ratio:{:.4f};--width:{:.0f}px;--print:{:.2f}">)",
+        _pictures.getAspect(chapter), static_cast<double>(picture.width) / picture.height,
+        picture.width / picture.density, width);
     _markup.writeImage(picture, describeStep(_model.getChapters()[chapter], step));
-    writeArrows(step, picture);
+    std::vector<std::string> letters;
+    if (step.submodels.size() > 1)
+        for (const std::size_t submodel : step.submodels)
+            letters.push_back(_model.getChapters()[submodel].letter);
+    _markup.writeArrows(picture, letters);
     _markup.getStream() << "</div>";
-}
-
-void BookletSteps::writeArrows(const BookletStep& step, const BookletPicture& picture)
-{
-    if (picture.arrows.empty()) return;
-    std::ostream& stream = _markup.getStream();
-    stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
-                          picture.height);
-    for (std::size_t index = 0; index < picture.arrows.size(); ++index)
-    {
-        const BookletArrow& arrow = picture.arrows[index];
-        stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
-        if (step.submodels.size() > 1 && index < step.submodels.size())
-            stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
-                                  arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
-                                  _model.getChapters()[step.submodels[index]].letter);
-    }
-    stream << "</svg>";
 }
 
 void BookletSteps::writeUseOfSubmodel(std::size_t chapter, const std::string& text)

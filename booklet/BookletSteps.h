@@ -1,11 +1,15 @@
 #pragma once
 
+#include "BookletBags.h"
 #include "BookletMarkup.h"
 #include "BookletModel.h"
 #include "BookletPicture.h"
+#include "SheetArrangement.h"
+#include "SimilarColors.h"
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,20 +35,34 @@ public:
     std::size_t countPictures(std::size_t first, std::size_t end) const;
 
 private:
-    bool isWhole(const BookletChapter& chapter) const;
     std::size_t countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
-    void writeLarge(std::size_t chapter);
+    /** A step, or the contents of a submodel. */
+    struct Block
+    {
+        std::size_t chapter = 0;
+        std::size_t step = 0;
+        bool isContents = false;
+        std::size_t quantity = 1; // how often it is built
+    };
+
+    void collect(std::size_t chapter, std::size_t step, std::size_t quantity, std::vector<Block>& blocks) const;
+    void writeSection(std::size_t first, std::size_t end, const BookletBag* bag);
+    void writeBag(const BookletBag& bag);
+    void writeBlock(const Block& block, const PlacedBlock& place);
+    std::size_t countParts(const Block& block) const;
+    void addKinds(const Block& block, std::set<std::size_t>& kinds) const;
+    void writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds);
+    void writeContents(std::size_t chapter, const PlacedBlock& place);
     void writeBoxes(const BookletStep& step);
     void writeBox(std::size_t chapter);
     void writeSmallStep(std::size_t chapter, std::size_t index);
     void drawSubmodel(std::size_t chapter);
-    void writeStep(std::size_t chapter, std::size_t index);
+    void writeStep(std::size_t chapter, std::size_t index, const PlacedBlock& place);
     void writeNumber(const BookletStep& step);
     void writeCallout(const BookletStep& step);
     void writeTurn(const BookletStep& step);
     void writeNote(const BookletStep& step);
-    void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture);
-    void writeArrows(const BookletStep& step, const BookletPicture& picture);
+    void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture, double width);
     void writeUseOfSubmodel(std::size_t chapter, const std::string& text);
     void writeMultiplier(const BookletChapter& chapter);
     std::string describeSubmodels(std::size_t chapter) const;
@@ -54,6 +72,8 @@ private:
     BookletPictureSource& _pictures;
     const std::function<void(const std::string&)>& _progress;
     BookletMarkup& _markup;
+    std::vector<BookletBag> _bags;
+    SimilarColors _similarColors;
     std::vector<bool> _isWhole;             // whether the finished picture of a chapter shows all its steps
     std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
 };

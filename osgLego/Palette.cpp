@@ -1,6 +1,8 @@
 #include <osgLego/Palette.h>
 
 #include <osgLego/LegoSettings.h>
+#include <osgLego/palette/CieLab.h>
+#include <osgLego/palette/ColorDifference.h>
 #include <osgLego/palette/Dither.h>
 #include <osgLego/palette/KnownColors.h>
 #include <osgLego/palette/MixtureTable.h>
@@ -94,6 +96,11 @@ osg::ref_ptr<const Palette> Palette::read(const LegoSettings& settings, std::str
 std::span<const PaletteColor> Palette::getKnownColors()
 {
     return osgLego::getKnownColors();
+}
+
+double Palette::getDifference(const std::array<std::uint8_t, 3>& color, const std::array<std::uint8_t, 3>& other)
+{
+    return ciede2000(toCieLab(color), toCieLab(other));
 }
 
 std::size_t Palette::findNearest(const std::array<std::uint8_t, 3>& color) const

@@ -58,6 +58,9 @@ public:
      */
     static std::span<const PaletteColor> getKnownColors();
 
+    /** The difference CIEDE2000 of two sRGB colours: about 1 if it is just noticeable, and 100 for black and white. */
+    static double getDifference(const std::array<std::uint8_t, 3>& color, const std::array<std::uint8_t, 3>& other);
+
     std::span<const PaletteColor> getColors() const { return _colors; }
     /** The index of the colour nearest to an sRGB colour. A colour of the palette is its own nearest, unless an earlier
      * one shares its entry of the table: that one is found for both. */

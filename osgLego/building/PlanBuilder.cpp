@@ -65,6 +65,14 @@ osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
         addUnheld(piece, steps.back());
     }
     if (_isCancelled) return nullptr;
+    // No step of one part at the end: unheld pieces have no order.
+    if (steps.size() > numHeldSteps + 1 && steps.back().parts.size() == 1 && steps.back().submodels.empty() &&
+        steps[steps.size() - 2].parts.size() > 2)
+    {
+        std::vector<std::uint32_t>& before = steps[steps.size() - 2].parts;
+        steps.back().parts.push_back(before.back());
+        before.pop_back();
+    }
     if (_options.progress) _options.progress(1.0);
     std::sort(_unheld.begin(), _unheld.end());
     return BuildingPlan::create(_boxes.size(), std::move(steps), std::move(_submodels), std::move(_unheld));

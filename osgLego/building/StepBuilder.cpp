@@ -30,7 +30,55 @@ std::vector<AssemblyStep> StepBuilder::build()
         }
         if (!_proceed(_numPlaced)) return {};
     }
+    fillLastStep();
     return std::move(_steps);
+}
+
+/** If the last step has only one part, place it in the step before, or the last part of that step with it. */
+void StepBuilder::fillLastStep()
+{
+    if (_steps.size() < 2) return;
+    AssemblyStep& before = _steps[_steps.size() - 2];
+    AssemblyStep& last = _steps.back();
+    if (!last.submodels.empty() || last.parts.size() != 1 || before.parts.empty()) return;
+    std::vector<std::uint32_t> all = before.parts;
+    all.push_back(last.parts.front());
+    if (before.submodels.empty() && all.size() <= UnitQueue::USUAL_MOST && (!_views || _views->canShow(all, false)))
+    {
+        last.parts = all;
+        _steps.erase(_steps.end() - 2);
+        return;
+    }
+    const std::vector<std::uint32_t> parts(all.end() - 2, all.end());
+    const std::size_t weight = before.parts.size() + UnitQueue::SUBMODEL_WEIGHT * before.submodels.size();
+    if (weight <= UnitQueue::LEAST || !before.stands || isBelow(parts.front(), before.submodels) ||
+        (_views && !_views->canShow(parts, false)))
+        return;
+    if (_findFalling)
+    {
+        std::vector<bool> isPlaced = _isPlaced;
+        for (const std::uint32_t part : parts)
+            isPlaced[part] = false;
+        const std::optional<std::vector<std::uint32_t>> falling = _findFalling(isPlaced);
+        if (!falling || !falling->empty()) return;
+        before.isChecked = true;
+    }
+    before.parts.pop_back();
+    last.parts = parts;
+}
+
+/** Whether a part of a submodel is above a part. */
+bool StepBuilder::isBelow(std::uint32_t part, const std::vector<std::vector<std::uint32_t>>& submodels) const
+{
+    const auto next = _graph.getNextAbove(part);
+    return std::any_of(next.begin(), next.end(),
+                       [&submodels](const PartLink& link)
+                       {
+                           return std::any_of(
+                               submodels.begin(), submodels.end(),
+                               [&link](const std::vector<std::uint32_t>& parts)
+                               { return std::find(parts.begin(), parts.end(), link.part) != parts.end(); });
+                       });
 }
 
 void StepBuilder::regroup()

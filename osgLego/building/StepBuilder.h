@@ -24,7 +24,8 @@ struct AssemblyStep
 /** Divides the parts of a model or submodel into steps of 5 to 10 parts, at most 12, in an order in which they can be
  * placed from above.
  *
- * A step is shortened, to no fewer than 5 parts, if some would be hidden in every view.
+ * A step is shortened, to no fewer than 5 parts, if some would be hidden in every view. A last step of one part is
+ * joined with the step before, or gets a second part from there.
  *
  * If parts fall after a step, the parts that hold them are placed in the same step, or other parts are placed first. If
  * neither helps, the falling parts become a submodel with a part above that holds them.
@@ -52,6 +53,8 @@ public:
 
 private:
     void regroup();
+    void fillLastStep();
+    bool isBelow(std::uint32_t part, const std::vector<std::vector<std::uint32_t>>& submodels) const;
     UnitList proposeStep();
     bool canShow(const UnitList& units, bool isTurning) const;
     void shorten(UnitList& units) const;

@@ -53,6 +53,10 @@ class Browser:
         os.close(self._replies)
         self._profile.cleanup()
 
+    def emulate_media(self, media):
+        """Use the style for a medium, such as "print", from now on."""
+        self._call("Emulation.setEmulatedMedia", media=media)
+
     def open(self, path):
         self._call("Page.navigate", url="file://" + os.path.abspath(path))
         while self._read().get("method") != "Page.loadEventFired":

@@ -87,7 +87,8 @@ class Kinds:
 
     def __init__(self, page):
         self.parts, self.labels, self.quantities = {}, {}, collections.Counter()
-        for item in next(own for own in page.elements if own.tag == "ul" and own.has_class("parts")).children:
+        lists = [own for own in page.elements if own.tag == "ul" and own.has_class("parts")]
+        for item in [item for own in lists for item in own.children]:
             picture, details = item.children
             symbol = picture.children[0]["href"]
             text = details.get_text()
@@ -223,6 +224,25 @@ def check_chapter(page, letter, steps, kinds, document, first=1):
             check_chapter(page, inner_letter, steps_of_inner, kinds, document)
 
 
+def check_bags(page, kinds):
+    """The lists of all bags, if there are any, and the counts of all pages add up to the parts list."""
+    bags = collections.Counter()
+    for bag in [own for own in page.elements if own.has_class("bag")]:
+        listed = collections.Counter()
+        for item in next(own for own in bag.children if own.has_class("callout")).children:
+            symbol = item.children[0].children[0]["href"]
+            listed[kinds.parts.get(symbol)] += read_quantity(item.get_text(), bag["id"])
+            check_label(item.children[0]["aria-label"], listed[kinds.parts.get(symbol)], kinds.labels.get(symbol), bag["id"])
+        if not bag.children[1].get_text().startswith(f"{listed.total()} part"):
+            fail(f"{bag['id']} has {listed.total()} parts, and counts {bag.children[1].get_text()}")
+        bags += listed
+    if (kinds.quantities.total() >= 200 or bags) and bags != kinds.quantities:
+        fail(f"the bags have {bags}, and the parts list {kinds.quantities}")
+    counts = [int(own.get_text().split()[0].replace(",", "")) for own in page.elements if own.has_class("sheet-parts")]
+    if sum(counts) != kinds.quantities.total():
+        fail(f"the pages have {counts} parts, and the parts list {kinds.quantities.total()}")
+
+
 def check_csv(text, parts):
     """The table has a row for each part and colour, and the sums of its rows."""
     rows = list(csv.DictReader(io.StringIO(text)))
@@ -295,6 +315,8 @@ def main():
         if document.find_places(document.main) != original.find_places(original.main):
             fail(f"the .mpd has other parts, colours or places than {model}")
     check_cover(page, document, last == "all")
+    if last == "all":
+        check_bags(page, kinds)
     written, begin = document.files[document.main], int(first)
     steps = find_steps(page, "")
     end = len(written) if last == "all" else int(last)

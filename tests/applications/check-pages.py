@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the pages of a printed booklet: each has content in at least its upper half, and none has content in its margins.
+"""Checks the pages of a printed booklet: each has content beyond its upper half, apart from the line that counts its parts,
+and none has content in its margins.
 
 Usage: check-pages.py FILE.pdf
 Needs pdftoppm of poppler-utils. Prints one line per failure, and "N pages".
@@ -12,6 +13,7 @@ import pathlib
 RESOLUTION = 25.4  # pixels per inch: a pixel is a millimetre
 TOP, BOTTOM, SIDE = 12, 15, 10  # margins of Booklet.css, in millimetres
 FIRST_OF_STEPS = 2  # the cover and the parts list come before
+LAST_LINE = 6 / 182  # the line that counts parts, as a share of a sheet
 WHITE = 235
 
 
@@ -28,6 +30,7 @@ def read_gray(path):
 def find_lowest(rows):
     """The height of the content as a share of the page without its margins, without the number of the page."""
     inner = rows[TOP:len(rows) - BOTTOM]
+    inner = inner[:round(len(inner) * (1 - LAST_LINE))]
     used = [index for index, row in enumerate(inner) if min(row) < WHITE]
     return (used[-1] + 1) / len(inner) if used else 0.0
 

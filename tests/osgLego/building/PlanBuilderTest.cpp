@@ -35,6 +35,20 @@ osg::ref_ptr<const BuildingPlan> plan(int place, bool checksStability)
     return PlanBuilder(*createArm(place), options).build();
 }
 
+TEST(PlanBuilder, UnheldPartsDoNotEndWithAStepOfOnePart)
+{
+    // A brick on the ground, and others in the air.
+    for (int number = 2; number <= 20; ++number)
+    {
+        std::vector<Part> parts{createBrick({0, 0, 0}, 2, 2)};
+        for (int index = 0; index < number; ++index)
+            parts.push_back(createBrick({3 * index, 4, 2}, 2, 2));
+        const auto built = PlanBuilder(*createPartModel(std::move(parts)), {}).build();
+        EXPECT_EQ(built->getUnheldParts().size(), static_cast<std::size_t>(number));
+        EXPECT_GT(built->getSteps().back().parts.size(), 1u) << number;
+    }
+}
+
 TEST(PlanBuilder, ASubmodelThatFallsUprightIsBuiltUpsideDownInASecondAttempt)
 {
     // The foot stands below one end of the arm, which topples over; the brick lies above the middle of the arm.

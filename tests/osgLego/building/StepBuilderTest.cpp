@@ -204,6 +204,25 @@ TEST(StepBuilder, StepsAreNotRepairedAfterAPartThatFallsWhateverIsDone)
                   {0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14, 15}, {16, 17, 18, 19, 20, 21, 22, 23}}));
 }
 
+TEST(StepBuilder, TheLastStepHasMoreThanOnePart)
+{
+    // Two columns, and on the first one a beam from which a brick hangs: a submodel. The brick on the beam comes after
+    // it.
+    std::vector<BuildingBox> boxes = createColumns({{0, 3}, {12, 4}});
+    boxes.push_back({{4, 0, 2}, {6, 2, 3}});
+    boxes.push_back({{0, 0, 3}, {6, 2, 4}});
+    boxes.push_back({{2, 0, 4}, {4, 2, 5}});
+    const std::size_t number = boxes.size();
+    const Building building(std::move(boxes), [](std::uint32_t, const std::vector<bool>&) { return false; });
+    const std::vector<AssemblyStep> steps = building.build();
+    EXPECT_TRUE(haveSubmodels(steps));
+    ASSERT_EQ(steps.size(), 2u);
+    EXPECT_EQ(steps.back().parts.size(), 2u);
+    EXPECT_EQ(steps.back().parts.back(), number - 1);
+    EXPECT_EQ(toPlaced(steps)[0].size() + toPlaced(steps)[1].size(), number);
+    EXPECT_TRUE(allStand(steps));
+}
+
 TEST(StepBuilder, PartsOnTheBaseDoNotHang)
 {
     // The lowest part of a column falls. The parts on it could only hold it if something held them.

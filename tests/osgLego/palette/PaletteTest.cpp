@@ -132,6 +132,13 @@ TEST(Palette, TheDefaultLeavesOutRetiredColoursThatAPaletteMayAskFor)
     }
 }
 
+TEST(Palette, DifferencesAre100FromBlackToWhiteAndSmallForSimilarColours)
+{
+    EXPECT_NEAR(Palette::getDifference({0, 0, 0}, {255, 255, 255}), 100.0, 1e-6);
+    EXPECT_EQ(Palette::getDifference({88, 42, 18}, {88, 42, 18}), 0.0);
+    EXPECT_LT(Palette::getDifference({180, 0, 0}, {183, 3, 2}), 2.0);
+}
+
 TEST(Palette, EveryColourIsItsOwnNearest)
 {
     for (const osg::ref_ptr<const Palette>& palette : {readDefault(), createRandom(Palette::MAXIMUM_COLORS)})

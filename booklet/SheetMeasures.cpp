@@ -1,0 +1,199 @@
+#include "SheetMeasures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+// Lengths of Booklet.css, in millimetres.
+constexpr double PIXEL = 25.4 / 96.0;
+constexpr double PART_SCALE = 0.44; // of pictures of parts, printed
+constexpr double BOX_SCALE = 1.2;   // of pictures in boxes, compared with parts
+constexpr double PART_PITCH = 20.0; // pixels of CSS, of pictures of parts
+constexpr double QUANTITY_HEIGHT = 3.7;
+constexpr double QUANTITY_WIDTH = 2.5; // of a character
+constexpr double ROUNDING = 0.2;
+constexpr double NUMBER_WIDTH = 11.0;
+constexpr double NUMBER_HEIGHT = 11.0;
+constexpr double TURN = 9.0;
+constexpr double SPACE = 2.0; // between the parts of a header
+constexpr glm::dvec2 ITEM_SPACE{2.5, 1.0};
+constexpr glm::dvec2 CALLOUT_PADDING{2.4, 1.9}; // on each side, with the border
+constexpr double BAR = 3.5;                     // beside submodels of many parts
+constexpr double LETTER = 6.0;
+constexpr double MULTIPLIER = 7.0;
+constexpr double NOTE_LINE = 4.0;
+constexpr double NOTE_PADDING = 4.0;
+constexpr double NOTE_CHARACTER = 1.75;
+constexpr double NOTE_CHARACTERS = 70;
+constexpr double CONTENTS_SCALE = 1.5; // of pictures of submodels of many parts, compared with parts
+constexpr double HEADING = 14.0;
+
+/** The size of items in rows of some width. */
+glm::dvec2 flow(const std::vector<glm::dvec2>& items, double width, const glm::dvec2& space)
+{
+    glm::dvec2 size(0.0);
+    glm::dvec2 row(0.0);
+    const auto end = [&]
+    {
+        size = {std::max(size.x, row.x), size.y + (size.y > 0.0 ? space.y : 0.0) + row.y};
+        row = glm::dvec2(0.0);
+    };
+    for (const glm::dvec2& item : items)
+    {
+        if (row.x > 0.0 && row.x + space.x + item.x > width) end();
+        row = {row.x + (row.x > 0.0 ? space.x : 0.0) + item.x, std::max(row.y, item.y)};
+    }
+    if (row.x > 0.0) end();
+    return size;
+}
+
+void append(std::vector<glm::dvec2>& sizes, const std::vector<glm::dvec2>& others)
+{
+    sizes.insert(sizes.end(), others.begin(), others.end());
+}
+
+} // namespace
+
+SheetMeasures::SheetMeasures(const BookletModel& model, const BookletPictureSource& pictures,
+                             const BookletMarkup& markup, const std::vector<bool>& isWhole) :
+    _model(model),
+    _pictures(pictures), _markup(markup), _isWhole(isWhole)
+{
+}
+
+glm::dvec2 SheetMeasures::toBox(const glm::dvec2& studs)
+{
+    return studs * (PART_PITCH * PIXEL * PART_SCALE * BOX_SCALE);
+}
+
+glm::dvec2 SheetMeasures::measureItem(const BookletItem& item) const
+{
+    const glm::dvec2 picture = _markup.getKindSize(item.kind) * (PIXEL * PART_SCALE);
+    const double text = QUANTITY_WIDTH * (1.0 + static_cast<double>(std::to_string(item.quantity).size()));
+    return {std::max(picture.x, text) + ROUNDING, picture.y + QUANTITY_HEIGHT};
+}
+
+SheetMeasures::Sizes SheetMeasures::measureItems(const std::vector<BookletItem>& items) const
+{
+    Sizes sizes;
+    for (const BookletItem& item : items)
+        sizes.push_back(measureItem(item));
+    return sizes;
+}
+
+/** The picture of a finished submodel, with its letter. */
+glm::dvec2 SheetMeasures::measureUse(std::size_t chapter) const
+{
+    return _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE) + glm::dvec2(0.0, LETTER);
+}
+
+/** The height of the list of parts and submodels that a step adds. */
+double SheetMeasures::measureCallout(const BookletStep& step, double width) const
+{
+    const double inner = width - 2.0 * CALLOUT_PADDING.x;
+    Sizes sizes;
+    for (const std::size_t submodel : _model.getOriginals(step))
+        if (!_model.getChapters()[submodel].isCallout())
+        {
+            const glm::dvec2 use = measureUse(submodel);
+            sizes.push_back(use * std::min(1.0, inner / use.x));
+        }
+    append(sizes, measureItems(step.items));
+    return sizes.empty() ? 0.0 : flow(sizes, inner, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+}
+
+glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const double inner = width - 2.0 * CALLOUT_PADDING.x;
+    Sizes sizes{{LETTER, LETTER}};
+    if (own.quantity > 1) sizes.push_back({MULTIPLIER, LETTER});
+    append(sizes, measureItems(own.items));
+    for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
+    {
+        append(sizes, measureBoxes(own.steps[step], inner));
+        const glm::dvec2 picture = toBox(_pictures.measureStep(chapter, step));
+        sizes.push_back({picture.x + LETTER, picture.y + (own.steps[step].isTurned ? LETTER : 0.0)});
+    }
+    const glm::dvec2 finished = _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * BOX_SCALE);
+    sizes.push_back(finished * std::min(1.0, inner / finished.x));
+    return flow(sizes, inner, ITEM_SPACE) + 2.0 * CALLOUT_PADDING;
+}
+
+SheetMeasures::Sizes SheetMeasures::measureBoxes(const BookletStep& step, double width) const
+{
+    Sizes sizes;
+    for (const std::size_t submodel : _model.getOriginals(step))
+        if (_model.getChapters()[submodel].isCallout()) sizes.push_back(measureBox(submodel, width));
+    return sizes;
+}
+
+SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step) const
+{
+    const BookletStep& own = _model.getChapters()[chapter].steps[step];
+    SheetBlock block;
+    block.studs = _pictures.measureStep(chapter, step);
+    block.isOfModel = chapter == 0;
+    if (!block.isOfModel)
+    {
+        constexpr double MOST_PITCH = 3.0;
+        constexpr double MOST_HEIGHT = 0.4 * SheetArrangement::HEIGHT;
+        block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
+        block.lostWidth = BAR;
+    }
+    for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
+    {
+        const double width = SheetArrangement::getColumnWidth(numColumns) - block.lostWidth;
+        const double callout = measureCallout(own, width - NUMBER_WIDTH - SPACE - (own.isTurned ? TURN + SPACE : 0.0));
+        double head = std::max(callout, NUMBER_HEIGHT);
+        if (const Sizes boxes = measureBoxes(own, width); !boxes.empty())
+            head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
+        if (own.numUnheld > 0 || own.falls())
+            head += NOTE_PADDING + NOTE_LINE * std::ceil(NOTE_CHARACTERS * NOTE_CHARACTER / (width - NOTE_PADDING));
+        block.heads[numColumns - 1] = head;
+    }
+    return block;
+}
+
+glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
+{
+    constexpr double LARGEST = 30.0; // along each side
+    const glm::dvec2 size = _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * CONTENTS_SCALE);
+    return size * std::min({1.0, LARGEST / size.x, LARGEST / size.y});
+}
+
+SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const Sizes items = measureItems(own.items);
+    const glm::dvec2 picture = measureContents(chapter);
+    const double letter = LETTER + SPACE + (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
+    constexpr double UNLIMITED = 1e9;
+    const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
+    SheetBlock block;
+    block.isOfModel = false;
+    for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
+    {
+        const double width = SheetArrangement::getColumnWidth(numColumns) - BAR - SPACE;
+        const double list =
+            flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+        const bool isBeside = natural + SPACE + picture.x <= width;
+        block.heads[numColumns - 1] = (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
+    }
+    return block;
+}
+
+double SheetMeasures::measureHeader(const std::vector<BookletItem>& items) const
+{
+    return HEADING + flow(measureItems(items), SheetArrangement::WIDTH - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y +
+           2.0 * CALLOUT_PADDING.y + SheetArrangement::BLOCK_SPACE;
+}
+
+} // namespace osgLego

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "BookletMarkup.h"
+#include "BookletModel.h"
+#include "BookletPicture.h"
+#include "SheetArrangement.h"
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace osgLego
+{
+
+/** Measures the blocks of sheets before they are written, as Booklet.css prints them: in millimetres on A5. Blocks
+ * whose texts turn out higher have smaller pictures.
+ *
+ * One thread. */
+class SheetMeasures
+{
+public:
+    /** @param isWhole for each chapter, whether its finished picture shows all its steps. The other arguments must
+     * outlive this object. */
+    SheetMeasures(const BookletModel& model, const BookletPictureSource& pictures, const BookletMarkup& markup,
+                  const std::vector<bool>& isWhole);
+
+    SheetBlock measureStep(std::size_t chapter, std::size_t step) const;
+    /** The contents of a submodel of many parts. */
+    SheetBlock measureSubmodel(std::size_t chapter) const;
+    /** A heading and a list of parts across a sheet. */
+    double measureHeader(const std::vector<BookletItem>& items) const;
+    /** The size of a picture in the box of a submodel. */
+    static glm::dvec2 toBox(const glm::dvec2& studs);
+    /** The size of the picture of a finished submodel of many parts. */
+    glm::dvec2 measureContents(std::size_t chapter) const;
+
+private:
+    using Sizes = std::vector<glm::dvec2>;
+
+    glm::dvec2 measureItem(const BookletItem& item) const;
+    glm::dvec2 measureUse(std::size_t chapter) const;
+    Sizes measureItems(const std::vector<BookletItem>& items) const;
+    double measureCallout(const BookletStep& step, double width) const;
+    Sizes measureBoxes(const BookletStep& step, double width) const;
+    glm::dvec2 measureBox(std::size_t chapter, double width) const;
+
+    const BookletModel& _model;
+    const BookletPictureSource& _pictures;
+    const BookletMarkup& _markup;
+    const std::vector<bool>& _isWhole;
+};
+
+} // namespace osgLego

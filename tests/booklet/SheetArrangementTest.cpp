@@ -1,0 +1,134 @@
+#include <booklet/SheetArrangement.h>
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+SheetBlock createBlock(double head, const glm::dvec2& studs)
+{
+    SheetBlock block;
+    block.heads = {head, head, 1.5 * head};
+    block.studs = studs;
+    return block;
+}
+
+/** Steps of a model of some width that grows upwards, with lists of parts of different lengths. */
+std::vector<SheetBlock> createSteps(std::size_t number, double width, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> heads(11.0, 45.0);
+    std::uniform_real_distribution<double> noise(-0.03, 0.03);
+    std::vector<SheetBlock> blocks;
+    for (std::size_t index = 0; index < number; ++index)
+    {
+        const double share = static_cast<double>(index) / static_cast<double>(number);
+        blocks.push_back(createBlock(heads(random), {width, width * (0.35 + 0.5 * share + noise(random))}));
+    }
+    return blocks;
+}
+
+/** The height of a column down to its last picture. */
+double measure(const SheetColumn& column)
+{
+    double height = 0.0;
+    for (const PlacedBlock& place : column)
+        height += place.height + place.space;
+    return height;
+}
+
+} // namespace
+
+TEST(SheetArrangementTest, EveryBlockIsOnOneSheetInItsOrderAndNoneIsCut)
+{
+    for (unsigned seed = 0; seed < 30; ++seed)
+    {
+        const std::vector<SheetBlock> blocks = createSteps(3 + 2 * seed, 10.0 + 2.0 * seed, seed);
+        const double header = 2.0 * seed;
+        const SheetArrangement arrangement(blocks, header);
+        std::size_t next = 0;
+        for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+        {
+            ASSERT_LE(sheet.size(), arrangement.getNumColumns());
+            const bool isFirst = &sheet == &arrangement.getSheets().front();
+            for (const SheetColumn& column : sheet)
+            {
+                EXPECT_LE(measure(column), SheetArrangement::HEIGHT - (isFirst ? header : 0.0) + 1e-6);
+                for (const PlacedBlock& place : column)
+                {
+                    EXPECT_EQ(place.block, next++);
+                    const SheetBlock& block = blocks[place.block];
+                    EXPECT_LE(block.studs.x * place.pitch,
+                              SheetArrangement::getColumnWidth(arrangement.getNumColumns()) + 1e-6);
+                    EXPECT_GE(place.height + 1e-6,
+                              block.heads[arrangement.getNumColumns() - 1] + block.studs.y * place.pitch);
+                }
+            }
+        }
+        EXPECT_EQ(next, blocks.size());
+    }
+}
+
+TEST(SheetArrangementTest, SheetsAreHalfFullOrNearlySo)
+{
+    for (unsigned seed = 0; seed < 30; ++seed)
+    {
+        const std::vector<SheetBlock> blocks = createSteps(12 + seed, 10.0 + 2.0 * seed, seed);
+        const SheetArrangement arrangement(blocks, 40.0);
+        for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+        {
+            double highest = &sheet == &arrangement.getSheets().front() ? 40.0 : 0.0;
+            const double header = highest;
+            for (const SheetColumn& column : sheet)
+                highest = std::max(highest, header + measure(column));
+            EXPECT_GE(highest, 0.45 * SheetArrangement::HEIGHT) << seed;
+        }
+    }
+}
+
+TEST(SheetArrangementTest, PicturesOfTheModelHaveOneScale)
+{
+    const std::vector<SheetBlock> blocks = createSteps(20, 30.0, 1);
+    const SheetArrangement arrangement(blocks, 0.0);
+    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+        for (const SheetColumn& column : sheet)
+            for (const PlacedBlock& place : column)
+                EXPECT_DOUBLE_EQ(place.pitch, arrangement.getSheets()[0][0][0].pitch);
+}
+
+TEST(SheetArrangementTest, WideModelsHaveOneColumnAndNarrowOnesSeveral)
+{
+    const auto count = [](double width)
+    {
+        const std::vector<SheetBlock> blocks(20, createBlock(20.0, {width, 0.6 * width}));
+        return SheetArrangement(blocks, 0.0).getNumColumns();
+    };
+    EXPECT_EQ(count(80.0), 1u);
+    EXPECT_EQ(count(30.0), 2u);
+    EXPECT_EQ(count(10.0), 3u);
+}
+
+TEST(SheetArrangementTest, NoPictureIsLargerThanTheModel)
+{
+    const std::vector<SheetBlock> blocks{createBlock(11.0, {4.0, 3.0})};
+    EXPECT_DOUBLE_EQ(SheetArrangement(blocks, 0.0).getSheets()[0][0][0].pitch, 8.0);
+}
+
+TEST(SheetArrangementTest, ABlockThatIsHigherThanASheetHasASmallerPicture)
+{
+    std::vector<SheetBlock> blocks(4, createBlock(11.0, {30.0, 20.0}));
+    blocks[1].heads = {150.0, 150.0, 150.0};
+    const SheetArrangement arrangement(blocks, 0.0);
+    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+        for (const SheetColumn& column : sheet)
+            for (const PlacedBlock& place : column)
+                EXPECT_LE(place.height, SheetArrangement::HEIGHT + 1e-6);
+}
+
+} // namespace osgLego
