@@ -26,6 +26,7 @@ std::vector<BookletItem> countItems(const BookletModel& model, const BookletBag&
             add(model.getChapters()[submodel].items);
     }
     std::vector<BookletItem> items;
+    items.reserve(quantities.size());
     for (const auto& [kind, quantity] : quantities)
         items.push_back({kind, quantity});
     return items;

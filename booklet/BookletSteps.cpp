@@ -94,6 +94,7 @@ void BookletSteps::writeSection(std::size_t first, std::size_t end, const Bookle
         collect(0, step, 1, blocks);
     const SheetMeasures measures(_model, _pictures, _markup, _isWhole);
     std::vector<SheetBlock> sizes;
+    sizes.reserve(blocks.size());
     for (const Block& block : blocks)
         sizes.push_back(block.isContents ? measures.measureSubmodel(block.chapter)
                                          : measures.measureStep(block.chapter, block.step));

@@ -15,7 +15,7 @@ class SimilarColors
 {
 public:
     /** The difference CIEDE2000 below which readers need the names of two colours. */
-    static constexpr double LEAST_DIFFERENCE = 18.0;
+    static constexpr double LEAST_DIFFERENCE = 20.0;
 
     explicit SimilarColors(const BookletModel& model);
 
