@@ -65,6 +65,21 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     return true;
 }
 
+/** Improve a layout with Effort::BEST, or as normal effort does if that ends at a better one, which may happen.
+ * @return false if it was cancelled. */
+bool improveMost(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+{
+    LayoutOptions normal = options;
+    normal.effort = Effort::NORMAL;
+    normal.progress = {};
+    PartMap other(map);
+    if (!improve(other, sizes, normal, isActive) || !improve(map, sizes, options, isActive)) return false;
+    BestLayout best(sizes, options.bond * LayoutCosts::getHalfSeam(map.getLattice().getProblem()));
+    best.add(other);
+    best.restore(map);
+    return true;
+}
+
 } // namespace
 
 LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, const LaidParts& previous)
@@ -78,7 +93,8 @@ LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, con
     std::vector<bool> isActive;
     if (!previous.empty()) isActive = findChangedCells(map, NEIGHBORHOOD);
     layGreedily(map, sizes);
-    if (!improve(map, sizes, options, isActive) || isCancelled()) return {};
+    const auto improveLayout = options.effort == Effort::BEST ? improveMost : improve;
+    if (!improveLayout(map, sizes, options, isActive) || isCancelled()) return {};
     if (options.progress) options.progress(1.0);
     return collectParts(map, sizes);
 }

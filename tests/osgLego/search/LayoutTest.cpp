@@ -1,6 +1,7 @@
 #include "../layout/LaidModel.h"
 
 #include <osgLego/PartType.h>
+#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/PossibleComponents.h>
 #include <osgLego/search/Layout.h>
 #include <osgLego/search/LayoutCosts.h>
@@ -13,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include <Layouts.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -135,6 +137,26 @@ TEST(Layout, AGreedyOneIsNotSearchedForBetterParts)
         expectValid(problem, greedy);
         EXPECT_GT(greedy.size(), numSearched) << "seed " << seed;
         EXPECT_LT(greedy.size(), numSearched * 5 / 4) << "seed " << seed;
+    }
+}
+
+/** The cost that layouts are compared by. */
+std::int64_t costOf(const LayoutProblem& problem, const LaidParts& parts)
+{
+    const LayoutFigures figures = computeLayoutFigures(problem, parts);
+    return static_cast<std::int64_t>(figures.parts * LayoutCosts::PART + figures.components * LayoutCosts::COMPONENT +
+                                     figures.unavailable * LayoutCosts::UNMADE) +
+           static_cast<std::int64_t>(figures.stackedLength) * 2 * LayoutCosts::getHalfSeam(problem);
+}
+
+TEST(Layout, OfTheBestEffortIsNeverWorseThanThatOfNormalEffort)
+{
+    for (std::uint32_t seed = 18; seed < 26; ++seed)
+    {
+        const LayoutProblem problem = createRandomProblem({8, 8, 5}, "aab.", seed);
+        EXPECT_LE(costOf(problem, layOut(problem, makeOptions(Effort::BEST, seed))),
+                  costOf(problem, layOut(problem, makeOptions(Effort::NORMAL, seed))))
+            << seed;
     }
 }
 
