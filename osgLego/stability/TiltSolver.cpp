@@ -11,7 +11,7 @@ namespace osgLego
 std::optional<ComponentTilt> TiltSolver::solve(const Eigen::Vector2d& direction) const
 {
     constexpr int MOST_ROUNDS = 5;
-    constexpr double TOLERANCE = 1e-5; // of the tangent
+    constexpr double TANGENT_TOLERANCE = 1e-5;
     EquilibriumSearch search(_boxes, _parts, _contacts, _isCancelled);
     ComponentTilt result;
     result.isKnown = false;
@@ -27,9 +27,9 @@ std::optional<ComponentTilt> TiltSolver::solve(const Eigen::Vector2d& direction)
         if (!EquilibriumSearch::isComplete(*found)) break;
         result.isKnown = true;
         result.isTangentBound = !found->hasConverged;
-        if (found->tilt <= known + TOLERANCE) break;
+        if (found->tilt <= known + TANGENT_TOLERANCE) break;
         // An interior point does not reach the bound.
-        result.tangent = found->tilt > MOST_TANGENT - TOLERANCE ? MOST_TANGENT : found->tilt;
+        result.tangent = found->tilt > MOST_TANGENT - TANGENT_TOLERANCE ? MOST_TANGENT : found->tilt;
     }
     return result;
 }

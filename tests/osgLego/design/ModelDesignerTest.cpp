@@ -126,7 +126,8 @@ TEST(ModelDesigner, BadGoalsAreRefusedInOneSentence)
     options.length = 100.0;
     EXPECT_EQ(errorOf(*box, options), "a length can't be combined with a resolution or a cell; expected either");
     options = {};
-    EXPECT_NE(errorOf(*new osg::Group, options).find("no visible triangles"), std::string::npos);
+    const osg::ref_ptr<osg::Group> empty = new osg::Group;
+    EXPECT_NE(errorOf(*empty, options).find("no visible triangles"), std::string::npos);
 }
 
 TEST(ModelDesigner, ACancelledDesignIsNone)
