@@ -10,10 +10,10 @@
 #include "ScenePicture.h"
 
 #include <common/PictureBuffer.h>
-#include <osgLego/BuildingPlanner.h>
 #include <osgLego/ModelDesigner.h>
 #include <osgLegoBooklet/Booklet.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -126,6 +126,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     fmt::print("{}\n", report);
     fmt::print("wrote '{}' and, with other endings, .html, .txt, {}.mpd, .csv, .xml and -report.txt\n",
                files.get(".png"), unprinted.empty() ? ".pdf, " : "");
+    std::fflush(stdout); // before the warnings, where both are the same file
     if (!unprinted.empty()) fmt::print(stderr, "osglegocapture: warning: there is no PDF: {}\n", unprinted);
     if (const std::string defects = describeDefects(best); !defects.empty())
         fmt::print(stderr, "osglegocapture: warning: {}\n", defects);
