@@ -26,8 +26,9 @@ std::optional<ComponentTilt> TiltSolver::solve(const Eigen::Vector2d& direction)
         // A program without a solution at the first tilt is one of rounding errors: the parts stand without a tilt.
         if (!EquilibriumSearch::isComplete(*found)) break;
         result.isKnown = true;
-        result.isTangentBound = !found->hasConverged;
-        if (found->tilt <= known + TANGENT_TOLERANCE) break;
+        const bool hasEnded = found->tilt <= known + TANGENT_TOLERANCE;
+        result.isTangentBound = !found->hasConverged || !hasEnded;
+        if (hasEnded) break;
         // An interior point does not reach the bound.
         result.tangent = found->tilt > MOST_TANGENT - TANGENT_TOLERANCE ? MOST_TANGENT : found->tilt;
     }
