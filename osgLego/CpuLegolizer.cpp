@@ -1,6 +1,5 @@
 #include <osgLego/CpuLegolizer.h>
 
-#include <osgLego/flattening/KeptLattice.h>
 #include <osgLego/flattening/SceneTriangles.h>
 #include <osgLego/model/CpuBricks.h>
 
@@ -30,10 +29,8 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
     const osg::ref_ptr<const SceneTriangles> scene = SceneTriangles::create(node);
     scene->warnOfTexts(node);
     if (scene->getNumTriangles() == 0) return fail("'" + node.getName() + "' has no visible triangles to legolize");
-    const LegoSettings applied = KeptLattice().apply(scene->getBounds(), settings);
-    std::string error = BrickGrid::findObstacle(scene->getBounds(), applied);
-    if (!error.empty()) return fail(error);
-    const osg::ref_ptr<const LegoSource> source = LegoSource::create(*scene, applied, error);
+    std::string error;
+    const osg::ref_ptr<const LegoSource> source = createFirstSource(*scene, settings, error);
     if (!source) return fail(error);
 
     std::atomic<bool> isCancelled = false;

@@ -2,7 +2,6 @@
 
 #include <osgLego/Stability.h>
 #include <osgLego/design/ResolutionSearch.h>
-#include <osgLego/flattening/LegoSource.h>
 #include <osgLego/model/CpuBricks.h>
 
 #include <algorithm>
@@ -26,21 +25,21 @@ constexpr unsigned int FEW_COLORS = 8;
 constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support
 
 /** 0 for models that a builder can rely on, more for others. */
-int rankSoundness(const DesignCandidate& candidate)
+int rankStability(const StabilityReport& stability)
 {
-    if (!candidate.isWhole()) return 3;
-    if (!candidate.stability.stands) return 2;
-    return candidate.stability.safe ? 0 : 1;
+    if (!stability.stands) return stability.falls() ? 3 : 2;
+    return stability.safe ? 0 : 1;
 }
 
-/** Sound models before others, then those more like the mesh; among those that look alike, the one of fewer parts. */
+/** Models of one piece before others, then those that stand, those of fewer pieces, and those more like the mesh; among
+ * those that look alike, the one of fewer parts. */
 bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
 {
     const auto rank = [](const DesignCandidate& candidate)
     {
         constexpr double VISIBLE = 0.01;
-        return std::tuple(rankSoundness(candidate), std::lround(candidate.getError() / VISIBLE),
-                          candidate.layout.numParts);
+        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), candidate.layout.numComponents,
+                          std::lround(candidate.getError() / VISIBLE), candidate.layout.numParts);
     };
     return rank(a) < rank(b);
 }
@@ -53,8 +52,8 @@ std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCa
     const DesignCandidate& best = candidates.front();
     std::vector<const DesignCandidate*> falling;
     for (const DesignCandidate& candidate : candidates)
-        if (!candidate.isSound() && !candidate.settings.parts.support &&
-            (!best.isSound() || candidate.getError() < CLEARLY * best.getError()))
+        if (!candidate.stability.stands && !candidate.settings.parts.support &&
+            (!best.stability.stands || candidate.getError() < CLEARLY * best.getError()))
             falling.push_back(&candidate);
     std::sort(falling.begin(), falling.end(),
               [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
@@ -152,9 +151,8 @@ void DesignSearch::readSurface(UpAxis upAxis)
 DesignSearch::Laid DesignSearch::lay(const LegoSettings& settings) const
 {
     checkCancelled();
-    std::string error = BrickGrid::findObstacle(_triangles->getBounds(), settings);
-    if (!error.empty()) throw Failure(error);
-    const osg::ref_ptr<const LegoSource> source = LegoSource::create(*_triangles, settings, error);
+    std::string error;
+    const osg::ref_ptr<const LegoSource> source = createFirstSource(*_triangles, settings, error);
     if (!source) throw Failure(error);
     CpuBricksWork work;
     work.isCancelled = _options.isCancelled;
@@ -167,11 +165,7 @@ DesignSearch::Laid DesignSearch::lay(const LegoSettings& settings) const
 
 std::size_t DesignSearch::countDraftParts(const LegoSettings& settings) const
 {
-    LegoSettings draft = settings;
-    draft.parts.effort = Effort::INSTANT;
-    draft.parts.connect = false;
-    draft.parts.support = false;
-    return lay(draft).model->getParts().size();
+    return lay(createDraftSettings(settings)).model->getParts().size();
 }
 
 unsigned int DesignSearch::findResolution(LegoSettings settings) const
@@ -270,7 +264,7 @@ void DesignSearch::supportBetter()
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
         report((1.0 - SHARE_OF_MODELS) * static_cast<double>(AT_ONCE) / static_cast<double>(MOST_SUPPORTED));
-        if (_candidates.front().isSound()) return;
+        if (_candidates.front().stability.stands) return;
     }
 }
 

@@ -1,6 +1,7 @@
 #include <osgLego/model/CpuBricks.h>
 
 #include <osgLego/cpu/CpuVoxelizer.h>
+#include <osgLego/flattening/KeptLattice.h>
 
 #include <optional>
 #include <utility>
@@ -33,10 +34,7 @@ const PreviousLayout* getShown(const CpuBricksWork& work)
 /** Lay parts with little effort, and show them. */
 void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork& work)
 {
-    LegoSettings settings = source.settings;
-    settings.parts.effort = Effort::INSTANT;
-    settings.parts.connect = false;
-    settings.parts.support = false;
+    const LegoSettings settings = createDraftSettings(source.settings);
     PreviousLayout layout;
     // Its parts may have been laid with more effort.
     const PreviousLayout* const shown = getShown(work);
@@ -55,6 +53,22 @@ void showDraft(const LegoSource& source, const BrickModel& cells, CpuBricksWork&
 }
 
 } // namespace
+
+LegoSettings createDraftSettings(LegoSettings settings)
+{
+    settings.parts.effort = Effort::INSTANT;
+    settings.parts.connect = false;
+    settings.parts.support = false;
+    return settings;
+}
+
+osg::ref_ptr<const LegoSource> createFirstSource(const SceneTriangles& triangles, const LegoSettings& settings,
+                                                 std::string& error)
+{
+    const LegoSettings applied = KeptLattice().apply(triangles.getBounds(), settings);
+    error = BrickGrid::findObstacle(triangles.getBounds(), applied);
+    return error.empty() ? LegoSource::create(triangles, applied, error) : nullptr;
+}
 
 osg::ref_ptr<const BrickModel> makeBricksOnCpu(const LegoSource& source, CpuBricksWork& work)
 {

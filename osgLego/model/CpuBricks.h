@@ -3,6 +3,7 @@
 #include <osgLego/BrickModel.h>
 #include <osgLego/LegoStatistics.h>
 #include <osgLego/flattening/LegoSource.h>
+#include <osgLego/flattening/SceneTriangles.h>
 #include <osgLego/model/ModelBuilder.h>
 
 #include <functional>
@@ -30,6 +31,14 @@ struct CpuBricksWork
     std::string error;   //!< why there are no bricks, in one sentence; empty if it was cancelled
     std::string warning; //!< a setting without effect, to be printed once for a source; may be empty
 };
+
+/** The settings of a quick draft of parts: with Effort::INSTANT, neither joined nor supported. */
+LegoSettings createDraftSettings(LegoSettings settings);
+
+/** The source of triangles in the first grid that settings give them.
+ * @return null, with one sentence in `error`, if cells can't fill it. */
+osg::ref_ptr<const LegoSource> createFirstSource(const SceneTriangles& triangles, const LegoSettings& settings,
+                                                 std::string& error);
 
 /** Make the bricks of a source: voxelize it, and apply its other settings. May be called from any thread;
  * uses all threads that oneTBB gives the caller.

@@ -108,6 +108,36 @@ TEST(ModelDesigner, AModelThatFallsIsSupported)
     EXPECT_NE(text.find("support=on"), std::string::npos);
 }
 
+TEST(ModelDesigner, OfModelsInPiecesOneThatStandsIsChosen)
+{
+    // The upper box touches nothing.
+    const osg::ref_ptr<osg::Group> boxes = new osg::Group;
+    boxes->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 1.5f), 4, 4, 3)));
+    boxes->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(8, 0, 8.5f), 4, 4, 3)));
+    DesignOptions options;
+    options.settings = "12,proportions=brick,fill=surface,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*boxes, options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_FALSE(design->getBest().isWhole());
+    EXPECT_TRUE(design->getBest().stability.stands);
+    EXPECT_TRUE(design->candidates.back().stability.falls());
+}
+
+TEST(ModelDesigner, ALatticeMakesTheModelThatTheSettingsMake)
+{
+    DesignOptions options;
+    options.settings = "10,proportions=brick,fill=surface,colors=8,anchor=model";
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*car, options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    const osg::ref_ptr<const BrickModel> made = legolizeOnCpu(*car, best.settings);
+    EXPECT_EQ(made->getGrid(), best.model->getGrid());
+    EXPECT_EQ(made->getParts(), best.model->getParts());
+}
+
 TEST(ModelDesigner, BadGoalsAreRefusedInOneSentence)
 {
     const osg::ref_ptr<osg::Node> box = makeBox(osg::Vec3(1, 1, 1));
