@@ -1,17 +1,21 @@
 #include "BookletPrinter.h"
 
+#include "Cancellation.h"
 #include "CaptureFiles.h"
 
-#include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,8 +32,9 @@ class TemporaryFolder
 public:
     TemporaryFolder()
     {
-        std::string name = (std::filesystem::temp_directory_path() / "osglego-XXXXXX").string();
-        if (mkdtemp(name.data())) _path = name;
+        std::error_code error;
+        std::string name = (std::filesystem::temp_directory_path(error) / "osglego-XXXXXX").string();
+        if (!error && mkdtemp(name.data())) _path = name;
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -57,19 +62,51 @@ std::string findChromium()
     return {};
 }
 
-/** Copy a page with a size of paper, which Chromium takes from the style sheet. */
-void copyWithPaper(const std::string& page, const std::filesystem::path& copy)
+/** The address of a file. @param path absolute. */
+std::string toAddress(const std::filesystem::path& path)
+{
+    constexpr std::string_view PLAIN = "/-._~0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    std::string address = "file://";
+    for (const char character : path.string())
+        address += PLAIN.find(character) != std::string_view::npos
+                       ? std::string(1, character)
+                       : fmt::format("%{:02X}", static_cast<unsigned char>(character));
+    return address;
+}
+
+/** Copy a page with a size of paper, which Chromium takes from the style sheet. @return whether that has succeeded. */
+bool copyWithPaper(const std::string& page, const std::filesystem::path& copy)
 {
     std::ostringstream text;
     text << std::ifstream(page, std::ios::binary).rdbuf();
+    if (!text) return false;
     std::string content = text.str();
     constexpr std::string_view STYLE = "<style>";
     if (const std::size_t style = content.find(STYLE); style != std::string::npos)
         content.insert(style + STYLE.size(), "@page { size: A4; }");
-    std::ofstream(copy, std::ios::binary) << content;
+    std::ofstream file(copy, std::ios::binary);
+    file << content;
+    file.close();
+    return bool(file);
 }
 
-/** Run a program without output. @return whether it has succeeded. */
+/** Wait until a program ends, or end it and its children if a signal has arrived. @return whether it has succeeded. */
+bool waitFor(pid_t process)
+{
+    constexpr std::chrono::milliseconds INTERVAL(50);
+    int status = 0;
+    for (pid_t ended = 0; ended != process;)
+    {
+        ended = waitpid(process, &status, WNOHANG);
+        if (ended < 0 && errno != EINTR) return false;
+        if (ended != 0) continue;
+        if (Cancellation::isRequested()) kill(-process, SIGKILL);
+        std::this_thread::sleep_for(INTERVAL);
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/** Run a program without output, in a process group of its own. @return whether it has succeeded. */
 bool run(const std::vector<std::string>& command)
 {
     std::vector<char*> arguments;
@@ -81,14 +118,14 @@ bool run(const std::vector<std::string>& command)
     posix_spawn_file_actions_init(&actions);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     pid_t process = 0;
-    const int failure = posix_spawn(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    const int failure = posix_spawn(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) return false;
-    int status = 0;
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR) return false;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return failure == 0 && waitFor(process);
 }
 
 } // namespace
@@ -98,10 +135,10 @@ std::string printBooklet(const std::string& page, const std::string& pdf)
     const std::string chromium = findChromium();
     if (chromium.empty()) return "Chromium is not installed; expected the package chromium";
     const TemporaryFolder temporary;
-    if (temporary.getPath().empty()) return std::string("there is no temporary folder: ") + std::strerror(errno);
+    if (temporary.getPath().empty()) return "there is no temporary folder; expected one in TMPDIR or /tmp";
     const std::filesystem::path copy = temporary.getPath() / "page.html";
     const std::filesystem::path printed = temporary.getPath() / "page.pdf";
-    copyWithPaper(page, copy);
+    if (!copyWithPaper(page, copy)) return "the temporary folder can't be written";
     std::vector<std::string> command{chromium,
                                      "--headless",
                                      "--disable-gpu",
@@ -111,9 +148,11 @@ std::string printBooklet(const std::string& page, const std::string& pdf)
     // Chromium's sandbox refuses to run as root.
     if (geteuid() == 0) command.emplace_back("--no-sandbox");
     command.push_back("--print-to-pdf=" + printed.string());
-    command.push_back("file://" + copy.string());
+    command.push_back(toAddress(copy));
     std::error_code error;
-    if (!run(command) || std::filesystem::file_size(printed, error) == 0 || error) return "Chromium could not print it";
+    const bool isRun = run(command);
+    Cancellation::check("cancelled; the booklet was not printed");
+    if (!isRun || std::filesystem::file_size(printed, error) == 0 || error) return "Chromium could not print it";
     writeText(pdf, [&](std::ostream& stream) { stream << std::ifstream(printed, std::ios::binary).rdbuf(); });
     return {};
 }

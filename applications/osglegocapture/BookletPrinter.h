@@ -9,7 +9,7 @@ namespace osgLego
  *
  * @param page the .html file. @param pdf is written atomically.
  * @return the reason, in one sentence, why the PDF was not written; empty if it was. Throws CaptureError if Chromium
- * has made it but the file can't be written. */
+ * has made it but the file can't be written, or if a signal has arrived (Cancellation). */
 std::string printBooklet(const std::string& page, const std::string& pdf);
 
 } // namespace osgLego

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <osgDB/FileUtils>
 
 namespace osgLego
 {
@@ -44,11 +45,24 @@ public:
         checkInstructionsPlace(options); // the folder, too
         std::error_code error;
         if (!std::filesystem::exists(_folder, error)) return;
+        for (const std::string& input : {options.mesh, options.settings->getPalette(), options.probe.file})
+            checkIsElsewhere(osgDB::findDataFile(input));
         for (const char* ending : {".png", ".pdf", ".mpd", ".csv", ".xml", "-report.txt"})
             checkPlace(get(ending));
     }
 
 private:
+    /** Throws CaptureError if a file that is read is in the folder: it, or its textures, might be replaced. */
+    void checkIsElsewhere(const std::string& input) const
+    {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::absolute(input, error).parent_path();
+        if (!input.empty() && std::filesystem::equivalent(folder, _folder, error))
+            throw CaptureError(EXIT_BAD_OUTPUT, fmt::format("'{}' has '{}', which the model's files might replace; "
+                                                            "expected another folder",
+                                                            _folder.string(), input));
+    }
+
     std::filesystem::path _folder;
     std::string _name;
 };
@@ -71,15 +85,17 @@ ModelDesign design(const CaptureOptions& options, LegoNode& lego, const Progress
     return std::move(*design);
 }
 
-std::string describeDefects(const DesignCandidate& best)
+std::vector<std::string> describeDefects(const DesignCandidate& best)
 {
-    if (!best.isWhole())
-        return fmt::format("the model has {} pieces; expected a mesh that is one piece, or more parts",
-                           best.layout.numComponents);
+    std::vector<std::string> defects;
+    if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.layout.numComponents));
     if (best.stability.falls())
-        return fmt::format("{} of {} parts fall; expected a mesh that stands, --base plate, or more parts",
-                           best.stability.falling.size(), best.layout.numParts);
-    return best.stability.stands ? "" : "it is unknown whether the model stands";
+        defects.push_back(fmt::format("{} of {} parts fall", best.stability.falling.size(), best.layout.numParts));
+    else if (!best.stability.stands)
+        defects.emplace_back("it is unknown whether the model stands");
+    else if (!best.stability.safe)
+        defects.emplace_back("the model stands, but not safely");
+    return defects;
 }
 
 void drawInto(const CaptureOptions& options, const CaptureScene& scene, const std::string& file,
@@ -111,16 +127,21 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     LegoNode& lego = scene.getOnlyLegoNode();
     const ModelDesign choice = design(options, lego, progress);
     const DesignCandidate& best = choice.getBest();
-    lego.setSettings(best.settings);
+    LegoSettings shown = best.settings;
+    shown.view.progress = 1.0; // the pictures show the whole model, in its colours
+    shown.view.show = Show::COLOR;
+    lego.setSettings(shown);
     lego.setStoredBricks(best.model);
     checkInstructionsSize(options, lego);
 
     writeInstructions(options, lego, best.stability, context, progress);
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
-    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     const std::string report = choice.toString();
     writeText(files.get("-report.txt"), [&](std::ostream& stream) { stream << report; });
+    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
+    std::error_code ignored;
+    if (!unprinted.empty()) std::filesystem::remove(files.get(".pdf"), ignored); // that of an earlier model
     progress.clear();
 
     fmt::print("{}\n", report);
@@ -128,8 +149,8 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                files.get(".png"), unprinted.empty() ? ".pdf, " : "");
     std::fflush(stdout); // before the warnings, where both are the same file
     if (!unprinted.empty()) fmt::print(stderr, "osglegocapture: warning: there is no PDF: {}\n", unprinted);
-    if (const std::string defects = describeDefects(best); !defects.empty())
-        fmt::print(stderr, "osglegocapture: warning: {}\n", defects);
+    for (const std::string& defect : describeDefects(best))
+        fmt::print(stderr, "osglegocapture: warning: {}\n", defect);
 }
 
 } // namespace osgLego

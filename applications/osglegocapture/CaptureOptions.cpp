@@ -88,6 +88,8 @@ void checkBuild(const CaptureOptions& options)
             "--build writes a picture, lists and instructions with names of its own; expected it "
             "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, "
             "--original and --compare");
+    if (options.buildParts.value_or(0) > CaptureOptions::MOST_PARTS_UNASKED && !options.isBookletConfirmed)
+        throw CLI::ValidationError("a booklet of more than 2,000 parts is large; expected --yes with such --parts");
     if (osgDB::getLowerCaseFileExtension(options.mesh) == "legolize")
         throw CLI::ValidationError("--build chooses settings; expected MESH without .legolize, and settings to keep in "
                                    "--legolize");

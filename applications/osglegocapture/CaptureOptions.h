@@ -95,6 +95,7 @@ struct CaptureOptions
     double threshold = DEFAULT_THRESHOLD; //!< for comparing with `reference`
 
     static constexpr const char* STANDARD_OUTPUT = "-";
+    static constexpr std::size_t MOST_PARTS_UNASKED = 2000; //!< of a booklet without `isBookletConfirmed`
 
     /** Whether an output needs a picture or bricks made by GL. */
     bool needsContext() const;

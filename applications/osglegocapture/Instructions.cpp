@@ -59,10 +59,9 @@ void checkInstructionsPlace(const CaptureOptions& options)
 
 void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
 {
-    constexpr std::size_t MOST_PARTS_UNASKED = 2000;
     const osg::ref_ptr<const BrickModel> model = lego.getBricks();
     const std::size_t numParts = model ? model->getParts().size() : 0;
-    if (numParts <= MOST_PARTS_UNASKED || options.isBookletConfirmed || options.bookletSteps) return;
+    if (numParts <= CaptureOptions::MOST_PARTS_UNASKED || options.isBookletConfirmed || options.bookletSteps) return;
     PlanningOptions quick;
     quick.checksStability = false;
     quick.isCancelled = Cancellation::isRequested;
