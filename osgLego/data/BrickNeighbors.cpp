@@ -1,6 +1,7 @@
 #include <osgLego/data/BrickNeighbors.h>
 
 #include <osgLego/data/CellKeys.h>
+#include <osgLego/data/ParallelLoop.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,8 +11,6 @@
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
-#include <oneapi/tbb/parallel_for_each.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -337,8 +336,7 @@ std::vector<BrickNeighbors> createBrickNeighbors(std::span<const BrickPoint> poi
             for (std::size_t index = runs[run].begin; index < runs[run].end; ++index)
                 result[index] = surroundings.find(points[index]);
     };
-    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for_each(table.getBlocks(), findNeighbors); });
+    forEachIndex(table.getBlocks().size(), [&](std::size_t index) { findNeighbors(table.getBlocks()[index]); });
     return result;
 }
 

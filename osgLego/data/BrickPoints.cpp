@@ -1,11 +1,10 @@
 #include <osgLego/data/BrickPoints.h>
 
+#include <osgLego/data/ParallelLoop.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
-
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -187,8 +186,7 @@ BrickPoints createBrickPoints(const BrickModel& model)
         layers[layer] =
             BlockLayer(model).sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
     };
-    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(std::size_t(0), layers.size(), sortLayer); });
+    forEachIndex(layers.size(), sortLayer);
     return join(layers);
 }
 

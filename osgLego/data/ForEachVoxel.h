@@ -1,8 +1,10 @@
 #pragma once
 
+#include <osgLego/data/ParallelLoop.h>
+
+#include <cstddef>
+
 #include <glm/vec3.hpp>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -11,18 +13,14 @@ namespace osgLego
 template <typename Function>
 void forEachVoxel(const glm::ivec3& size, const Function& function)
 {
-    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate(
-        [&]
-        {
-            oneapi::tbb::parallel_for(0, size.z,
-                                      [&](int z)
-                                      {
-                                          for (int y = 0; y < size.y; ++y)
-                                              for (int x = 0; x < size.x; ++x)
-                                                  function(glm::ivec3(x, y, z));
-                                      });
-        });
+    forEachIndex(static_cast<std::size_t>(size.z),
+                 [&](std::size_t index)
+                 {
+                     const auto z = static_cast<int>(index);
+                     for (int y = 0; y < size.y; ++y)
+                         for (int x = 0; x < size.x; ++x)
+                             function(glm::ivec3(x, y, z));
+                 });
 }
 
 } // namespace osgLego

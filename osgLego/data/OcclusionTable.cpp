@@ -2,6 +2,7 @@
 
 #include <osgLego/data/OcclusionCurve.h>
 #include <osgLego/data/OcclusionFalloff.h>
+#include <osgLego/data/ParallelLoop.h>
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -317,18 +316,14 @@ osg::ref_ptr<osg::Image> createOcclusionTable(double height, double radius)
     image->allocateImage(PATTERNS_ACROSS * PATTERN_SIDE, 4 * LINES, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     const TableWriter level(*image, 0, {1.0, 1.0, height}, radius);
     const TableWriter sides(*image, LINES, {1.0, height, 1.0}, radius);
-    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate(
-        [&]
-        {
-            oneapi::tbb::parallel_for(0, PATTERN_SIDE * PATTERN_SIDE,
-                                      [&](int index)
-                                      {
-                                          const glm::ivec2 position(index % PATTERN_SIDE, index / PATTERN_SIDE);
-                                          level.fill(position);
-                                          sides.fill(position);
-                                      });
-        });
+    forEachIndex(PATTERN_SIDE * PATTERN_SIDE,
+                 [&](std::size_t index)
+                 {
+                     const auto place = static_cast<int>(index);
+                     const glm::ivec2 position(place % PATTERN_SIDE, place / PATTERN_SIDE);
+                     level.fill(position);
+                     sides.fill(position);
+                 });
     return image;
 }
 

@@ -2,9 +2,11 @@
 
 #include <osgLego/BrickDimensions.h>
 #include <osgLego/data/OcclusionFalloff.h>
+#include <osgLego/data/ParallelLoop.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -14,8 +16,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -122,14 +122,14 @@ osg::ref_ptr<osg::Image> createStudOcclusion(double height, double radius)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(NUM_COLUMNS, 4 * BAND, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    const auto fillLine = [&](int line)
+    const auto fillLine = [&](std::size_t index)
     {
+        const auto line = static_cast<int>(index);
         for (int column = 0; column < NUM_COLUMNS; ++column)
             writeHidden(findHidden(column, line, height, radius),
                         image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(line)));
     };
-    // Isolated: while it waits here, the thread must not run tasks of the caller, which may need locks that it holds.
-    oneapi::tbb::this_task_arena::isolate([&] { oneapi::tbb::parallel_for(0, 4 * BAND, fillLine); });
+    forEachIndex(4 * BAND, fillLine);
     return image;
 }
 

@@ -1,11 +1,11 @@
 #include <osgLego/layout/GreedyLayout.h>
 
 #include <osgLego/PartType.h>
+#include <osgLego/data/ParallelLoop.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
-
-#include <oneapi/tbb/parallel_for.h>
 
 namespace osgLego
 {
@@ -75,9 +75,12 @@ void layLayers(PartMap& map, const PartSizes& sizes, Index begin, Index end, int
 void layPlates(PartMap& map, const PartSizes& sizes)
 {
     const CellLattice& lattice = map.getLattice();
-    oneapi::tbb::parallel_for(0, lattice.getNumLayers(),
-                              [&](int z)
-                              { layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1); });
+    forEachIndex(static_cast<std::size_t>(lattice.getNumLayers()),
+                 [&](std::size_t index)
+                 {
+                     const auto z = static_cast<int>(index);
+                     layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1);
+                 });
 }
 
 /** Lay bricks of three layers each, from a layer on, and plates in the rest. Bricks at other heights would leave gaps

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <osgLego/PaletteColor.h>
+#include <osgLego/data/ParallelLoop.h>
 
 #include <cstddef>
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 namespace osgLego
 {
@@ -43,13 +41,11 @@ public:
                     function(getEntry(red, green, blue));
     }
 
-    /** Call function(block) for each block of a table, on several threads. Static variables and std::call_once wait for
-     * tables, so the caller must not take up other tasks, which could need the same variables. */
+    /** Call function(block) for each block of a table, on several threads. */
     template <typename Function>
     static void forEach(const Function& function)
     {
-        tbb::this_task_arena::isolate(
-            [&] { tbb::parallel_for(std::size_t(0), COUNT, [&](std::size_t index) { function(TableBlock(index)); }); });
+        forEachIndex(COUNT, [&](std::size_t index) { function(TableBlock(index)); });
     }
 
 private:

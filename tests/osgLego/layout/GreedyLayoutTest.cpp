@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/task_group.h>
 
 namespace osgLego
 {
@@ -48,6 +49,20 @@ TEST(GreedyLayout, LaysLargePartsInEitherDirectionAndThenSmallerOnes)
 {
     EXPECT_EQ(lay(makeBox(8, 2, 1)), (LaidParts{{{0, 0, 0}, {8, 2, 1}, 0}}));
     EXPECT_EQ(lay(makeBox(5, 1, 1)), (LaidParts{{{0, 0, 0}, {4, 1, 1}, 0}, {{4, 0, 0}, {1, 1, 1}, 0}}));
+}
+
+TEST(GreedyLayout, CoversAllCellsEvenIfItsTaskIsCancelled)
+{
+    const LayoutProblem box = makeBox(8, 8, 3);
+    LaidParts parts;
+    oneapi::tbb::task_group group;
+    group.run_and_wait(
+        [&]
+        {
+            group.cancel();
+            parts = lay(box);
+        });
+    EXPECT_EQ(parts, lay(box));
 }
 
 TEST(GreedyLayout, PrefersWideParts)

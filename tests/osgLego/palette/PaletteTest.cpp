@@ -11,6 +11,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/task_group.h>
 
 namespace osgLego
 {
@@ -191,6 +192,20 @@ TEST(Palette, TheSixteenThatWereUsedLastAreShared)
     for (std::uint8_t level = 2; level < 16; ++level)
         EXPECT_EQ(createGrey(level), palettes[level]) << int{level};
     EXPECT_NE(createGrey(1), palettes[1]);
+}
+
+TEST(Palette, KeepsCompleteMixturesEvenIfTheTaskThatAsksForThemFirstIsCancelled)
+{
+    osg::ref_ptr<const Palette> palette = createPalette({{4, "Red", {181, 0, 0}}, {15, "White", {240, 241, 242}}});
+    oneapi::tbb::task_group group;
+    group.run_and_wait(
+        [&]
+        {
+            group.cancel();
+            palette->getMixtures();
+        });
+    for (std::uint16_t x = 0; x < 4; ++x)
+        EXPECT_EQ(palette->findDithered({255, 255, 255}, {x, 0, 0}), 1u) << x;
 }
 
 TEST(Palette, APaletteOfOneColourHasNoOther)
