@@ -4,11 +4,7 @@
 
 #include <common/CompleteFile.h>
 
-#include <cerrno>
-#include <cstring>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 namespace osgLego
@@ -58,24 +54,12 @@ void checkBookletFolder(const std::string& fileName)
 
 void writeBookletFile(const std::string& fileName, const std::function<void(std::ostream&)>& write)
 {
-    std::exception_ptr failure; // a temporary file is removed only if its writer returns
-    const auto writeTemporary = [&](const std::string& temporaryName) -> std::string
-    {
-        std::ofstream file(temporaryName, std::ios::binary);
-        try
-        {
-            if (file) write(file);
-        }
-        catch (...)
-        {
-            failure = std::current_exception();
-            return "cancelled";
-        }
-        file.close();
-        return file ? std::string() : std::string(std::strerror(errno));
-    };
-    const std::string why = writeCompleteFile(fileName, writeTemporary);
-    if (failure) std::rethrow_exception(failure);
+    const std::string why = writeCompleteFile(fileName,
+                                              [&](std::ostream& stream)
+                                              {
+                                                  write(stream);
+                                                  return std::string();
+                                              });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
 

@@ -1,9 +1,14 @@
 #include <common/CompleteFile.h>
 
+#include <common/DescriptorBuffer.h>
+#include <common/TemporaryFile.h>
+
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace osgLego
@@ -14,27 +19,30 @@ namespace
 
 namespace fs = std::filesystem;
 
-fs::path temporaryPathOf(const fs::path& path)
-{
-    fs::path name = path.stem();
-    name += "." + std::to_string(getpid()) + ".part";
-    name += path.extension();
-    return path.parent_path() / name;
-}
-
-/** A writer's message, with the file's own name in place of the temporary one. */
-std::string renamed(std::string text, const std::string& from, const std::string& to)
-{
-    for (auto place = text.find(from); place != std::string::npos; place = text.find(from, place + to.size()))
-        text.replace(place, from.size(), to);
-    return text;
-}
-
 /** Whether a name is that of a device or a pipe, which is written directly. */
 bool isSpecial(const fs::path& path)
 {
     std::error_code ignored;
     return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+/** Write to a descriptor through a stream. @return the reason if this fails, or an empty text. */
+std::string writeTo(int descriptor, const std::function<std::string(std::ostream&)>& write)
+{
+    DescriptorBuffer buffer(descriptor);
+    std::ostream stream(&buffer);
+    const std::string why = write(stream);
+    stream.flush();
+    return buffer.getError() != 0 ? std::strerror(buffer.getError()) : why;
+}
+
+std::string writeDevice(const std::string& name, const std::function<std::string(std::ostream&)>& write)
+{
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return std::strerror(errno);
+    std::string why = writeTo(descriptor, write);
+    if (close(descriptor) != 0 && why.empty()) why = std::strerror(errno);
+    return why;
 }
 
 } // namespace
@@ -49,9 +57,11 @@ std::string findObstacleToWriting(const std::string& fileName)
     const std::string name = "'" + folder.string() + "'";
     if (!fs::exists(folder, ignored)) return "there is no folder " + name + "; expected an existing one";
     if (!fs::is_directory(folder, ignored)) return name + " is a file; expected a folder";
-    if (access(folder.c_str(), W_OK) == 0) return {};
-    const std::string reason = std::error_code(errno, std::generic_category()).message();
-    return "the folder " + name + " can't be written to: " + reason + "; expected a writable folder";
+    if (access(folder.c_str(), W_OK) != 0)
+        return "the folder " + name + " can't be written to: " + std::strerror(errno) + "; expected a writable folder";
+    if (fs::exists(path, ignored) && access(path.c_str(), W_OK) != 0)
+        return std::string("it can't be replaced: ") + std::strerror(errno) + "; expected a writable file";
+    return {};
 }
 
 bool isSameFile(const std::string& fileName, const std::string& otherName)
@@ -60,24 +70,18 @@ bool isSameFile(const std::string& fileName, const std::string& otherName)
     return fs::weakly_canonical(fs::absolute(fileName)) == fs::weakly_canonical(fs::absolute(otherName));
 }
 
-std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(const std::string&)>& write)
+std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(std::ostream&)>& write)
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
     std::error_code ignored;
     // Replace the target of a link, not the link.
     const fs::path path =
         fs::is_symlink(fileName, ignored) ? fs::weakly_canonical(fileName, ignored) : fs::path(fileName);
-    if (isSpecial(path)) return write(fileName);
-    const fs::path temporary = temporaryPathOf(path);
-    std::string why = renamed(write(temporary.string()), temporary.string(), fileName);
-    if (why.empty())
-    {
-        std::error_code error;
-        fs::rename(temporary, path, error);
-        if (error) why = error.message();
-    }
-    if (!why.empty()) fs::remove(temporary, ignored);
-    return why;
+    if (isSpecial(path)) return writeDevice(fileName, write);
+    TemporaryFile file(path.string());
+    if (file.getDescriptor() < 0) return std::strerror(errno);
+    std::string why = writeTo(file.getDescriptor(), write);
+    return why.empty() ? file.publish() : why;
 }
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 
 namespace osgLego
@@ -17,14 +18,15 @@ std::string findObstacleToWriting(const std::string& fileName);
  * May be called from any thread. */
 bool isSameFile(const std::string& fileName, const std::string& otherName);
 
-/** Write a file atomically: under a temporary name in the same folder, renamed once it is complete. Devices and pipes
- * are written directly.
+/** Write a file atomically: beside it, renamed once it is complete. The new file has the permissions of the one that it
+ * replaces; other hard links to that one keep the old content. Devices and pipes are written directly. Nothing is left
+ * of an incomplete file, even if the process is killed, where the file system supports files without names.
  *
  * May be called from any thread.
- * @param write writes the file with the given temporary name, which has the same extension, and returns the reason if
- * it fails, or an empty text.
+ * @param write writes the content, in binary mode, and returns the reason if it fails for another reason than the
+ * stream, or an empty text. It may throw.
  * @return the reason for a failure, after which an older file is unchanged; empty if the file is written. */
 std::string writeCompleteFile(const std::string& fileName,
-                              const std::function<std::string(const std::string& temporaryName)>& write);
+                              const std::function<std::string(std::ostream& stream)>& write);
 
 } // namespace osgLego

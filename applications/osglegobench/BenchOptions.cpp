@@ -2,9 +2,6 @@
 
 #include <common/CompleteFile.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -63,12 +60,10 @@ void BenchOptions::write(const JsonValue& document) const
         return;
     }
     const std::string why = writeCompleteFile(jsonFile,
-                                              [&text](const std::string& temporaryName)
+                                              [&text](std::ostream& stream)
                                               {
-                                                  std::ofstream file(temporaryName, std::ios::binary);
-                                                  file << text;
-                                                  file.close();
-                                                  return file ? std::string() : std::string(std::strerror(errno));
+                                                  stream << text;
+                                                  return std::string();
                                               });
     if (!why.empty()) throw std::runtime_error("can't write '" + jsonFile + "': " + why);
 }

@@ -3,8 +3,6 @@
 #include <common/CompleteFile.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -96,12 +94,10 @@ void BoundCache::write() const
 {
     if (_fileName.empty()) return;
     const std::string why = writeCompleteFile(_fileName,
-                                              [this](const std::string& temporaryName)
+                                              [this](std::ostream& stream)
                                               {
-                                                  std::ofstream file(temporaryName, std::ios::binary);
-                                                  file << _entries.toString() << '\n';
-                                                  file.close();
-                                                  return file ? std::string() : std::string(std::strerror(errno));
+                                                  stream << _entries.toString() << '\n';
+                                                  return std::string();
                                               });
     if (!why.empty()) throw std::runtime_error("can't write '" + _fileName + "': " + why);
 }

@@ -5,6 +5,7 @@
 #include "CaptureFiles.h"
 #include "CaptureScene.h"
 #include "ExitCode.h"
+#include "InputFiles.h"
 #include "Instructions.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
@@ -19,7 +20,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <osgDB/FileUtils>
 
 namespace osgLego
 {
@@ -45,22 +45,20 @@ public:
         checkInstructionsPlace(options); // the folder, too
         std::error_code error;
         if (!std::filesystem::exists(_folder, error)) return;
-        for (const std::string& input : {options.mesh, options.settings->getPalette(), options.probe.file})
-            checkIsElsewhere(osgDB::findDataFile(input));
-        for (const char* ending : {".png", ".pdf", ".mpd", ".csv", ".xml", "-report.txt"})
-            checkPlace(get(ending));
+        for (const std::string& file : getAll())
+            checkPlace(file);
     }
 
+    /** Throws CaptureError if one of the files has been read. */
+    void checkReplaceNoInput() const { InputFiles::checkAreKept(getAll()); }
+
 private:
-    /** Throws CaptureError if a file that is read is in the folder: it, or its textures, might be replaced. */
-    void checkIsElsewhere(const std::string& input) const
+    std::vector<std::string> getAll() const
     {
-        std::error_code error;
-        const std::filesystem::path folder = std::filesystem::absolute(input, error).parent_path();
-        if (!input.empty() && std::filesystem::equivalent(folder, _folder, error))
-            throw CaptureError(EXIT_BAD_OUTPUT, fmt::format("'{}' has '{}', which the model's files might replace; "
-                                                            "expected another folder",
-                                                            _folder.string(), input));
+        std::vector<std::string> all;
+        for (const char* ending : {".html", ".txt", ".png", ".pdf", ".mpd", ".csv", ".xml", "-report.txt"})
+            all.push_back(get(ending));
+        return all;
     }
 
     std::filesystem::path _folder;
@@ -125,6 +123,8 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     progress.show("reading");
     const CaptureScene scene(options);
     LegoNode& lego = scene.getOnlyLegoNode();
+    InputFiles::add(lego.getSettings().getPalette());
+    files.checkReplaceNoInput();
     const ModelDesign choice = design(options, lego, progress);
     const DesignCandidate& best = choice.getBest();
     LegoSettings shown = best.settings;

@@ -4,10 +4,7 @@
 
 #include <common/CompleteFile.h>
 #include <common/PictureBuffer.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <common/PictureFile.h>
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -79,12 +76,10 @@ void checkAreDistinct(const std::vector<std::string>& fileNames)
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)
 {
     const std::string why = writeCompleteFile(fileName,
-                                              [&](const std::string& temporaryName)
+                                              [&](std::ostream& stream)
                                               {
-                                                  std::ofstream file(temporaryName, std::ios::binary);
-                                                  if (file) write(file);
-                                                  file.close();
-                                                  return file ? std::string() : std::string(std::strerror(errno));
+                                                  write(stream);
+                                                  return std::string();
                                               });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
@@ -92,10 +87,7 @@ void writeText(const std::string& fileName, const std::function<void(std::ostrea
 void writePicture(const std::string& fileName, const OIIO::ImageBuf& picture)
 {
     const OIIO::ImageBuf written = formatOf(fileName) == OPENEXR ? toMultiplied(picture) : picture;
-    const std::string why =
-        writeCompleteFile(fileName, [&](const std::string& temporaryName)
-                          { return written.write(temporaryName) ? std::string() : written.geterror(); });
-    if (!why.empty()) throw cannotWrite(fileName, why);
+    if (const std::string why = writePictureFile(fileName, written); !why.empty()) throw cannotWrite(fileName, why);
 }
 
 void writePartsList(const std::string& fileName, const PartsList& list)

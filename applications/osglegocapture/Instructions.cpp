@@ -52,6 +52,12 @@ void throwIf(const std::optional<BookletError>& error)
 
 } // namespace
 
+std::vector<std::string> getInstructionsFiles(const CaptureOptions& options)
+{
+    const std::string page = findFile(options);
+    return {page, std::filesystem::path(page).replace_extension(".txt").string()};
+}
+
 void checkInstructionsPlace(const CaptureOptions& options)
 {
     throwIf(checkBookletFile(findFile(options)));
@@ -89,13 +95,12 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
     booklet.writesDownloads = !options.build.empty();
     booklet.isCancelled = Cancellation::isRequested;
     booklet.progress = [&progress](double share, const std::string& work) { progress.show(share, work); };
-    const std::string page = findFile(options);
-    throwIf(writeBooklet(lego, page, context, booklet));
+    const std::vector<std::string> files = getInstructionsFiles(options);
+    throwIf(writeBooklet(lego, files.front(), context, booklet));
     progress.clear();
     if (!options.build.empty()) return;
     // The user has not typed the names. Standard output may be that of a list or of statistics.
-    fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", page,
-               std::filesystem::path(page).replace_extension(".txt").string());
+    fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", files.front(), files.back());
 }
 
 } // namespace osgLego

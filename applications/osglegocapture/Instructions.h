@@ -7,11 +7,16 @@
 #include <osgLego/Stability.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <osg/GraphicsContext>
 
 namespace osgLego
 {
+
+/** The names of the files of the booklet. */
+std::vector<std::string> getInstructionsFiles(const CaptureOptions& options);
 
 /** Throws CaptureError if the booklet's file can't be written. Call it before the work, which may take long. */
 void checkInstructionsPlace(const CaptureOptions& options);

@@ -2,12 +2,11 @@
 
 #include "ExitCode.h"
 
-#include <cerrno>
+#include <common/DescriptorBuffer.h>
+
 #include <cstdio>
 #include <cstring>
-#include <sstream>
 #include <string>
-#include <string_view>
 
 #include <unistd.h>
 
@@ -30,17 +29,13 @@ StandardOutput::~StandardOutput()
 
 void StandardOutput::write(const std::function<void(std::ostream&)>& write) const
 {
-    std::ostringstream stream;
+    DescriptorBuffer buffer(_descriptor);
+    std::ostream stream(&buffer);
     write(stream);
-    const std::string text = stream.str();
-    for (std::string_view rest = text; !rest.empty();)
-    {
-        const ssize_t count = ::write(_descriptor, rest.data(), rest.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0)
-            throw CaptureError(EXIT_BAD_OUTPUT, std::string("can't write to standard output: ") + std::strerror(errno));
-        rest.remove_prefix(static_cast<std::size_t>(count));
-    }
+    stream.flush();
+    if (buffer.getError() != 0)
+        throw CaptureError(EXIT_BAD_OUTPUT,
+                           std::string("can't write to standard output: ") + std::strerror(buffer.getError()));
 }
 
 } // namespace osgLego

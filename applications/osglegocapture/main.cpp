@@ -6,6 +6,7 @@
 #include "CaptureScene.h"
 #include "Comparison.h"
 #include "ExitCode.h"
+#include "InputFiles.h"
 #include "Instructions.h"
 #include "ModelBound.h"
 #include "ProgressBar.h"
@@ -17,7 +18,9 @@
 #include <common/PictureBuffer.h>
 #include <offscreen/OffscreenContext.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -96,6 +99,7 @@ int drawAndWrite(const CaptureOptions& options, const CaptureScene& scene, const
     warnOfMemory(scene, options);
     ScenePicture picture(options, scene, context); // keeps the bricks in the context
     const OIIO::ImageBuf image = draw(options, picture, progress);
+    Cancellation::check("cancelled before the picture was written");
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, image);
     const std::optional<LayoutStatistics> layout = reportLayout(options, scene, context, progress);
@@ -186,6 +190,12 @@ std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const 
         const Cancellation::Unasked unasked;
         scene = std::make_unique<CaptureScene>(options);
     }
+    for (const LegoNode* lego : scene->findLegoNodes())
+        InputFiles::add(lego->getSettings().getPalette());
+    InputFiles::checkAreKept({options.output, toFileName(options.statistics), options.cells,
+                              toFileName(options.partsList),
+                              options.reference.empty() ? "" : differenceNameOf(options)});
+    if (!options.instructions.empty()) InputFiles::checkAreKept(getInstructionsFiles(options));
     checkParts(options, *scene);
     // Also for pictures: laying parts takes longest, and can be cancelled.
     for (LegoNode* lego : scene->findLegoNodes())
@@ -260,17 +270,32 @@ void findOwnPlugins()
         if (std::filesystem::is_directory(tree / folder, error)) folders.push_back((tree / folder).string());
 }
 
+/** Throws CaptureError if something printed could not be written. */
+void checkPrinted()
+{
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw CaptureError(EXIT_BAD_OUTPUT, std::string("can't write to standard output: ") + std::strerror(errno));
+}
+
 int run(int argc, char** argv)
 {
     findOwnPlugins();
+    InputFiles::record();
     CaptureOptions options;
-    if (const std::optional<int> code = readOptions(argc, argv, options)) return *code;
+    if (const std::optional<int> code = readOptions(argc, argv, options))
+    {
+        checkPrinted();
+        return *code;
+    }
     if (!options.build.empty())
     {
         buildModel(options, *createContextFor(options, argv));
+        checkPrinted();
         return EXIT_FINE;
     }
-    return capture(options, createContextFor(options, argv));
+    const int code = capture(options, createContextFor(options, argv));
+    checkPrinted();
+    return code;
 }
 
 } // namespace
@@ -296,6 +321,6 @@ int main(int argc, char** argv)
     catch (const std::exception& error)
     {
         fmt::print(stderr, "osglegocapture: {}\n", error.what());
-        return osgLego::EXIT_BAD_INPUT;
+        return std::ferror(stdout) != 0 ? osgLego::EXIT_BAD_OUTPUT : osgLego::EXIT_BAD_INPUT;
     }
 }

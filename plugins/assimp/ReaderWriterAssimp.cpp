@@ -5,9 +5,6 @@
 #include <common/ReadableFile.h>
 #include <gltf/GltfWriter.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <functional>
 #include <new>
 #include <sstream>
@@ -88,10 +85,9 @@ public:
     {
         if (osgDB::getLowerCaseFileExtension(fileName) != "glb") return WriteResult::FILE_NOT_HANDLED;
         return writeBricks(node, fileName,
-                           [&fileName](const osgLego::GltfWriter& writer)
-                           {
-                               return osgLego::writeCompleteFile(fileName, [&writer](const std::string& temporary)
-                                                                 { return writeFile(writer, temporary); });
+                           [&fileName](const osgLego::GltfWriter& writer) {
+                               return osgLego::writeCompleteFile(fileName, [&writer](std::ostream& stream)
+                                                                 { return writer.write(stream); });
                            });
     }
 
@@ -147,20 +143,6 @@ private:
         for (const std::string& warning : writer.getWarnings())
             OSG_WARN << "osgLego: '" << name << "': " << warning << std::endl;
         return WriteResult::FILE_SAVED;
-    }
-
-    /** @return the reason if a file can't be written, or nothing. A temporary file is removed only if this returns. */
-    static std::string writeFile(const osgLego::GltfWriter& writer, const std::string& name)
-    try
-    {
-        std::ofstream file(name, std::ios::binary);
-        const std::string error = file ? writer.write(file) : std::string();
-        file.close();
-        return error.empty() && !file ? std::strerror(errno) : error;
-    }
-    catch (const std::bad_alloc&)
-    {
-        return "there is not enough memory for it";
     }
 };
 

@@ -4,10 +4,7 @@
 
 #include <common/CompleteFile.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <functional>
 #include <new>
 #include <sstream>
@@ -89,12 +86,9 @@ public:
         if (const std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty())
             return WriteResult("osgLego: can't write '" + fileName + "': " + obstacle);
         return writeScene(node, fileName, options,
-                          [&fileName](const LDrawWriter& writer)
-                          {
-                              // A temporary file is removed only if its writer returns.
-                              return writeCompleteFile(
-                                  fileName, [&writer](const std::string& temporary)
-                                  { return catchShortage([&] { return writeFile(writer, temporary); }); });
+                          [&fileName](const LDrawWriter& writer) {
+                              return writeCompleteFile(fileName, [&writer](std::ostream& stream)
+                                                       { return writeChecked(writer, stream); });
                           });
     }
 
@@ -103,10 +97,8 @@ public:
         return writeScene(node, nameStream(options), options,
                           [&stream](const LDrawWriter& writer)
                           {
-                              std::ostringstream text;
-                              writer.write(text);
-                              std::string why = writer.check(text.str());
-                              if (why.empty() && !(stream << text.str())) why = "the stream can't be written to";
+                              std::string why = writeChecked(writer, stream);
+                              if (why.empty() && !stream) why = "the stream can't be written to";
                               return why;
                           });
     }
@@ -177,18 +169,14 @@ private:
             OSG_WARN << "osgLego: '" << name << "': " << warning << std::endl;
     }
 
-    /** Write a file, and read it back to compare it with the scene. @return the reason if this fails, or nothing. */
-    static std::string writeFile(const LDrawWriter& writer, const std::string& name)
+    /** Write a text that has been compared with the scene. @return the reason if it differs, or nothing. */
+    static std::string writeChecked(const LDrawWriter& writer, std::ostream& stream)
     {
-        std::ofstream file(name, std::ios::binary);
-        if (file) writer.write(file);
-        file.close();
-        if (!file) return std::strerror(errno);
-        std::string error;
-        // Devices and pipes can't be read back.
-        if (osgDB::fileType(name) != osgDB::REGULAR_FILE) return {};
-        const std::optional<std::string> text = readText(name, error);
-        return text ? writer.check(*text) : error;
+        std::ostringstream text;
+        writer.write(text);
+        std::string why = writer.check(text.str());
+        if (why.empty()) stream << text.str();
+        return why;
     }
 };
 

@@ -1,6 +1,6 @@
 #include "ImageConversion.h"
 
-#include <common/CompleteFile.h>
+#include <common/PictureFile.h>
 
 #include <algorithm>
 #include <memory>
@@ -128,16 +128,6 @@ std::vector<unsigned char> collectPixels(const osg::Image& image, const std::vec
     return pixels;
 }
 
-std::string writePixels(const std::string& fileName, const OIIO::ImageSpec& spec,
-                        const std::vector<unsigned char>& pixels)
-{
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(fileName);
-    if (!output) return OIIO::geterror();
-    if (!output->open(fileName, spec) || !output->write_image(spec.format, pixels.data()) || !output->close())
-        return output->geterror();
-    return {};
-}
-
 } // namespace
 
 osg::ref_ptr<osg::Image> readWithOiio(const std::string& fileName, std::string& error)
@@ -176,7 +166,6 @@ std::string writeWithOiio(const osg::Image& image, const std::string& fileName)
 
     OIIO::ImageSpec spec(image.s(), image.t(), static_cast<int>(order.size()), type->oiio);
     spec.attribute(STRAIGHT_ALPHA, 1);
-    const std::vector<unsigned char> pixels = collectPixels(image, order, type->oiio.size());
-    return osgLego::writeCompleteFile(fileName, [&](const std::string& temporaryName)
-                                      { return writePixels(temporaryName, spec, pixels); });
+    std::vector<unsigned char> pixels = collectPixels(image, order, type->oiio.size());
+    return osgLego::writePictureFile(fileName, OIIO::ImageBuf(spec, pixels.data()));
 }

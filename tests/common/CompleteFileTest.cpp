@@ -2,8 +2,13 @@
 
 #include <TemporaryFolder.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <new>
+#include <string>
+
+#include <sys/resource.h>
 
 namespace osgLego
 {
@@ -15,40 +20,132 @@ namespace fs = std::filesystem;
 
 class CompleteFile : public test::TemporaryFolderTest
 {
+protected:
+    /** Write a file as any program does. @return its path. */
+    std::string writeUsual(const std::string& name) const
+    {
+        std::ofstream(pathOf(name)) << "old";
+        return pathOf(name);
+    }
 };
 
-std::string writeHalf(const std::string& name)
+std::string writeHalf(std::ostream& stream)
 {
-    std::ofstream(name) << "half";
-    return "the disk is full, says " + name;
+    stream << "half";
+    return "the model has no end";
+}
+
+std::string writeWhole(std::ostream& stream)
+{
+    stream << "whole";
+    return {};
 }
 
 TEST_F(CompleteFile, ExistsOnceItIsComplete)
 {
     const std::string name = pathOf("a.txt");
     EXPECT_EQ(writeCompleteFile(name,
-                                [](const std::string& temporary)
+                                [&](std::ostream& stream)
                                 {
-                                    EXPECT_EQ(fs::path(temporary).extension(), ".txt");
-                                    std::ofstream(temporary) << "whole";
+                                    stream << "who" << std::flush;
+                                    EXPECT_FALSE(fs::exists(name));
+                                    stream << "le";
                                     return std::string();
                                 }),
               "");
-    std::string text;
-    std::ifstream(name) >> text;
-    EXPECT_EQ(text, "whole");
+    EXPECT_EQ(contentsOf(name), "whole");
     EXPECT_EQ(countFiles(), 1u);
+    EXPECT_EQ(fs::status(name).permissions() & fs::perms::mask, fs::status(writeUsual("b.txt")).permissions());
+}
+
+TEST_F(CompleteFile, HasEachByteOfALargeText)
+{
+    const std::string name = pathOf("a.txt");
+    std::string text;
+    for (int number = 0; text.size() < 1000000; ++number)
+        text += std::to_string(number);
+    EXPECT_EQ(writeCompleteFile(name,
+                                [&](std::ostream& stream)
+                                {
+                                    stream << text.substr(0, 70000) << text[70000] << text.substr(70001);
+                                    return std::string();
+                                }),
+              "");
+    EXPECT_TRUE(contentsOf(name) == text);
 }
 
 TEST_F(CompleteFile, KeepsTheOldFileWhenWritingFails)
 {
     const std::string name = pathOf("a.txt");
     std::ofstream(name) << "old";
-    EXPECT_EQ(writeCompleteFile(name, writeHalf), "the disk is full, says " + name);
-    std::string text;
-    std::ifstream(name) >> text;
-    EXPECT_EQ(text, "old");
+    EXPECT_EQ(writeCompleteFile(name, writeHalf), "the model has no end");
+    const auto writeAndThrow = [](std::ostream& stream) -> std::string
+    {
+        stream << "half";
+        throw std::bad_alloc();
+    };
+    EXPECT_THROW(writeCompleteFile(name, writeAndThrow), std::bad_alloc);
+    EXPECT_EQ(contentsOf(name), "old");
     EXPECT_EQ(countFiles(), 1u);
+}
+
+TEST_F(CompleteFile, KeepsTheOldFileWhenNoMoreFits)
+{
+    const std::string name = pathOf("a.txt");
+    std::ofstream(name) << "old";
+    // As on a full disk, writing first stops early, and then fails.
+    rlimit former{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &former), 0);
+    const rlimit limit{100000, former.rlim_max};
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    const std::string why = writeCompleteFile(name,
+                                              [](std::ostream& stream)
+                                              {
+                                                  for (int line = 0; line < 100000; ++line)
+                                                      stream << "longer\n";
+                                                  return std::string();
+                                              });
+    setrlimit(RLIMIT_FSIZE, &former);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(why, "File too large");
+    EXPECT_EQ(contentsOf(name), "old");
+    EXPECT_EQ(countFiles(), 1u);
+}
+
+TEST_F(CompleteFile, KeepsThePermissionsOfTheOldFile)
+{
+    const std::string name = writeUsual("a.txt");
+    for (const fs::perms permissions : {fs::perms(0600), fs::perms(0640), fs::perms(0755)})
+    {
+        fs::permissions(name, permissions);
+        EXPECT_EQ(writeCompleteFile(name, writeWhole), "");
+        EXPECT_EQ(fs::status(name).permissions(), permissions);
+    }
+    EXPECT_EQ(contentsOf(name), "whole");
+}
+
+TEST_F(CompleteFile, MayHaveTheLongestName)
+{
+    const std::string name = pathOf(std::string(251, 'a') + ".txt");
+    EXPECT_EQ(writeCompleteFile(name, writeWhole), "");
+    EXPECT_EQ(writeCompleteFile(name, writeWhole), "");
+    EXPECT_EQ(contentsOf(name), "whole");
+}
+
+TEST_F(CompleteFile, IsWrittenThroughALink)
+{
+    const std::string name = writeUsual("a.txt");
+    fs::create_symlink("a.txt", pathOf("link"));
+    EXPECT_EQ(writeCompleteFile(pathOf("link"), writeWhole), "");
+    EXPECT_TRUE(fs::is_symlink(pathOf("link")));
+    EXPECT_EQ(contentsOf(name), "whole");
+}
+
+TEST_F(CompleteFile, DevicesSayThatTheyAreFull)
+{
+    EXPECT_EQ(writeCompleteFile("/dev/full", writeWhole), "No space left on device");
+    EXPECT_EQ(writeCompleteFile("/dev/null", writeWhole), "");
 }
 
 TEST_F(CompleteFile, NamesTheProblemWithItsFolder)

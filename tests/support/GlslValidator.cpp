@@ -105,11 +105,6 @@ bool run(const std::string& command, std::string& output)
     return pclose(pipe) == 0;
 }
 
-std::string write(const std::string& fileName, const std::string& text)
-{
-    return std::ofstream(fileName) << text << std::flush ? "" : "can't write '" + fileName + "'";
-}
-
 /** The folder of a program, which keeps its stages for the reader of an error. Programs with the same stages share it.
  */
 std::filesystem::path folderOf(const Stages& stages)
@@ -131,8 +126,8 @@ std::string check(const Stages& stages)
     {
         const std::string file = (folder / name).string();
         // Atomically, since another process may be checking the same program.
-        if (const std::string error = writeCompleteFile(file, [&text = text](const std::string& temporaryName)
-                                                        { return write(temporaryName, text); });
+        if (const std::string error =
+                writeCompleteFile(file, [&text = text](std::ostream& stream) { return stream << text, std::string(); });
             !error.empty())
             return error;
         command += " '" + file + "'";
