@@ -67,7 +67,8 @@ bool isWhole(const std::string& name, const std::string& format, const OIIO::Ima
 {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec spec;
-    if (!input || !input->open(name, spec) || spec.width != written.width || spec.height != written.height) return false;
+    if (!input || !input->open(name, spec) || spec.width != written.width || spec.height != written.height)
+        return false;
     Bytes pixels(spec.image_bytes());
     return input->read_image(0, 0, 0, -1, spec.format, pixels.data());
 }

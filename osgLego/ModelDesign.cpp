@@ -38,6 +38,7 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
 std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates)
 {
     const std::string of = " of " + std::to_string(numCandidates) + " models";
+    if (numCandidates == 1) return "the only model that the settings allow";
     if (!best.isWhole()) return "none" + of + " is one piece; this one is most like the mesh";
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
@@ -52,7 +53,7 @@ std::string ModelDesign::toString() const
     return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size()) + "\n" +
            best.layout.toString() + "\n" + best.stability.toString() + "\n\n" +
            "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
-           "CIEDE2000; unlikeness: surface, and a tenth of colour\n" +
+           "CIEDE2000; unlikeness: surface, and a tenth of colour; the first model is the chosen one\n" +
            listCandidates(candidates);
 }
 

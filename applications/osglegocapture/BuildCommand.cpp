@@ -10,10 +10,13 @@
 #include "ProgressBar.h"
 #include "ScenePicture.h"
 
+#include <common/NumberText.h>
 #include <common/PictureBuffer.h>
+#include <osgLego/CpuLegolizer.h>
 #include <osgLego/ModelDesigner.h>
 #include <osgLegoBooklet/Booklet.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -26,6 +29,8 @@ namespace osgLego
 
 namespace
 {
+
+constexpr double STUD_PITCH = 8.0; // millimetres
 
 /** The names of the files of a model. */
 class BuildFiles
@@ -83,6 +88,34 @@ ModelDesign design(const CaptureOptions& options, LegoNode& lego, const Progress
     return std::move(*design);
 }
 
+/** Throws CaptureError if a length gives a very large booklet, unless the options want it: before the search, which
+ * takes long. The parts are counted in a draft of one of the models. */
+void checkLength(const CaptureOptions& options, const LegoNode& lego)
+{
+    if (!options.buildLength || options.isBookletConfirmed) return;
+    LegoSettings draft = lego.getSettings();
+    draft.grid.resolution = static_cast<unsigned int>(std::lround(*options.buildLength / STUD_PITCH));
+    draft.parts.set = PartSet::BRICKS;
+    draft.parts.effort = Effort::INSTANT;
+    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*lego.getChild(0), draft);
+    const std::size_t numParts = model ? model->getParts().size() : 0;
+    if (numParts <= CaptureOptions::MOST_PARTS_UNASKED) return;
+    throw CaptureError(EXIT_BAD_INPUT,
+                       fmt::format("a model of this --length has about {} parts; expected --yes to build "
+                                   "more than {}, or a shorter one",
+                                   formatNumber(numParts), formatNumber(CaptureOptions::MOST_PARTS_UNASKED)));
+}
+
+/** The mesh and the goals, for the report. */
+std::string describeGoals(const CaptureOptions& options)
+{
+    std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
+    if (options.buildLength) goals += fmt::format(", {:g} cm long", *options.buildLength / 10.0);
+    if (options.buildParts) goals += fmt::format(", of at most {} parts", *options.buildParts);
+    if (!options.settingsText.empty()) goals += ", with " + options.settingsText;
+    return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
+}
+
 std::vector<std::string> describeDefects(const DesignCandidate& best)
 {
     std::vector<std::string> defects;
@@ -125,6 +158,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     LegoNode& lego = scene.getOnlyLegoNode();
     InputFiles::add(lego.getSettings().getPalette());
     files.checkReplaceNoInput();
+    checkLength(options, lego);
     const ModelDesign choice = design(options, lego, progress);
     const DesignCandidate& best = choice.getBest();
     LegoSettings shown = best.settings;
@@ -137,7 +171,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     writeInstructions(options, lego, best.stability, context, progress);
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
-    const std::string report = choice.toString();
+    const std::string report = describeGoals(options) + '\n' + choice.toString();
     writeText(files.get("-report.txt"), [&](std::ostream& stream) { stream << report; });
     const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     std::error_code ignored;

@@ -83,10 +83,10 @@ void checkBuild(const CaptureOptions& options)
     if (options.buildParts && options.buildLength)
         throw CLI::ValidationError("--parts and --length both determine the size of the model; expected one of them");
     if (options.needsContext() || !options.partsList.empty() || !options.instructions.empty() || options.bound ||
-        options.original || options.bookletSteps || !options.loads.empty())
+        options.original || options.bookletSteps || !options.loads.empty() || options.tilt)
         throw CLI::ValidationError(
             "--build writes a picture, lists and instructions with names of its own; expected it "
-            "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, "
+            "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, --tilt, --load, "
             "--original and --compare");
     if (options.buildParts.value_or(0) > CaptureOptions::MOST_PARTS_UNASKED && !options.isBookletConfirmed)
         throw CLI::ValidationError("a booklet of more than 2,000 parts is large; expected --yes with such --parts");
@@ -98,6 +98,10 @@ void checkBuild(const CaptureOptions& options)
 /** Throws if options can't be combined. */
 void checkCombination(const CaptureOptions& options, bool hasThreshold)
 {
+    if (hasThreshold && options.reference.empty())
+        throw CLI::ValidationError("--threshold has nothing to compare; expected --compare with it");
+    if (!options.readerOptions.empty() && options.mesh.empty())
+        throw CLI::ValidationError("-O has no mesh to read; expected MESH with it");
     checkBuild(options);
     if (!options.build.empty()) return checkInstructionsView(options);
     if (!options.needsContext() && options.partsList.empty() && options.instructions.empty() && !options.base)
@@ -117,10 +121,6 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
         throw CLI::ValidationError(
             "--stats and --parts-list both write to standard output; expected - for one of them");
-    if (hasThreshold && options.reference.empty())
-        throw CLI::ValidationError("--threshold has nothing to compare; expected --compare with it");
-    if (!options.readerOptions.empty() && options.mesh.empty())
-        throw CLI::ValidationError("-O has no mesh to read; expected MESH with it");
 }
 
 /** Converts a function that returns an error message into a callback for CLI11. */

@@ -135,7 +135,9 @@ void CaptureScene::unwrapSource()
     if (lego->getStoredBricks() && lego->getNumChildren() == 0)
         throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh +
                                                "' has stored bricks but no mesh; expected it without " +
-                                               (_options.original ? "--original" : "--legolize"));
+                                               (_options.original         ? "--original"
+                                                : !_options.build.empty() ? "--build, as with --instructions"
+                                                                          : "--legolize"));
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
         group->addChild(lego->getChild(child));

@@ -73,10 +73,10 @@ void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
     quick.isCancelled = Cancellation::isRequested;
     const osg::ref_ptr<const BuildingPlan> plan = planBuilding(*model, quick);
     Cancellation::check("cancelled; the booklet was not written");
-    throw CaptureError(
-        EXIT_BAD_INPUT,
-        fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or --steps FIRST-LAST",
-                    nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size())));
+    throw CaptureError(EXIT_BAD_INPUT,
+                       fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or {}",
+                                   nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size()),
+                                   options.build.empty() ? "--steps FIRST-LAST" : "a lower resolution"));
 }
 
 void writeInstructions(const CaptureOptions& options, const LegoNode& lego,

@@ -31,6 +31,11 @@ int rankStability(const StabilityReport& stability)
     return stability.safe ? 0 : 1;
 }
 
+bool standsSafely(const DesignCandidate& candidate)
+{
+    return rankStability(candidate.stability) == 0;
+}
+
 /** Models of one piece before others, then those that stand, those of fewer pieces, and those more like the mesh; among
  * those that look alike, the one of fewer parts. */
 bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
@@ -44,8 +49,8 @@ bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
     return rank(a) < rank(b);
 }
 
-/** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands, if any.
- */
+/** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands safely, if
+ * any. */
 std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCandidate>& candidates)
 {
     constexpr double CLEARLY = 0.95;
@@ -53,7 +58,7 @@ std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCa
     std::vector<const DesignCandidate*> falling;
     for (const DesignCandidate& candidate : candidates)
         if (!candidate.stability.stands && !candidate.settings.parts.support &&
-            (!best.stability.stands || candidate.getError() < CLEARLY * best.getError()))
+            (!standsSafely(best) || candidate.getError() < CLEARLY * best.getError()))
             falling.push_back(&candidate);
     std::sort(falling.begin(), falling.end(),
               [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
@@ -264,7 +269,7 @@ void DesignSearch::supportBetter()
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
         report((1.0 - SHARE_OF_MODELS) * static_cast<double>(AT_ONCE) / static_cast<double>(MOST_SUPPORTED));
-        if (_candidates.front().stability.stands) return;
+        if (standsSafely(_candidates.front())) return;
     }
 }
 
