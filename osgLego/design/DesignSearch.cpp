@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -50,7 +51,7 @@ bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
 }
 
 /** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands safely, if
- * any. */
+ * any. Bricks and plates alternate, since models of the same proportions often fall for the same reason. */
 std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCandidate>& candidates)
 {
     constexpr double CLEARLY = 0.95;
@@ -62,6 +63,12 @@ std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCa
             falling.push_back(&candidate);
     std::sort(falling.begin(), falling.end(),
               [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
+    std::map<Proportions, int> counts;
+    std::map<const DesignCandidate*, int> turns;
+    for (const DesignCandidate* candidate : falling)
+        turns[candidate] = counts[candidate->settings.grid.proportions]++;
+    std::stable_sort(falling.begin(), falling.end(),
+                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
     return falling;
 }
 

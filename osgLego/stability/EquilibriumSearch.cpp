@@ -23,7 +23,9 @@ constexpr std::array<EquilibriumInertia, 2> OTHER_INERTIAS{{{1e-8, 1e-7, 1e-6}, 
 
 std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::optional<EquilibriumTilt>& tilt)
 {
-    EquilibriumGoal goal{PENALTY, capacity, !tilt, {}, tilt};
+    EquilibriumGoal goal{PENALTY, capacity, !tilt};
+    goal.tilt = tilt;
+    goal.endsIfMissing = !tilt;
     if (tilt)
     {
         // Which of the forces that allow it is of no interest.
@@ -31,6 +33,13 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
         goal.gapTolerance = TILT_TOLERANCE;
     }
     std::optional<Equilibrium> best = _solver.solve(goal);
+    if (best && !best->hasConverged && !tilt && isLacking(*best))
+    {
+        std::optional<Equilibrium> fallen = findMissing(capacity);
+        if (!fallen || (fallen->hasConverged && isLacking(*fallen))) return fallen;
+        goal.endsIfMissing = false;
+        best = _solver.solve(goal);
+    }
     for (const EquilibriumInertia& inertia : OTHER_INERTIAS)
     {
         if (!best || best->hasConverged) break;
@@ -40,6 +49,18 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
         if (other->hasConverged || getCost(*other) < getCost(*best)) best = std::move(other);
     }
     return best;
+}
+
+/** Find the least residuals alone: the equations of parts that fall are better conditioned without a penalty. */
+std::optional<Equilibrium> EquilibriumSearch::findMissing(double capacity)
+{
+    constexpr double FORCE_COST = 1e-10; // of a newton, compared with a missing one
+    EquilibriumGoal goal{1.0, capacity, false};
+    goal.forceCost = FORCE_COST;
+    goal.forceTolerance /= PENALTY;
+    std::optional<Equilibrium> found = _solver.solve(goal);
+    if (found) found->prices *= PENALTY;
+    return found;
 }
 
 double EquilibriumSearch::getCost(const Equilibrium& equilibrium)

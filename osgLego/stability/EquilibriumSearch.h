@@ -11,8 +11,8 @@ namespace osgLego
 
 /** Solves linear programs of the equilibrium of some parts, with several attempts at each.
  *
- * A solver that does not converge starts again with other proximal terms. If it never converges, forces that are in
- * equilibrium nevertheless prove that one exists, and bound its tension or tilt.
+ * A solver that does not converge starts again: with the residuals as its only goal, and with other proximal terms. If
+ * it never converges, forces that are in equilibrium nevertheless prove that one exists, and bound its tension or tilt.
  *
  * Usage:
  *
@@ -57,6 +57,12 @@ public:
     }
 
 private:
+    /** Whether newtons are missing, even if they are not known precisely. */
+    static bool isLacking(const Equilibrium& equilibrium)
+    {
+        return equilibrium.residuals.abs().maxCoeff() > RESIDUAL_TOLERANCE;
+    }
+    std::optional<Equilibrium> findMissing(double capacity);
     static double getCost(const Equilibrium& equilibrium);
 
     const EquilibriumProgram _program;

@@ -13,8 +13,7 @@ constexpr int MAXIMUM_ITERATIONS = 100;
 // The share of the way to the nearest boundary that a step may take.
 constexpr double STEP_SHARE = 0.995;
 
-constexpr double ROW_TOLERANCE = 1e-8;   // newtons
-constexpr double FORCE_TOLERANCE = 1e-5; // of the dual equations
+constexpr double ROW_TOLERANCE = 1e-8; // newtons
 
 /** Changes of products that bring those at the end of a step near to a target. */
 Eigen::ArrayXd findCorrection(const Eigen::ArrayXd& reached, double target)
@@ -54,7 +53,8 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     if (!_rows.isCancelled()) start();
     if (_rows.isCancelled()) return std::nullopt;
     Equilibrium result;
-    for (findErrors(); !(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS;
+    for (findErrors();
+         !(result.hasConverged = hasConverged()) && !isMissingCertain() && result.numIterations < MAXIMUM_ITERATIONS;
          findErrors())
     {
         factorize();
@@ -217,14 +217,34 @@ double InteriorPointSolver::computeGap(const Point& point) const
            point.parameterSlack * point.parameterPrice;
 }
 
+/** Whether the dual variables prove that the goal is out of reach without residuals, which cost far more than any
+ * tension. */
+bool InteriorPointSolver::isMissingCertain() const
+{
+    constexpr double CLEARLY = 10.0;
+    if (!_goal.endsIfMissing || _forceErrors.lpNorm<Eigen::Infinity>() > findForceTolerance()) return false;
+    const double errors =
+        std::abs(_rowErrors.dot(_point.velocities.matrix())) + std::abs(_forceErrors.dot(_point.forces.matrix()));
+    return computeGoal() - computeGap(_point) - errors > CLEARLY * (1.0 + _goal.capacity);
+}
+
+/** Where newtons are missing, the cost of forces matters less. */
+double InteriorPointSolver::findForceTolerance() const
+{
+    return _goal.forceTolerance * std::min(1.0 + computeGoal(), 10.0);
+}
+
+double InteriorPointSolver::computeGoal() const
+{
+    return _goal.penalty * (_point.lacks + _point.excesses).sum() + std::abs(_point.parameter);
+}
+
 bool InteriorPointSolver::hasConverged() const
 {
-    const double goal = _goal.penalty * (_point.lacks + _point.excesses).sum() + std::abs(_point.parameter);
-    // Where newtons are missing, the cost of forces matters less.
-    const double forceTolerance = FORCE_TOLERANCE * std::min(1.0 + goal, 10.0);
+    const double goal = computeGoal();
     return _rowErrors.lpNorm<Eigen::Infinity>() <= ROW_TOLERANCE &&
-           _forceErrors.lpNorm<Eigen::Infinity>() <= forceTolerance && std::abs(_parameterError) <= FORCE_TOLERANCE &&
-           computeGap(_point) <= _goal.gapTolerance * (1.0 + goal);
+           _forceErrors.lpNorm<Eigen::Infinity>() <= findForceTolerance() &&
+           std::abs(_parameterError) <= _goal.forceTolerance && computeGap(_point) <= _goal.gapTolerance * (1.0 + goal);
 }
 
 void InteriorPointSolver::factorize()

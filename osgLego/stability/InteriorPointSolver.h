@@ -41,11 +41,14 @@ struct EquilibriumGoal
     double capacity = 1.0;
     /** Whether the tension is minimized; otherwise it is `capacity`. */
     bool minimizesTension = false;
+    /** Whether to end early, without converging, once the dual variables show that something is missing. */
+    bool endsIfMissing = false;
     EquilibriumInertia inertia = {};
     /** If set, the tilt is maximized instead; otherwise there is none. */
     std::optional<EquilibriumTilt> tilt = {};
     double forceCost = 1e-6;
-    double gapTolerance = 1e-7; //!< of the goal, relative above 1
+    double gapTolerance = 1e-7;   //!< of the goal, relative above 1
+    double forceTolerance = 1e-5; //!< of the dual equations
 };
 
 /** Forces that bring parts as close to equilibrium as possible. */
@@ -115,6 +118,9 @@ private:
     void startForces(double tension);
     void findErrors();
     double computeGap(const Point& point) const;
+    double computeGoal() const;
+    double findForceTolerance() const;
+    bool isMissingCertain() const;
     bool hasConverged() const;
     void factorize();
     Products findProducts(double target) const;

@@ -55,6 +55,20 @@ TEST(InteriorPointSolver, DoesNotExceedTheCapacityWhenItMinimizesTheTension)
     EXPECT_NEAR(result.residuals.abs().sum(), BrickCantilever::WEIGHT_1X8 - 0.05 / BrickCantilever::LEVER, 1e-6);
 }
 
+TEST(InteriorPointSolver, MayEndOnceItIsCertainThatSomethingIsMissing)
+{
+    const EquilibriumProgram program = BrickCantilever::createProgram();
+    EquilibriumGoal goal{PENALTY, 0.05, true};
+    const Equilibrium whole = *InteriorPointSolver(program).solve(goal);
+    goal.endsIfMissing = true;
+    const Equilibrium early = *InteriorPointSolver(program).solve(goal);
+    EXPECT_FALSE(early.hasConverged);
+    EXPECT_LT(early.numIterations, whole.numIterations);
+    EXPECT_GT(early.residuals.abs().sum(), 1e-3);
+    goal.capacity = 0.98;
+    EXPECT_TRUE(InteriorPointSolver(program).solve(goal)->hasConverged);
+}
+
 TEST(InteriorPointSolver, DoesWithoutForcesThatCostLessThanTheyAvoidTension)
 {
     // A newton that is missing saves 3.25 N of tension: that pays if it costs 3 N, and not if it costs 3.5 N.
