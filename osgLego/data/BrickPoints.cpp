@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 namespace osgLego
 {
@@ -14,21 +18,76 @@ namespace
 
 constexpr int SIDE = BrickPoints::BLOCK_SIDE;
 
+/** Numbers the blocks of one layer of blocks, row by row. Memory follows the number of bricks, not the size of the
+ * grid. */
+class BlockNumbers
+{
+public:
+    explicit BlockNumbers(std::span<const Brick> bricks)
+    {
+        glm::ivec2 last(-1);
+        for (const Brick& brick : bricks)
+        {
+            const glm::ivec2 place = placeOf(brick);
+            _first = glm::min(_first, place);
+            last = glm::max(last, place);
+        }
+        const glm::ivec2 size = glm::max(last - _first + 1, 0);
+        _width = static_cast<std::size_t>(size.x);
+        _count = _width * static_cast<std::size_t>(size.y);
+        if (_count > MOST_PER_BRICK * bricks.size()) list(bricks);
+    }
+
+    std::size_t getCount() const { return _count; }
+
+    std::size_t find(const Brick& brick) const
+    {
+        const std::size_t key = keyOf(brick);
+        if (_keys.empty()) return key;
+        return static_cast<std::size_t>(std::lower_bound(_keys.begin(), _keys.end(), key) - _keys.begin());
+    }
+
+private:
+    static constexpr std::size_t MOST_PER_BRICK = 64; // a search takes longer than a look into a table
+
+    static glm::ivec2 placeOf(const Brick& brick) { return glm::ivec2(brick.cell[0], brick.cell[1]) / SIDE; }
+
+    std::size_t keyOf(const Brick& brick) const
+    {
+        const glm::ivec2 place = placeOf(brick) - _first;
+        return static_cast<std::size_t>(place.x) + _width * static_cast<std::size_t>(place.y);
+    }
+
+    /** Number only blocks with bricks. */
+    void list(std::span<const Brick> bricks)
+    {
+        for (const Brick& brick : bricks)
+            if (const std::size_t key = keyOf(brick); _keys.empty() || _keys.back() != key) _keys.push_back(key);
+        std::sort(_keys.begin(), _keys.end());
+        _keys.erase(std::unique(_keys.begin(), _keys.end()), _keys.end());
+        _count = _keys.size();
+    }
+
+    glm::ivec2 _first{std::numeric_limits<int>::max()};
+    std::size_t _width = 0;
+    std::size_t _count = 0;
+    std::vector<std::size_t> _keys; // in ascending order; empty if every block has its number
+};
+
 /** Sorts the bricks of one layer of blocks into blocks: first the bricks with studs, then the others. */
 class BlockLayer
 {
 public:
-    explicit BlockLayer(const BrickModel& model) :
-        _model(model), _stud(SIDE_RIGHT << (2 * model.getGrid().getUpIndex())),
-        _width(static_cast<std::size_t>((model.getGrid().dimensions.x + SIDE - 1) / SIDE)),
-        _size(_width * static_cast<std::size_t>((model.getGrid().dimensions.y + SIDE - 1) / SIDE)), _blocks(2 * _size)
+    /** @param bricks the model's bricks in this layer. */
+    BlockLayer(const BrickModel& model, std::span<const Brick> bricks) :
+        _model(model), _bricks(bricks), _stud(SIDE_RIGHT << (2 * model.getGrid().getUpIndex())), _numbers(bricks),
+        _blocks(2 * _numbers.getCount())
     {
     }
 
-    /** @param bricks the model's bricks in this layer. */
-    BrickPoints sort(std::span<const Brick> bricks)
+    BrickPoints sort()
     {
-        for (const Brick& brick : bricks)
+        for (const Brick& brick : _bricks)
             if (brick.openSides != 0) blockOf(brick).include(brick);
 
         BrickPoints result;
@@ -41,7 +100,7 @@ public:
             result.blocks.push_back(block);
         }
         result.points.resize(static_cast<std::size_t>(next));
-        for (const Brick& brick : bricks)
+        for (const Brick& brick : _bricks)
             if (brick.openSides != 0) result.points[static_cast<std::size_t>(blockOf(brick).first++)] = pack(brick);
         return result;
     }
@@ -49,9 +108,8 @@ public:
 private:
     BrickBlock& blockOf(const Brick& brick)
     {
-        const std::size_t place =
-            static_cast<std::size_t>(brick.cell[0] / SIDE) + _width * static_cast<std::size_t>(brick.cell[1] / SIDE);
-        return _blocks[brick.openSides & _stud ? place : _size + place];
+        const std::size_t number = _numbers.find(brick);
+        return _blocks[brick.openSides & _stud ? number : _numbers.getCount() + number];
     }
 
     BrickPoint pack(const Brick& brick) const
@@ -62,9 +120,9 @@ private:
     }
 
     const BrickModel& _model;
+    std::span<const Brick> _bricks;
     int _stud; // the side that has a stud when it is open
-    std::size_t _width;
-    std::size_t _size;
+    BlockNumbers _numbers;
     std::vector<BrickBlock> _blocks; // including empty ones
 };
 
@@ -184,7 +242,7 @@ BrickPoints createBrickPoints(const BrickModel& model)
     const auto sortLayer = [&](std::size_t layer)
     {
         layers[layer] =
-            BlockLayer(model).sort(std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer]));
+            BlockLayer(model, std::span(bricks).subspan(begins[layer], begins[layer + 1] - begins[layer])).sort();
     };
     forEachIndex(layers.size(), sortLayer);
     return join(layers);

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -27,6 +30,49 @@ osg::ref_ptr<const BrickModel> createModel(unsigned int resolution)
 glm::ivec3 cellOf(const BrickPoint& point)
 {
     return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
+}
+
+/** Bricks that touch no other, in a grid as large as grids of stored bricks can be. */
+osg::ref_ptr<const BrickModel> createScattered(unsigned int count)
+{
+    constexpr int SIDE = 65536;
+    BrickGrid grid;
+    grid.dimensions = glm::ivec3(SIDE);
+    std::mt19937 random(1);
+    std::vector<Brick> bricks(count);
+    for (Brick& brick : bricks)
+        for (std::uint16_t& place : brick.cell)
+            place = static_cast<std::uint16_t>(random());
+    bricks.front().cell = {0, 0, 0};
+    bricks.back().cell = {SIDE - 1, SIDE - 1, SIDE - 1};
+    return BrickModel::create(grid, std::move(bricks));
+}
+
+/** Whether blocks hold the bounds and the open sides of their bricks. */
+void expectBounds(const BrickPoints& result)
+{
+    int next = 0;
+    for (const BrickBlock& block : result.blocks)
+    {
+        EXPECT_EQ(block.first, next);
+        EXPECT_GT(block.count, 0);
+        next += block.count;
+        EXPECT_EQ(block.minimum / BrickPoints::BLOCK_SIDE, block.maximum / BrickPoints::BLOCK_SIDE);
+        glm::ivec3 minimum(70000);
+        glm::ivec3 maximum(-1);
+        std::uint32_t open = 0;
+        for (int number = block.first; number < next; ++number)
+        {
+            const BrickPoint& point = result.points[static_cast<std::size_t>(number)];
+            minimum = glm::min(minimum, cellOf(point));
+            maximum = glm::max(maximum, cellOf(point));
+            open |= point[1] >> 16;
+        }
+        EXPECT_EQ(block.minimum, minimum);
+        EXPECT_EQ(block.maximum, maximum);
+        EXPECT_EQ(block.openSides, open);
+    }
+    EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
 }
 
 TEST(BrickPoints, ContainEachVisibleBrickOnce)
@@ -53,29 +99,17 @@ TEST(BrickPoints, ContainEachVisibleBrickOnce)
 
 TEST(BrickPoints, BlocksHoldTheBoundsAndOpenSidesOfTheirBricks)
 {
-    const BrickPoints result = createBrickPoints(*createModel(50));
-    int next = 0;
-    for (const BrickBlock& block : result.blocks)
-    {
-        EXPECT_EQ(block.first, next);
-        EXPECT_GT(block.count, 0);
-        next += block.count;
-        EXPECT_EQ(block.minimum / BrickPoints::BLOCK_SIDE, block.maximum / BrickPoints::BLOCK_SIDE);
-        glm::ivec3 minimum(1000);
-        glm::ivec3 maximum(-1);
-        std::uint32_t open = 0;
-        for (int number = block.first; number < next; ++number)
-        {
-            const BrickPoint& point = result.points[static_cast<std::size_t>(number)];
-            minimum = glm::min(minimum, cellOf(point));
-            maximum = glm::max(maximum, cellOf(point));
-            open |= point[1] >> 16;
-        }
-        EXPECT_EQ(block.minimum, minimum);
-        EXPECT_EQ(block.maximum, maximum);
-        EXPECT_EQ(block.openSides, open);
-    }
-    EXPECT_EQ(static_cast<std::size_t>(next), result.points.size());
+    expectBounds(createBrickPoints(*createModel(50)));
+}
+
+TEST(BrickPoints, BlocksWithoutBricksNeedNoMemoryInTheLargestGrid)
+{
+    const osg::ref_ptr<const BrickModel> model = createScattered(1000);
+    const BrickPoints result = createBrickPoints(*model);
+    ASSERT_EQ(result.points.size(), model->getBricks().size());
+    expectBounds(result);
+    for (const BrickPoint& point : result.points)
+        EXPECT_TRUE(model->find(cellOf(point)));
 }
 
 TEST(BrickPoints, FindBlocksMergesConsecutiveBricksOfTheSamePlace)
