@@ -54,10 +54,12 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
 /** Find the least residuals alone: the equations of parts that fall are better conditioned without a penalty. */
 std::optional<Equilibrium> EquilibriumSearch::findMissing(double capacity)
 {
-    constexpr double FORCE_COST = 1e-10; // of a newton, compared with a missing one
+    // Compared with a missing newton, which costs less than elsewhere.
+    constexpr double FORCE_COST = 1e-10;
+    constexpr double FORCE_TOLERANCE = 1e-7;
     EquilibriumGoal goal{1.0, capacity, false};
     goal.forceCost = FORCE_COST;
-    goal.forceTolerance /= PENALTY;
+    goal.forceTolerance = FORCE_TOLERANCE;
     std::optional<Equilibrium> found = _solver.solve(goal);
     if (found) found->prices *= PENALTY;
     return found;
