@@ -53,7 +53,8 @@ PictureRenderer::PictureRenderer(osg::GraphicsContext& context, int samples) :
 PictureRenderer::~PictureRenderer()
 {
     _context->makeCurrent();
-    // A frame that ended with an exception has left the state sets of the scene, which may be deleted before the context.
+    // A frame that ended with an exception has left the state sets of the scene, which may be deleted before the
+    // context.
     _context->getState()->popAllStateSets();
     _camera->releaseGLObjects(_context->getState());
     osg::flushAllDeletedGLObjects(_context->getState()->getContextID());
