@@ -33,7 +33,8 @@ std::string writeTo(int descriptor, const std::function<std::string(std::ostream
     std::ostream stream(&buffer);
     const std::string why = write(stream);
     stream.flush();
-    return buffer.getError() != 0 ? std::strerror(buffer.getError()) : why;
+    if (buffer.getError() != 0) return std::strerror(buffer.getError());
+    return why.empty() && !stream ? "its content can't be written" : why;
 }
 
 std::string writeDevice(const std::string& name, const std::function<std::string(std::ostream&)>& write)

@@ -76,20 +76,20 @@ bool isWhole(const std::string& name, const std::string& format, const OIIO::Ima
 /** @return the reason if a picture can't be encoded, or nothing. */
 std::string encode(const std::string& fileName, const OIIO::ImageBuf& picture, Bytes& bytes)
 {
+    OIIO::Filesystem::IOVecOutput stream(bytes); // outlives the output, which may write to it until its end
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(fileName);
     if (!output) return OIIO::geterror();
     if (output->supports("ioproxy"))
     {
-        OIIO::Filesystem::IOVecOutput memory(bytes);
-        output->set_ioproxy(&memory);
+        output->set_ioproxy(&stream);
         return encodeTo(*output, fileName, picture);
     }
     const MemoryFile memory;
     if (!memory.isOpen()) return std::strerror(errno);
     std::string why = encodeTo(*output, memory.getName(), picture);
-    if (why.empty() && !isWhole(memory.getName(), output->format_name(), picture.spec()))
-        why = "there is not enough memory for its format";
     if (why.empty() && !memory.read(bytes)) why = std::strerror(errno);
+    if (why.empty() && !bytes.empty() && !isWhole(memory.getName(), output->format_name(), picture.spec()))
+        why = "it can't be read back; there may not be enough memory for it";
     return why;
 }
 

@@ -55,7 +55,7 @@ PictureRenderer::~PictureRenderer()
     _context->makeCurrent();
     // A frame that ended with an exception has left the state sets of the scene, which may be deleted before the
     // context.
-    _context->getState()->popAllStateSets();
+    if (_context->getState()->getStateSetStackSize() > 0) _context->getState()->popAllStateSets();
     _camera->releaseGLObjects(_context->getState());
     osg::flushAllDeletedGLObjects(_context->getState()->getContextID());
     _context->releaseContext();

@@ -60,10 +60,12 @@ int openWithoutName([[maybe_unused]] const std::string& path)
 
 TemporaryFile::TemporaryFile(const std::string& path) : _path(path), _descriptor(openWithoutName(path))
 {
+    // Until it has the permissions of the file that it replaces, nobody else may read it.
+    const mode_t mode = access(path.c_str(), F_OK) == 0 ? 0600 : ALLOWED;
     for (int attempt = 0; _descriptor < 0 && attempt < MOST_ATTEMPTS; ++attempt)
     {
         _name = inventName(_path);
-        _descriptor = open(_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, ALLOWED);
+        _descriptor = open(_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
         if (_descriptor < 0 && errno != EEXIST) break;
     }
     if (_descriptor < 0) _name.clear();
@@ -94,12 +96,16 @@ bool TemporaryFile::link()
 
 std::string TemporaryFile::publish()
 {
+    // Some file systems tell only now that the disk is full. Others can't synchronize, which is no error.
+    if (fsync(_descriptor) != 0 && errno != EINVAL && errno != EROFS) return std::strerror(errno);
     struct stat replaced = {};
     if (stat(_path.c_str(), &replaced) == 0)
     {
-        // Only the superuser may give files away, which changes the permissions.
-        [[maybe_unused]] const int ignored = fchown(_descriptor, replaced.st_uid, replaced.st_gid);
-        if (fchmod(_descriptor, replaced.st_mode & 07777) != 0) return std::strerror(errno);
+        // Only the superuser may give files away; others may choose among their groups.
+        mode_t mode = replaced.st_mode & 07777;
+        if (fchown(_descriptor, static_cast<uid_t>(-1), replaced.st_gid) != 0) mode &= ~mode_t(S_ISGID | S_IRWXG);
+        if (fchown(_descriptor, replaced.st_uid, static_cast<gid_t>(-1)) != 0) mode &= ~mode_t(S_ISUID);
+        if (fchmod(_descriptor, mode) != 0) return std::strerror(errno);
     }
     if (_name.empty() && !link()) return std::strerror(errno);
     if (std::rename(_name.c_str(), _path.c_str()) != 0) return std::strerror(errno);

@@ -92,14 +92,17 @@ ModelDesign design(const CaptureOptions& options, LegoNode& lego, const Progress
  * takes long. The parts are counted in a draft of one of the models. */
 void checkLength(const CaptureOptions& options, const LegoNode& lego)
 {
+    constexpr std::size_t CLEARLY_MORE = CaptureOptions::MOST_PARTS_UNASKED * 5 / 4; // drafts have more parts
     if (!options.buildLength || options.isBookletConfirmed) return;
     LegoSettings draft = lego.getSettings();
     draft.grid.resolution = static_cast<unsigned int>(std::lround(*options.buildLength / STUD_PITCH));
     draft.parts.set = PartSet::BRICKS;
     draft.parts.effort = Effort::INSTANT;
-    const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*lego.getChild(0), draft);
+    const osg::ref_ptr<const BrickModel> model =
+        legolizeOnCpu(*lego.getChild(0), draft, nullptr, [](double) { return !Cancellation::isRequested(); });
+    Cancellation::check("cancelled; nothing was written");
     const std::size_t numParts = model ? model->getParts().size() : 0;
-    if (numParts <= CaptureOptions::MOST_PARTS_UNASKED) return;
+    if (numParts <= CLEARLY_MORE) return;
     throw CaptureError(EXIT_BAD_INPUT,
                        fmt::format("a model of this --length has about {} parts; expected --yes to build "
                                    "more than {}, or a shorter one",

@@ -76,7 +76,7 @@ void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
     throw CaptureError(EXIT_BAD_INPUT,
                        fmt::format("{} has {} parts in about {} steps; expected --yes to write all of them, or {}",
                                    nameModel(options), formatNumber(numParts), formatNumber(plan->getSteps().size()),
-                                   options.build.empty() ? "--steps FIRST-LAST" : "a lower resolution"));
+                                   options.build.empty() ? "--steps FIRST-LAST" : "a smaller model"));
 }
 
 void writeInstructions(const CaptureOptions& options, const LegoNode& lego,

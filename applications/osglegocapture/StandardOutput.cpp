@@ -33,7 +33,7 @@ void StandardOutput::write(const std::function<void(std::ostream&)>& write) cons
     std::ostream stream(&buffer);
     write(stream);
     stream.flush();
-    if (buffer.getError() != 0)
+    if (buffer.getError() != 0 || !stream)
         throw CaptureError(EXIT_BAD_OUTPUT,
                            std::string("can't write to standard output: ") + std::strerror(buffer.getError()));
 }

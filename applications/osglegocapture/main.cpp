@@ -167,6 +167,7 @@ OIIO::ImageBuf findReference(const CaptureOptions& options)
     if (std::filesystem::equivalent(options.reference, options.output, ignored))
         throw CaptureError(EXIT_BAD_OUTPUT, "the output would take the place of the reference '" + options.reference +
                                                 "'; expected another name");
+    InputFiles::add(options.reference);
     checkPicturePlace(differenceNameOf(options), false);
     return readReference(options.reference, options.width, options.height);
 }

@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t MOST_PER_BRICK = 64; // a search takes longer than a look into a table
+    static constexpr std::size_t MOST_PER_BRICK = 4; // a search takes longer than a look into a table
 
     static glm::ivec2 placeOf(const Brick& brick) { return glm::ivec2(brick.cell[0], brick.cell[1]) / SIDE; }
 

@@ -33,13 +33,14 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
         goal.gapTolerance = TILT_TOLERANCE;
     }
     std::optional<Equilibrium> best = _solver.solve(goal);
-    if (best && !best->hasConverged && !tilt && isLacking(*best))
+    const bool hasEndedEarly = best && best->isMissingCertain;
+    if (hasEndedEarly || (best && !best->hasConverged && !tilt && isLacking(*best)))
     {
         std::optional<Equilibrium> fallen = findMissing(capacity);
         if (!fallen || (fallen->hasConverged && isLacking(*fallen))) return fallen;
-        goal.endsIfMissing = false;
-        best = _solver.solve(goal);
     }
+    goal.endsIfMissing = false;
+    if (hasEndedEarly) best = _solver.solve(goal);
     for (const EquilibriumInertia& inertia : OTHER_INERTIAS)
     {
         if (!best || best->hasConverged) break;
@@ -51,15 +52,15 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
     return best;
 }
 
-/** Find the least residuals alone: the equations of parts that fall are better conditioned without a penalty. */
+/** The same with all costs divided by the penalty: the velocities of parts that fall are as large as the cost of
+ * missing newtons, and so are the rounding errors of free forces. */
 std::optional<Equilibrium> EquilibriumSearch::findMissing(double capacity)
 {
-    // Compared with a missing newton, which costs less than elsewhere.
-    constexpr double FORCE_COST = 1e-10;
-    constexpr double FORCE_TOLERANCE = 1e-7;
-    EquilibriumGoal goal{1.0, capacity, false};
-    goal.forceCost = FORCE_COST;
-    goal.forceTolerance = FORCE_TOLERANCE;
+    EquilibriumGoal goal{1.0, capacity, true};
+    goal.tensionCost /= PENALTY;
+    goal.forceCost /= PENALTY;
+    goal.gapTolerance = 1e-8;
+    goal.forceTolerance = 1e-7;
     std::optional<Equilibrium> found = _solver.solve(goal);
     if (found) found->prices *= PENALTY;
     return found;

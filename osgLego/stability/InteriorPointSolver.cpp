@@ -53,10 +53,10 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     if (!_rows.isCancelled()) start();
     if (_rows.isCancelled()) return std::nullopt;
     Equilibrium result;
-    for (findErrors();
-         !(result.hasConverged = hasConverged()) && !isMissingCertain() && result.numIterations < MAXIMUM_ITERATIONS;
+    for (findErrors(); !(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS;
          findErrors())
     {
+        if ((result.isMissingCertain = isMissingCertain())) break;
         factorize();
         if (_rows.isCancelled()) return std::nullopt;
         findStep(findProducts(0.0));
@@ -82,7 +82,7 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     result.prices = _point.prices;
     result.tension = _parameter.limit + _parameter.limitRate * _point.parameter;
     if (_goal.tilt) result.tilt = _point.parameter;
-    if (!result.hasConverged) result.isBalanced = balance(result);
+    if (!result.hasConverged && !result.isMissingCertain) result.isBalanced = balance(result);
     if (_rows.isCancelled()) return std::nullopt;
     return result;
 }
@@ -136,7 +136,7 @@ void InteriorPointSolver::chooseParameter()
     else if (_goal.minimizesTension && _program.getNumDrags() > 0)
     {
         _parameter.isFree = true;
-        _parameter.cost = 1.0;
+        _parameter.cost = _goal.tensionCost;
         _parameter.most = _goal.capacity;
         _parameter.limit = 0.0;
         _parameter.limitRate = 1.0;
@@ -236,7 +236,7 @@ double InteriorPointSolver::findForceTolerance() const
 
 double InteriorPointSolver::computeGoal() const
 {
-    return _goal.penalty * (_point.lacks + _point.excesses).sum() + std::abs(_point.parameter);
+    return _goal.penalty * (_point.lacks + _point.excesses).sum() + std::abs(_parameter.cost * _point.parameter);
 }
 
 bool InteriorPointSolver::hasConverged() const

@@ -32,8 +32,8 @@ struct EquilibriumTilt
     double capacityRate = 0.0; //!< by which the limit of drags grows with the tangent, in newtons
 };
 
-/** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tension - tilt + forceCost * (sum of
- * all forces). */
+/** The goal of a linear program: to minimize penalty * (sum of all |residuals|) + tensionCost * tension - tilt +
+ * forceCost * (sum of all forces). */
 struct EquilibriumGoal
 {
     double penalty = 1.0;
@@ -41,6 +41,7 @@ struct EquilibriumGoal
     double capacity = 1.0;
     /** Whether the tension is minimized; otherwise it is `capacity`. */
     bool minimizesTension = false;
+    double tensionCost = 1.0; //!< of a newton of tension, if it is minimized
     /** Whether to end early, without converging, once the dual variables show that something is missing. */
     bool endsIfMissing = false;
     EquilibriumInertia inertia = {};
@@ -61,6 +62,8 @@ struct Equilibrium
     double tilt = 0.0;        //!< the tangent of the angle of the base
     int numIterations = 0;
     bool hasConverged = false;
+    /** Whether the solver ended early since something is missing: see EquilibriumGoal::endsIfMissing. */
+    bool isMissingCertain = false;
     /** Whether forces that have not converged are in equilibrium nevertheless, without residuals. */
     bool isBalanced = false;
 };

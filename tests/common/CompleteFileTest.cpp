@@ -89,6 +89,20 @@ TEST_F(CompleteFile, KeepsTheOldFileWhenWritingFails)
     EXPECT_EQ(countFiles(), 1u);
 }
 
+TEST_F(CompleteFile, KeepsTheOldFileIfTheStreamFailsForAnotherReasonThanTheDisk)
+{
+    const std::string name = pathOf("a.txt");
+    std::ofstream(name) << "old";
+    const auto fail = [](std::ostream& stream)
+    {
+        stream << "half";
+        stream.setstate(std::ios::badbit);
+        return std::string();
+    };
+    EXPECT_EQ(writeCompleteFile(name, fail), "its content can't be written");
+    EXPECT_EQ(contentsOf(name), "old");
+}
+
 TEST_F(CompleteFile, KeepsTheOldFileWhenNoMoreFits)
 {
     const std::string name = pathOf("a.txt");

@@ -32,7 +32,7 @@ glm::ivec3 cellOf(const BrickPoint& point)
     return {point[0] & 0xffffu, point[0] >> 16, point[1] & 0xffffu};
 }
 
-/** Bricks that touch no other, in a grid as large as grids of stored bricks can be. */
+/** Bricks in one layer of blocks that touch no other, in a grid as large as grids of stored bricks can be. */
 osg::ref_ptr<const BrickModel> createScattered(unsigned int count)
 {
     constexpr int SIDE = 65536;
@@ -44,7 +44,9 @@ osg::ref_ptr<const BrickModel> createScattered(unsigned int count)
         for (std::uint16_t& place : brick.cell)
             place = static_cast<std::uint16_t>(random());
     bricks.front().cell = {0, 0, 0};
-    bricks.back().cell = {SIDE - 1, SIDE - 1, SIDE - 1};
+    bricks.back().cell = {SIDE - 1, SIDE - 1, 0};
+    for (Brick& brick : bricks)
+        brick.cell[2] %= BrickPoints::BLOCK_SIDE;
     return BrickModel::create(grid, std::move(bricks));
 }
 
