@@ -11,7 +11,7 @@ namespace osgLego
 
 /** Solves linear programs of the equilibrium of some parts, with several attempts at each.
  *
- * A solver that does not converge starts again: with the residuals as its only goal, and with other proximal terms. If
+ * A solver that does not converge starts again: with smaller costs if parts fall, and with other proximal terms. If
  * it never converges, forces that are in equilibrium nevertheless prove that one exists, and bound its tension or tilt.
  *
  * Usage:
