@@ -325,8 +325,8 @@ UpAxis CaptureScene::getUpAxis() const
 
 LegoSettings CaptureScene::getSettings() const
 {
-    if (_options.settings) return *_options.settings;
-    return _lego ? _lego->getSettings() : _sourceSettings;
+    // The settings of the node may have been chosen since.
+    return _lego ? _lego->getSettings() : _options.settings.value_or(_sourceSettings);
 }
 
 } // namespace osgLego
