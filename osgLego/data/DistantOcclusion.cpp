@@ -4,6 +4,7 @@
 #include <osgLego/data/ForEachVoxel.h>
 #include <osgLego/data/OcclusionFalloff.h>
 #include <osgLego/data/OcclusionPath.h>
+#include <osgLego/data/VolumeMipmaps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,8 @@ double DistantOcclusion::getReach(const BrickGrid& grid)
 DistantOcclusion::DistantOcclusion(const VoxelGrid& grid, const OcclusionVolume& volume, bool includesNear) :
     _cellsPerVoxel(grid.getCellsPerVoxel()), _images(volume.createImages()), _includesNear(includesNear)
 {
+    for (osg::ref_ptr<osg::Image>& image : _images)
+        image = createVolumeMipmaps(*image);
 }
 
 osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& grid, std::span<const BrickPoint> points,

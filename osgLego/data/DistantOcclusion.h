@@ -59,7 +59,7 @@ public:
                                                        NearOcclusion near);
 
     /** The hidden fractions, 0 to 1, of surfaces across the axes, as means of both directions: red for x, green for y,
-     * blue for z, in bytes. Alpha is the mean fraction hidden by distant bricks, if includesNear(). */
+     * blue for z, in bytes, with mipmaps. Alpha is the mean fraction hidden by distant bricks, if includesNear(). */
     const osg::Image& getMean() const { return *_images[0]; }
     /** Half the difference between surfaces that face the upper and the lower ends of the axes, plus 128 / 255,
      * likewise: the direction from which distant bricks hide light. */

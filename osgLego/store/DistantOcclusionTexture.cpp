@@ -1,11 +1,6 @@
 #include <osgLego/store/DistantOcclusionTexture.h>
 
-#include <osgLego/gl/GlRequirements.h>
-
 #include <algorithm>
-
-#include <osg/GLExtensions>
-#include <osg/State>
 
 namespace osgLego
 {
@@ -13,30 +8,14 @@ namespace osgLego
 namespace
 {
 
-/** A texture with mipmaps also in the core profile: there, OSG 3.6.5 creates none, since it sets GL_GENERATE_MIPMAP. */
-class MipmappedTexture : public osg::Texture3D
-{
-public:
-    using osg::Texture3D::Texture3D;
-
-    void apply(osg::State& state) const override
-    {
-        const bool isNew = !getTextureObject(state.getContextID());
-        osg::Texture3D::apply(state);
-        if (isNew && GlRequirements::isCore(state)) state.get<osg::GLExtensions>()->glGenerateMipmap(GL_TEXTURE_3D);
-    }
-
-private:
-    ~MipmappedTexture() override = default;
-};
-
 osg::ref_ptr<osg::Texture3D> createTexture(const osg::Image& image)
 {
     // The texture takes no const image; it only reads it.
-    osg::ref_ptr<osg::Texture3D> texture = new MipmappedTexture(const_cast<osg::Image*>(&image));
+    osg::ref_ptr<osg::Texture3D> texture = new osg::Texture3D(const_cast<osg::Image*>(&image));
     texture->setInternalFormat(GL_RGBA8);
     texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST);
+    texture->setFilter(osg::Texture::MIN_FILTER,
+                       image.isMipmap() ? osg::Texture::LINEAR_MIPMAP_NEAREST : osg::Texture::LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     for (const auto wrap : {osg::Texture::WRAP_S, osg::Texture::WRAP_T, osg::Texture::WRAP_R})
         texture->setWrap(wrap, osg::Texture::CLAMP_TO_EDGE);
