@@ -35,7 +35,7 @@ namespace
 using Reason = BookletError::Reason;
 
 /** Parts up to which the steps are planned with stability, which takes minutes for more. */
-constexpr std::size_t MOST_CHECKED_PARTS = 2000;
+constexpr std::size_t MOST_CHECKED_PARTS = 5000;
 /** Parts up to which it is computed whether the finished model stands. */
 constexpr std::size_t MOST_COMPUTED_PARTS = 6000;
 constexpr double PLANNING_SHARE = 0.1; // of the time

@@ -99,7 +99,7 @@ FactorizationTimes measureFactorizations(const EquilibriumProgram& program, unsi
         for (std::size_t body = 0; body < matrix.diagonal.size(); ++body)
             blocks.getDiagonal(body) = matrix.diagonal[body];
         for (std::size_t place = 0; place < matrix.places.size(); ++place)
-            blocks.setBlock(place, matrix.blocks[place]);
+            blocks.addBlock(place, matrix.blocks[place]);
         const osg::Timer_t start = timer.tick();
         blocks.factorize();
         const osg::Timer_t middle = timer.tick();

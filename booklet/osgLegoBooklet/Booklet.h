@@ -97,7 +97,7 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
  *     if (!error) error = osgLego::writeBooklet(*lego, file, *context, options);
  *     if (error) std::cerr << error->message << std::endl;
  *
- * A model of 500 parts takes about a minute and a half on two cores; above 2,000 parts, steps are planned without
+ * A model of 500 parts takes about a minute and a half on two cores; above 5,000 parts, steps are planned without
  * computing whether the model stands after each of them. The node is not changed, and must not be changed during the
  * call. May be called from any thread.
  * @return nothing if the booklet is written. @throws std::bad_alloc if there is not enough memory. */

@@ -129,12 +129,12 @@ void BlockCholesky::setZero()
     std::fill(_blocks.begin(), _blocks.end(), Block::Zero());
 }
 
-void BlockCholesky::setBlock(std::size_t place, const Block& block)
+void BlockCholesky::addBlock(std::size_t place, const Block& block)
 {
     if (_isTransposed[place])
-        _blocks[_targets[place]] = block.transpose();
+        _blocks[_targets[place]] += block.transpose();
     else
-        _blocks[_targets[place]] = block;
+        _blocks[_targets[place]] += block;
 }
 
 void BlockCholesky::factorize()

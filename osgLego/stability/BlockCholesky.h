@@ -21,7 +21,7 @@ namespace osgLego
  *
  *     BlockCholesky cholesky(numBlocks, places, isCancelled);
  *     cholesky.setZero();
- *     cholesky.getDiagonal(row) += ...; // and cholesky.setBlock(place, block)
+ *     cholesky.getDiagonal(row) += ...; // and cholesky.addBlock(place, block)
  *     cholesky.factorize();
  *     cholesky.solve(vector);
  *
@@ -37,7 +37,7 @@ public:
 
     /** Choose the order of elimination.
      * @param places the row and the column of each block off the diagonal. For two blocks that are each other's
-     * transpose, give only one of the two. */
+     * transpose, give only one of the two. Several places may be the same. */
     BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
                   std::function<bool()> isCancelled = {});
 
@@ -46,8 +46,8 @@ public:
 
     void setZero();
     Block& getDiagonal(std::size_t row) { return _diagonal[_ranks[row]]; }
-    /** Set the block whose row and column are `places[place]`. */
-    void setBlock(std::size_t place, const Block& block);
+    /** Add to the block whose row and column are `places[place]`. */
+    void addBlock(std::size_t place, const Block& block);
 
     void factorize();
     /** Replace the right side of a system of equations by its solution. */

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <osg/Notify>
-
 namespace osgLego
 {
 
@@ -41,7 +39,8 @@ public:
         }
         if (result.tension > StabilityReport::CAPACITY)
         {
-            findFalling(*equilibrium, result);
+            result.falling = EquilibriumSearch::findFalling(*equilibrium);
+            result.bodies = _search.findRigidBodies(*equilibrium);
             // A higher capacity helps only if the forces use all of the capacity.
             if (equilibrium->tension > StabilityReport::CAPACITY - TENSION_TOLERANCE)
             {
@@ -68,9 +67,6 @@ private:
     {
         result.isKnown = false;
         result.loads.assign(_program.getNumBodies(), std::numeric_limits<float>::quiet_NaN());
-        OSG_WARN << "osgLego: the forces in a piece of " << _program.getNumBodies()
-                 << " parts can't be computed precisely enough, so that it is unknown whether the piece stands"
-                 << std::endl;
     }
 
     /** The joint whose capacity matters most. */
@@ -91,14 +87,6 @@ private:
             weakest = {_contacts[index].lower, _contacts[index].upper};
         }
         return weakest;
-    }
-
-    void findFalling(const Equilibrium& equilibrium, ComponentStability& result) const
-    {
-        for (std::uint32_t body = 0; body < _program.getNumBodies(); ++body)
-            if (equilibrium.residuals.segment<6>(6 * static_cast<Eigen::Index>(body)).abs().maxCoeff() >
-                EquilibriumSearch::RESIDUAL_TOLERANCE)
-                result.falling.push_back(body);
     }
 
     void findLoads(const Equilibrium& equilibrium, ComponentStability& result) const
@@ -129,6 +117,20 @@ std::optional<ComponentStability> solveComponent(std::span<const PartBox> boxes,
                                                  const std::function<bool()>& isCancelled)
 {
     return ComponentSolver(boxes, parts, contacts, isCancelled).solve();
+}
+
+std::optional<BodyFall> findFall(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                 std::span<const std::uint32_t> bodies, std::span<const Contact> contacts,
+                                 const std::function<bool()>& isCancelled)
+{
+    EquilibriumSearch search(boxes, parts, contacts, isCancelled, bodies);
+    const std::optional<Equilibrium> equilibrium = search.find(StabilityReport::CAPACITY, {});
+    if (!equilibrium) return std::nullopt;
+    BodyFall fall;
+    if (!equilibrium->hasConverged) return fall;
+    fall.falling = EquilibriumSearch::findFalling(*equilibrium);
+    fall.bodies = search.findRigidBodies(*equilibrium);
+    return fall;
 }
 
 } // namespace osgLego

@@ -23,6 +23,8 @@ struct ComponentStability
     std::optional<StabilityReport::Joint> weakest; //!< the joint that needs this limit
     std::vector<float> loads;                      //!< for each part, as in StabilityReport
     std::vector<std::uint32_t> falling;            //!< indices into `loads`
+    /** If parts fall, for each part, the lowest of those that touch each other and move as one. */
+    std::vector<std::uint32_t> bodies;
 };
 
 /** Compute the stability of parts that touch each other, each connected to the base.
@@ -34,5 +36,20 @@ struct ComponentStability
 std::optional<ComponentStability> solveComponent(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
                                                  std::span<const Contact> contacts,
                                                  const std::function<bool()>& isCancelled);
+
+/** The fall of rigid bodies. */
+struct BodyFall
+{
+    std::vector<std::uint32_t> falling; //!< the bodies that lack forces; empty if none does
+    std::vector<std::uint32_t> bodies;  //!< for each body, the lowest of those that touch each other and move as one
+};
+
+/** Find the bodies that fall if parts are joined to rigid bodies. If some fall, parts fall without that, too.
+ * @param bodies for each part, the number of its body, from 0 on.
+ * @param contacts between bodies, and of them with the base.
+ * @return no falling bodies, too, if that is not known; nothing if it was cancelled. Otherwise as solveComponent(). */
+std::optional<BodyFall> findFall(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                 std::span<const std::uint32_t> bodies, std::span<const Contact> contacts,
+                                 const std::function<bool()>& isCancelled);
 
 } // namespace osgLego

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -42,34 +43,63 @@ Wrench createWrench(const Eigen::Vector3d& point, const Eigen::Vector3d& force)
 } // namespace
 
 EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                                       std::span<const Contact> contacts) :
-    _numBodies(parts.size()),
-    _load(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * parts.size())))
+                                       std::span<const Contact> contacts, std::span<const std::uint32_t> bodies)
 {
-    for (std::size_t body = 0; body < parts.size(); ++body)
+    std::vector<std::uint32_t> numbers(bodies.begin(), bodies.end());
+    if (bodies.empty())
     {
-        const PartBox& box = boxes[parts[body]];
-        _load[static_cast<Eigen::Index>(6 * body + 2)] = NEWTONS_PER_GRAM * (box.mass + box.addedMass);
-        _addedTorques.push_back(NEWTONS_PER_GRAM * box.addedMass * (toPitches(box.high) - findCenter(box)).z());
+        numbers.resize(parts.size());
+        std::iota(numbers.begin(), numbers.end(), 0u);
     }
+    addWeights(boxes, parts, numbers);
     const auto findBody = [&](std::uint32_t part)
-    { return static_cast<std::int32_t>(std::lower_bound(parts.begin(), parts.end(), part) - parts.begin()); };
+    {
+        const auto place = std::lower_bound(parts.begin(), parts.end(), part) - parts.begin();
+        return static_cast<std::int32_t>(numbers[static_cast<std::size_t>(place)]);
+    };
     for (const Contact& contact : contacts)
     {
         const std::array<Eigen::Vector3d, 2> corners = findOverlap(boxes, contact);
         const Eigen::Vector3d place = 0.5 * (corners[0] + corners[1]);
         Joint joint;
         joint.upper = findBody(contact.upper);
-        joint.upperArm = place - findCenter(boxes[contact.upper]);
+        joint.upperArm = place - _centers[static_cast<std::size_t>(joint.upper)];
         if (contact.lower != Contact::BASE)
         {
             joint.lower = findBody(contact.lower);
-            joint.lowerArm = place - findCenter(boxes[contact.lower]);
+            joint.lowerArm = place - _centers[static_cast<std::size_t>(joint.lower)];
         }
         joint.first = _wrenches.size();
         addForces(boxes, contact, 0.5 * (corners[1] - corners[0]), place);
         joint.end = _wrenches.size();
         _joints.push_back(joint);
+    }
+}
+
+/** Add the bodies, with the weights of their parts. */
+void EquilibriumProgram::addWeights(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                    std::span<const std::uint32_t> bodies)
+{
+    _numBodies = bodies.empty() ? 0 : *std::max_element(bodies.begin(), bodies.end()) + std::size_t(1);
+    _centers.assign(_numBodies, Eigen::Vector3d::Zero());
+    std::vector<double> counts(_numBodies, 0.0);
+    for (std::size_t index = 0; index < parts.size(); ++index)
+    {
+        _centers[bodies[index]] += findCenter(boxes[parts[index]]);
+        counts[bodies[index]] += 1.0;
+    }
+    for (std::size_t body = 0; body < _numBodies; ++body)
+        _centers[body] /= counts[body];
+    _load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(getNumRows()));
+    _sideTorques.assign(_numBodies, 0.0);
+    for (std::size_t index = 0; index < parts.size(); ++index)
+    {
+        const PartBox& box = boxes[parts[index]];
+        const double added = NEWTONS_PER_GRAM * box.addedMass;
+        const double weight = NEWTONS_PER_GRAM * box.mass + added;
+        const Eigen::Vector3d arm = findCenter(box) - _centers[bodies[index]];
+        _load.segment<6>(6 * static_cast<Eigen::Index>(bodies[index])) += createWrench(arm, {0.0, 0.0, weight});
+        _sideTorques[bodies[index]] += weight * arm.z() + added * (toPitches(box.high) - findCenter(box)).z();
     }
 }
 
@@ -131,7 +161,7 @@ Eigen::VectorXd EquilibriumProgram::createSideLoad(const Eigen::Vector2d& direct
     {
         const auto row = static_cast<Eigen::Index>(6 * body);
         const double weight = _load[row + 2];
-        const double torque = _addedTorques[body];
+        const double torque = _sideTorques[body];
         load.segment<6>(row) << -weight * direction.x(), -weight * direction.y(), 0.0, torque * direction.y(),
             -torque * direction.x(), 0.0;
     }
@@ -164,20 +194,20 @@ void EquilibriumProgram::multiply(const Eigen::VectorXd& forces, Eigen::VectorXd
     }
 }
 
+Wrench EquilibriumProgram::getVelocity(const Eigen::VectorXd& rows, std::int32_t body, const Eigen::Vector3d& arm)
+{
+    Wrench velocity = rows.segment<6>(6 * body);
+    velocity.head<3>() += velocity.tail<3>().cross(arm);
+    return velocity;
+}
+
 void EquilibriumProgram::multiplyTransposed(const Eigen::VectorXd& rows, Eigen::VectorXd& forces) const
 {
     forces.resize(static_cast<Eigen::Index>(getNumForces()));
     for (const Joint& joint : _joints)
     {
-        // The velocity of a body at the place of the joint: v + omega x arm.
-        const auto velocityOf = [&](std::int32_t body, const Eigen::Vector3d& arm)
-        {
-            Wrench velocity = rows.segment<6>(6 * body);
-            velocity.head<3>() += velocity.tail<3>().cross(arm);
-            return velocity;
-        };
-        Wrench velocity = velocityOf(joint.upper, joint.upperArm);
-        if (joint.lower != NO_BODY) velocity -= velocityOf(joint.lower, joint.lowerArm);
+        Wrench velocity = getVelocity(rows, joint.upper, joint.upperArm);
+        if (joint.lower != NO_BODY) velocity -= getVelocity(rows, joint.lower, joint.lowerArm);
         for (std::size_t force = joint.first; force < joint.end; ++force)
             forces[static_cast<Eigen::Index>(force)] = _wrenches[force].dot(velocity);
     }

@@ -1,5 +1,7 @@
 #include <osgLego/stability/EquilibriumSearch.h>
 
+#include <osgLego/data/UnionFind.h>
+
 #include <array>
 #include <limits>
 #include <utility>
@@ -64,6 +66,35 @@ std::optional<Equilibrium> EquilibriumSearch::findMissing(double capacity)
     std::optional<Equilibrium> found = _solver.solve(goal);
     if (found) found->prices *= PENALTY;
     return found;
+}
+
+std::vector<std::uint32_t> EquilibriumSearch::findFalling(const Equilibrium& equilibrium)
+{
+    std::vector<std::uint32_t> falling;
+    const auto numBodies = static_cast<std::uint32_t>(equilibrium.residuals.size() / 6);
+    for (std::uint32_t body = 0; body < numBodies; ++body)
+        if (equilibrium.residuals.segment<6>(6 * static_cast<Eigen::Index>(body)).abs().maxCoeff() > RESIDUAL_TOLERANCE)
+            falling.push_back(body);
+    return falling;
+}
+
+std::vector<std::uint32_t> EquilibriumSearch::findRigidBodies(const Equilibrium& equilibrium) const
+{
+    constexpr double SAME = 1e-5; // of the largest velocity
+    UnionFind sets;
+    sets.reset(_program.getNumBodies());
+    const double largest = equilibrium.velocities.lpNorm<Eigen::Infinity>();
+    for (const EquilibriumProgram::Joint& joint : _program.getJoints())
+    {
+        if (joint.lower == EquilibriumProgram::NO_BODY) continue;
+        const Wrench difference = EquilibriumProgram::getVelocity(equilibrium.velocities, joint.upper, joint.upperArm) -
+                                  EquilibriumProgram::getVelocity(equilibrium.velocities, joint.lower, joint.lowerArm);
+        if (difference.lpNorm<Eigen::Infinity>() <= SAME * largest) sets.join(joint.lower, joint.upper);
+    }
+    std::vector<std::uint32_t> bodies;
+    for (std::size_t body = 0; body < sets.getCount(); ++body)
+        bodies.push_back(static_cast<std::uint32_t>(sets.find(static_cast<std::int32_t>(body))));
+    return bodies;
 }
 
 double EquilibriumSearch::getCost(const Equilibrium& equilibrium)

@@ -2,9 +2,11 @@
 
 #include <osgLego/stability/InteriorPointSolver.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace osgLego
 {
@@ -33,10 +35,13 @@ public:
     /** @param boxes those of all parts of the model.
      * @param parts indices into `boxes`, in ascending order.
      * @param contacts between these parts, and of them with the base.
-     * @param isCancelled may be empty. */
+     * @param isCancelled may be empty.
+     * @param bodies for each part, the number of its rigid body, from 0 on; if empty, each part is a body. Contacts are
+     * only between bodies. */
     EquilibriumSearch(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                      std::span<const Contact> contacts, const std::function<bool()>& isCancelled) :
-        _program(boxes, parts, contacts),
+                      std::span<const Contact> contacts, const std::function<bool()>& isCancelled,
+                      std::span<const std::uint32_t> bodies = {}) :
+        _program(boxes, parts, contacts, bodies),
         _solver(_program, isCancelled)
     {
     }
@@ -55,6 +60,10 @@ public:
     {
         return isKnown(equilibrium) && equilibrium.residuals.abs().maxCoeff() <= RESIDUAL_TOLERANCE;
     }
+    /** The bodies that lack forces, ascending. */
+    static std::vector<std::uint32_t> findFalling(const Equilibrium& equilibrium);
+    /** For each body, the lowest of those that touch each other and move as one when they fall. */
+    std::vector<std::uint32_t> findRigidBodies(const Equilibrium& equilibrium) const;
 
 private:
     /** Whether newtons are missing, even if they are not known precisely. */

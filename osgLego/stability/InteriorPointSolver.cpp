@@ -79,6 +79,7 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     }
     result.forces = _point.forces;
     result.residuals = _point.lacks - _point.excesses;
+    result.velocities = _point.velocities;
     result.prices = _point.prices;
     result.tension = _parameter.limit + _parameter.limitRate * _point.parameter;
     if (_goal.tilt) result.tilt = _point.parameter;

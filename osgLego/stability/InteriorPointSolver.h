@@ -55,11 +55,12 @@ struct EquilibriumGoal
 /** Forces that bring parts as close to equilibrium as possible. */
 struct Equilibrium
 {
-    Eigen::ArrayXd forces;    //!< newtons
-    Eigen::ArrayXd residuals; //!< for each row, the force that is missing, in newtons, or torque
-    Eigen::ArrayXd prices;    //!< for each drag, the rate at which the goal would improve if its limit were raised
-    double tension = 0.0;     //!< the upper limit of drags, in newtons
-    double tilt = 0.0;        //!< the tangent of the angle of the base
+    Eigen::ArrayXd forces;      //!< newtons
+    Eigen::ArrayXd residuals;   //!< for each row, the force that is missing, in newtons, or torque
+    Eigen::VectorXd velocities; //!< for each row, the rate at which the goal would grow with its load: how parts fall
+    Eigen::ArrayXd prices;      //!< for each drag, the rate at which the goal would improve if its limit were raised
+    double tension = 0.0;       //!< the upper limit of drags, in newtons
+    double tilt = 0.0;          //!< the tangent of the angle of the base
     int numIterations = 0;
     bool hasConverged = false;
     /** Whether the solver ended early since something is missing: see EquilibriumGoal::endsIfMissing. */

@@ -1,9 +1,12 @@
 #include <osgLego/stability/PartialStability.h>
 
 #include <osgLego/PartType.h>
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/EquilibriumProgram.h>
 #include <osgLego/stability/StabilityAnalysis.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace osgLego
@@ -11,6 +14,10 @@ namespace osgLego
 
 namespace
 {
+
+// The most added parts for which a linear program of them and of parts near them is tried.
+constexpr std::size_t MOST_ADDED = 100;
+constexpr int NEAR = 2; // joints away
 
 std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
 {
@@ -31,6 +38,14 @@ bool includes(const std::vector<bool>& set, const std::vector<bool>& members)
     return true;
 }
 
+std::vector<std::uint32_t> listPlaced(const std::vector<bool>& isPlaced)
+{
+    std::vector<std::uint32_t> placed;
+    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
+        if (isPlaced[part]) placed.push_back(part);
+    return placed;
+}
+
 /** A part of a model that is built upside down. */
 Part turnOver(Part part, const BrickGrid& grid)
 {
@@ -44,8 +59,9 @@ Part turnOver(Part part, const BrickGrid& grid)
 PartialStability::PartialStability(const BrickModel& model, const std::vector<std::uint32_t>& parts,
                                    const JointGraph& graph, Setting setting) :
     _model(model),
-    _parts(parts), _setting(std::move(setting)), _joints(graph, findWeights(model, parts), _setting.base),
-    _flow(_joints), _springs(_joints)
+    _graph(graph), _parts(parts), _setting(std::move(setting)),
+    _joints(graph, findWeights(model, parts), _setting.base), _flow(_joints), _springs(_joints),
+    _standing(parts.size(), false)
 {
     _forces = _proven = createNoForces();
 }
@@ -74,19 +90,91 @@ BearingForces PartialStability::createNoForces() const
 
 std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
-    if (isBalanced(isPlaced)) return std::vector<std::uint32_t>();
+    std::optional<PartList> falling = findFallingAgain(isPlaced);
+    if (falling && falling->empty() && !isBalanced(isPlaced))
+    {
+        falling = findFallingNear(isPlaced);
+        if (falling && falling->empty()) falling = findAllFalling(isPlaced);
+    }
+    if (!falling) return std::nullopt;
+    if (falling->empty())
+    {
+        _standing = isPlaced;
+        std::erase_if(_falling, [&](std::uint32_t part) { return isPlaced[part]; });
+    }
+    else
+        _falling = *falling;
+    return falling;
+}
+
+/** Those of the parts that fell last that are in place, if the bodies in which they fell still fall. */
+std::optional<PartialStability::PartList> PartialStability::findFallingAgain(const std::vector<bool>& isPlaced)
+{
+    PartList former;
+    std::copy_if(_falling.begin(), _falling.end(), std::back_inserter(former),
+                 [&](std::uint32_t part) { return isPlaced[part]; });
+    if (former.empty() || _numBodies >= _setting.mostSolved) return PartList();
+    PartList bodies = _bodies;
+    const std::optional<PartList> falling = findFallingBodies(isPlaced, bodies);
+    if (!falling) return std::nullopt;
+    if (falling->empty()) return PartList();
+    _bodies = std::move(bodies);
+    return former;
+}
+
+/** Of new parts, and those near them, the parts that fall if studs join all others to rigid bodies. None if there are
+ * too many. */
+std::optional<PartialStability::PartList> PartialStability::findFallingNear(const std::vector<bool>& isPlaced)
+{
+    PartList added;
+    for (const std::uint32_t part : listPlaced(isPlaced))
+        if (!_standing[part]) added.push_back(part);
+    if (added.size() > MOST_ADDED || _numBodies >= _setting.mostSolved) return PartList();
+    if (!_analysis) createAnalysis();
+    const std::vector<bool> isNear = findNear(added, isPlaced);
+    const auto isFar = [&](std::uint32_t part) { return isPlaced[part] && !isNear[part]; };
+    UnionFind sets;
+    sets.reset(isPlaced.size());
+    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
+        for (const PartLink& joint : _graph.getJointsAbove(part))
+            if (isFar(part) && isFar(joint.part))
+                sets.join(static_cast<std::int32_t>(part), static_cast<std::int32_t>(joint.part));
+    PartList bodies(isPlaced.size());
+    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
+        bodies[_toAnalysis[part]] = _toAnalysis[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(part)))];
+    std::optional<PartList> falling = findFallingBodies(isPlaced, bodies);
+    if (!falling) return std::nullopt;
+    std::erase_if(*falling, [&](std::uint32_t part) { return !isNear[part]; });
+    if (!falling->empty()) _bodies = std::move(bodies);
+    return falling;
+}
+
+/** The parts of bodies that fall; none if all stand. */
+std::optional<PartialStability::PartList> PartialStability::findFallingBodies(const std::vector<bool>& isPlaced,
+                                                                              PartList& bodies)
+{
+    const PartList placed = toAnalysis(listPlaced(isPlaced));
+    PartList numbers;
+    for (const std::uint32_t part : placed)
+        numbers.push_back(bodies[part]);
+    std::sort(numbers.begin(), numbers.end());
+    const auto numBodies = std::unique(numbers.begin(), numbers.end()) - numbers.begin();
+    _numBodies += static_cast<std::size_t>(numBodies);
+    const std::optional<PartList> falling = _analysis->findFalling(placed, bodies);
+    if (!falling) return std::nullopt;
+    return fromAnalysis(*falling);
+}
+
+/** The parts that fall of all; none if all stand. */
+std::optional<PartialStability::PartList> PartialStability::findAllFalling(const std::vector<bool>& isPlaced)
+{
     if (_numSolved >= _setting.mostSolved) return std::nullopt;
     if (!_analysis) createAnalysis();
-    std::vector<std::uint32_t> placed;
-    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
-        if (isPlaced[part]) placed.push_back(_toAnalysis[part]);
+    const PartList placed = toAnalysis(listPlaced(isPlaced));
     _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
     if (!report || (!report->stands && !report->falls())) return std::nullopt;
-    std::vector<std::uint32_t> falling;
-    for (const std::uint32_t part : report->falling)
-        falling.push_back(_fromAnalysis[part]);
-    if (falling.empty())
+    if (report->falling.empty())
     {
         // Assume that every contact point, also with a base plate, pulls as much as the one that pulls most. The loads
         // on the base are unknown, but the base bears them; the forces added to them must be an equilibrium by
@@ -97,7 +185,50 @@ std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const st
         _proven.pressures.assign(_proven.pressures.size(), -_proven.floorPull);
         _forces = _proven;
     }
-    return falling;
+    else
+        _bodies = _analysis->getBodies();
+    return fromAnalysis(report->falling);
+}
+
+/** Parts, and those in place that few joints connect to them. */
+std::vector<bool> PartialStability::findNear(PartList parts, const std::vector<bool>& isPlaced) const
+{
+    std::vector<bool> isFound(isPlaced.size(), false);
+    for (const std::uint32_t part : parts)
+        isFound[part] = true;
+    std::size_t first = 0;
+    for (int round = 0; round < NEAR; ++round)
+    {
+        const std::size_t end = parts.size();
+        for (; first < end; ++first)
+        {
+            const std::uint32_t part = parts[first];
+            for (const auto& links : {_graph.getJointsBelow(part), _graph.getJointsAbove(part)})
+                for (const PartLink& link : links)
+                    if (isPlaced[link.part] && !isFound[link.part])
+                    {
+                        isFound[link.part] = true;
+                        parts.push_back(link.part);
+                    }
+        }
+    }
+    return isFound;
+}
+
+PartialStability::PartList PartialStability::toAnalysis(std::span<const std::uint32_t> parts) const
+{
+    PartList result;
+    for (const std::uint32_t part : parts)
+        result.push_back(_toAnalysis[part]);
+    return result;
+}
+
+PartialStability::PartList PartialStability::fromAnalysis(std::span<const std::uint32_t> parts) const
+{
+    PartList result;
+    for (const std::uint32_t part : parts)
+        result.push_back(_fromAnalysis[part]);
+    return result;
 }
 
 /** Prepare the analysis of the parts alone, turned as they are built. */

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace osgLego
@@ -17,15 +18,16 @@ class StabilityAnalysis;
 /** Finds the parts that fall if only some of the parts of a model or submodel are in place.
  *
  * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
- * others. WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. The
- * sum of two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of which only
- * the margin is known.
+ * others. First it is solved for few rigid bodies, such as those that moved as one when parts fell before: if bodies
+ * fall, so do parts. WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such
+ * forces. The sum of two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of
+ * which only the margin is known.
  *
  * One thread. */
 class PartialStability
 {
 public:
-    /** The most parts, over all linear programs, which bounds the time. */
+    /** The most parts over all linear programs of parts, and bodies over all of bodies, which bounds the time. */
     static constexpr std::size_t MOST_SOLVED = 15'000;
 
     /** How the parts are built. */
@@ -44,28 +46,42 @@ public:
     ~PartialStability();
 
     /** @param isPlaced for each part of the graph.
-     * @return the parts that fall, as indices into the graph; nothing if that is not known: the simpler methods do
-     * not prove that the parts stand, and linear programs have had `mostSolved` parts or more or can't be solved
-     * precisely enough, or it was cancelled. */
+     * @return parts that fall, as indices into the graph, perhaps not all; none if all stand; nothing if that is not
+     * known: the simpler methods do not prove that the parts stand, and linear programs have had `mostSolved` parts or
+     * more or can't be solved precisely enough, or it was cancelled. */
     std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
 
 private:
+    using PartList = std::vector<std::uint32_t>;
+
+    std::optional<PartList> findFallingAgain(const std::vector<bool>& isPlaced);
+    std::optional<PartList> findFallingNear(const std::vector<bool>& isPlaced);
+    std::optional<PartList> findFallingBodies(const std::vector<bool>& isPlaced, PartList& bodies);
+    std::optional<PartList> findAllFalling(const std::vector<bool>& isPlaced);
+    std::vector<bool> findNear(PartList parts, const std::vector<bool>& isPlaced) const;
+    PartList toAnalysis(std::span<const std::uint32_t> parts) const;
+    PartList fromAnalysis(std::span<const std::uint32_t> parts) const;
     bool isBalanced(const std::vector<bool>& isPlaced);
     BearingForces createNoForces() const;
     void createAnalysis();
 
     const BrickModel& _model;
-    std::vector<std::uint32_t> _parts;
+    const JointGraph& _graph;
+    PartList _parts;
     Setting _setting;
-    std::size_t _numSolved = 0; // parts, over all linear programs
+    std::size_t _numSolved = 0; // parts, over all linear programs of parts
+    std::size_t _numBodies = 0; // over all linear programs of bodies
     BearingJoints _joints;
     WeightFlow _flow;
     SpringBalance _springs;
     BearingForces _forces;                        // those that were found last
     BearingForces _proven;                        // bounds of those that the linear program found last
+    std::vector<bool> _standing;                  // the parts that stood last
+    PartList _falling;                            // those that fell last, and have not stood since
+    PartList _bodies;                             // StabilityAnalysis::RigidBodies in which they fell
     std::unique_ptr<StabilityAnalysis> _analysis; // null until it is needed
-    std::vector<std::uint32_t> _toAnalysis;       // from indices into the graph to those of the analysis
-    std::vector<std::uint32_t> _fromAnalysis;
+    PartList _toAnalysis;                         // from indices into the graph to those of the analysis
+    PartList _fromAnalysis;
 };
 
 } // namespace osgLego

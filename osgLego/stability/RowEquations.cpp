@@ -67,7 +67,7 @@ void RowEquations::factorize(const Eigen::ArrayXd& weights, const Eigen::ArrayXd
         if (joint.lower == EquilibriumProgram::NO_BODY) continue;
         const BlockCholesky::Block lower = createShift(joint.lowerArm);
         _cholesky.getDiagonal(static_cast<std::size_t>(joint.lower)) += lower * sum * lower.transpose();
-        _cholesky.setBlock(place++, -shifted * lower.transpose());
+        _cholesky.addBlock(place++, -shifted * lower.transpose());
     }
     _cholesky.factorize();
 }

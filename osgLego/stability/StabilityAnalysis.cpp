@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -62,7 +63,7 @@ class StabilityAnalysis::Implementation
 {
 public:
     Implementation(const BrickModel& model, BuildingBase base, std::span<const AddedWeight> weights) :
-        _base(base), _boxes(findLoadedBoxes(model, weights)), _contacts(findContacts(model))
+        _base(base), _boxes(findLoadedBoxes(model, weights)), _contacts(findContacts(model)), _bodies(_boxes.size())
     {
     }
 
@@ -78,6 +79,7 @@ public:
         std::vector<std::optional<ComponentStability>> results(components.size());
         tbb::parallel_for(std::size_t(0), components.size(),
                           [&](std::size_t index) { results[index] = solve(components[index]); });
+        std::iota(_bodies.begin(), _bodies.end(), 0u);
         Cache cache;
         // Not report.margin, which is -1 if nothing holds some part.
         double leastMargin = std::numeric_limits<double>::infinity();
@@ -85,6 +87,7 @@ public:
         {
             if (!results[index]) return std::nullopt;
             add(components[index], *results[index], report, leastMargin);
+            noteBodies(components[index].parts, results[index]->bodies);
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
@@ -93,6 +96,42 @@ public:
         std::sort(report.unknown.begin(), report.unknown.end());
         return report;
     }
+
+    std::optional<std::vector<std::uint32_t>> findFalling(std::span<const std::uint32_t> parts, RigidBodies& bodies)
+    {
+        select(parts);
+        std::vector<std::uint32_t> sorted(parts.begin(), parts.end());
+        std::sort(sorted.begin(), sorted.end());
+        std::map<std::uint32_t, std::uint32_t> numbers; // of bodies
+        std::vector<std::uint32_t> first;               // part of each body
+        std::vector<std::uint32_t> numbersOfParts;
+        std::vector<Contact> contacts;
+        for (const std::uint32_t part : sorted)
+        {
+            const auto number = static_cast<std::uint32_t>(numbers.size());
+            const auto place = numbers.emplace(bodies[part], number);
+            if (place.second) first.push_back(part);
+            numbersOfParts.push_back(place.first->second);
+            if (_boxes[part].low.z == _lowest) contacts.push_back(createBaseContact(part));
+        }
+        for (const Contact& contact : _contacts)
+            if (_isSelected[contact.lower] && _isSelected[contact.upper] &&
+                bodies[contact.lower] != bodies[contact.upper])
+                contacts.push_back(contact);
+        const std::optional<BodyFall> fall = findFall(_boxes, sorted, numbersOfParts, contacts, isCancelled);
+        if (!fall) return std::nullopt;
+        std::vector<std::uint32_t> falling;
+        if (fall->falling.empty()) return falling;
+        for (std::size_t index = 0; index < sorted.size(); ++index)
+        {
+            const std::uint32_t body = numbersOfParts[index];
+            if (std::binary_search(fall->falling.begin(), fall->falling.end(), body)) falling.push_back(sorted[index]);
+            bodies[sorted[index]] = first[fall->bodies[body]];
+        }
+        return falling;
+    }
+
+    const RigidBodies& getBodies() const { return _bodies; }
 
     bool addTilt(std::span<const std::uint32_t> parts, StabilityReport& report)
     {
@@ -167,6 +206,11 @@ private:
         return numPieces;
     }
 
+    Contact createBaseContact(std::uint32_t part) const
+    {
+        return {Contact::BASE, part, _base == BuildingBase::TABLE ? Contact::TABLE : Contact::STUDS};
+    }
+
     /** Group the held parts by their contacts. */
     std::vector<Component> findComponents(std::span<const std::uint32_t> parts)
     {
@@ -184,9 +228,7 @@ private:
             const std::size_t index = indices.emplace(groups.find(part), components.size()).first->second;
             if (index == components.size()) components.emplace_back();
             components[index].parts.push_back(part);
-            if (_boxes[part].low.z == _lowest)
-                components[index].contacts.push_back(
-                    {Contact::BASE, part, _base == BuildingBase::TABLE ? Contact::TABLE : Contact::STUDS});
+            if (_boxes[part].low.z == _lowest) components[index].contacts.push_back(createBaseContact(part));
         }
         for (const Contact& contact : _contacts)
             if (_isHeld[contact.lower] && _isHeld[contact.upper])
@@ -198,6 +240,13 @@ private:
     {
         if (const auto place = _cache.find(component.parts); place != _cache.end()) return place->second;
         return solveComponent(_boxes, component.parts, component.contacts, isCancelled);
+    }
+
+    /** Note the parts of a component that move as one: all of them if it stands. */
+    void noteBodies(const std::vector<std::uint32_t>& parts, const std::vector<std::uint32_t>& bodies)
+    {
+        for (std::size_t index = 0; index < parts.size(); ++index)
+            _bodies[parts[index]] = parts[bodies.empty() ? 0 : bodies[index]];
     }
 
     /** Each piece that studs hold together tips by itself: neighbours only push it. */
@@ -251,6 +300,7 @@ private:
     const std::vector<PartBox> _boxes;
     const std::vector<Contact> _contacts;
     Cache _cache;
+    RigidBodies _bodies;
     std::vector<bool> _isSelected;
     std::vector<bool> _isHeld;
     int _lowest = 0;
@@ -271,6 +321,17 @@ void StabilityAnalysis::setCancellation(std::function<bool()> isCancelled)
 std::optional<StabilityReport> StabilityAnalysis::solve(std::span<const std::uint32_t> parts)
 {
     return _implementation->solve(parts);
+}
+
+const StabilityAnalysis::RigidBodies& StabilityAnalysis::getBodies() const
+{
+    return _implementation->getBodies();
+}
+
+std::optional<std::vector<std::uint32_t>> StabilityAnalysis::findFalling(std::span<const std::uint32_t> parts,
+                                                                         RigidBodies& bodies)
+{
+    return _implementation->findFalling(parts, bodies);
 }
 
 bool StabilityAnalysis::addTilt(std::span<const std::uint32_t> parts, StabilityReport& report)

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace osgLego
 {
@@ -44,6 +45,21 @@ public:
      * @return a report whose indices are those of the model, with a load of 0 for parts that are not among `parts`;
      * nothing if it was cancelled. */
     std::optional<StabilityReport> solve(std::span<const std::uint32_t> parts);
+
+    /** Parts joined to rigid bodies: for each part of the model, some part of its body, the same for all of them. */
+    using RigidBodies = std::vector<std::uint32_t>;
+
+    /** The parts that moved as one when parts fell in the last solve(), or stood together, as rigid bodies. If parts
+     * are added, few of these bodies are mostly enough to see that parts still fall. */
+    const RigidBodies& getBodies() const;
+
+    /** Find parts that fall even if parts are joined to rigid bodies, so that parts fall without that, too. For few
+     * bodies, this takes much less time than solve().
+     * @param parts those in place, as in solve().
+     * @param bodies becomes the bodies that move as one, if some fall.
+     * @return the parts of bodies that lack forces; none if all bodies stand, which proves nothing, or if that is not
+     * known; nothing if it was cancelled. */
+    std::optional<std::vector<std::uint32_t>> findFalling(std::span<const std::uint32_t> parts, RigidBodies& bodies);
 
     /** Add StabilityReport::tiltAngles. @param report that of solve() for the same parts.
      * @return false if it was cancelled. */

@@ -62,7 +62,7 @@ public:
             for (std::int32_t block = 0; block < _numBlocks; ++block)
                 cholesky.getDiagonal(static_cast<std::size_t>(block)) += _dense.block<6, 6>(6 * block, 6 * block);
             for (std::size_t place = 0; place < _places.size(); ++place)
-                cholesky.setBlock(place, _dense.block<6, 6>(6 * _places[place].first, 6 * _places[place].second));
+                cholesky.addBlock(place, _dense.block<6, 6>(6 * _places[place].first, 6 * _places[place].second));
             cholesky.factorize();
         }
         return cholesky;
