@@ -37,8 +37,8 @@ OSGLEGO_EXPORT std::string encodeBricks(const BrickModel& model);
 /** Decode the bytes of encodeBricks(), of this version or an older one, into an equal model. May be called from any
  * thread.
  * @return null, with one sentence in `error`, if the bytes are damaged or incomplete, in the format of a newer version,
- * or of a model that encodeBricks() refuses. Larger files alone can make it need more memory: it needs up to
- * 3500 bytes for each of `bytes`, and for models within GridLimits at most 3 gigabytes.
+ * or of a model that encodeBricks() refuses. Needs up to 20 bytes of memory for each brick, and 40 for each cell of
+ * parts: at most 2.5 gigabytes, those of the largest model within GridLimits.
  * @throws std::bad_alloc if there is not enough memory. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> decodeBricks(std::string_view bytes, std::string& error);
 
