@@ -1,5 +1,7 @@
 #include "BookletPage.h"
 
+#include "Base64.h"
+
 #include <common/MarkupText.h>
 #include <common/NumberText.h>
 
@@ -13,7 +15,7 @@
 namespace osgLego
 {
 
-/** Booklet.css, Booklet.js and Booklet.svg, the symbols, embedded at build time. */
+/** Booklet.css, Booklet.js and Booklet.svg, the symbols, embedded at build time, and the hashes of the first two. */
 const std::map<std::string_view, std::string_view>& getBookletTexts();
 
 namespace
@@ -43,6 +45,29 @@ std::string formatMass(double grams)
     return grams < 1000.0 ? fmt::format("{:.0f} g", std::max(1.0, grams)) : fmt::format("{:.2f} kg", 0.001 * grams);
 }
 
+/** The source of an embedded text, in a Content-Security-Policy: its hash, of which browsers expect base64. */
+std::string toPolicySource(std::string_view name)
+{
+    constexpr std::size_t DIGITS_OF_BYTE = 2;
+    constexpr int HEXADECIMAL = 16;
+    const std::string digits(getBookletTexts().at(std::string(name) + ".sha256"));
+    std::string hash;
+    for (std::size_t place = 0; place < digits.size(); place += DIGITS_OF_BYTE)
+        hash += static_cast<char>(std::stoi(digits.substr(place, DIGITS_OF_BYTE), nullptr, HEXADECIMAL));
+    return "'sha256-" + toBase64(hash) + "'";
+}
+
+/** Forbid everything that the page does not use, so that a text or a file in it can do no harm, even if it were not
+ * escaped. Attributes of style differ for each picture, so that they have no common hash; browsers that do not know
+ * them apart from the style sheet use `style-src`. */
+std::string describePolicy()
+{
+    return "default-src 'none'; script-src " + toPolicySource("Booklet.js") + "; style-src-elem " +
+           toPolicySource("Booklet.css") +
+           "; style-src-attr 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action "
+           "'none'";
+}
+
 } // namespace
 
 BookletPage::BookletPage(const BookletModel& model, const BookletFacts& facts, BookletPictureSource& pictures,
@@ -62,7 +87,7 @@ void BookletPage::write(std::ostream& stream)
     _parts.write();
     _steps.write(_facts.firstStep, _facts.endStep);
     writeFinished();
-    stream << "</main>\n<script>\n" << getBookletTexts().at("Booklet.js") << "</script>\n</body>\n</html>\n";
+    stream << "</main>\n<script>" << getBookletTexts().at("Booklet.js") << "</script>\n</body>\n</html>\n";
 }
 
 std::size_t BookletPage::countPictures() const
@@ -74,10 +99,11 @@ std::size_t BookletPage::countPictures() const
 void BookletPage::writeHead()
 {
     *_stream << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+             << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << describePolicy() << "\">\n"
              << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              << "<meta name=\"generator\" content=\"osgLego\">\n<title>" << escapedForMarkup(_facts.title)
-             << ": building instructions</title>\n<style>\n"
-             << getBookletTexts().at("Booklet.css") << "</style>\n</head>\n<body>\n"
+             << ": building instructions</title>\n<style>" << getBookletTexts().at("Booklet.css")
+             << "</style>\n</head>\n<body>\n"
              << "<svg class=\"symbols\" aria-hidden=\"true\">" << getBookletTexts().at("Booklet.svg")
              << "</svg>\n<main>\n";
 }

@@ -1,5 +1,6 @@
 # As a module: osglego_embed_texts(OUTPUT FUNCTION FOLDER FILE...) generates OUTPUT, a C++ source whose FUNCTION
-# returns the texts of the files by path. Paths are relative to FOLDER, or to its parent for files outside FOLDER.
+# returns the texts of the files by path. Paths are relative to FOLDER, or to its parent for files outside FOLDER. Style
+# sheets and scripts also have their SHA-256, in hexadecimal digits, by the path with .sha256.
 # As a script, to generate it: cmake -D OUTPUT=... -D FUNCTION=... -D FOLDER=... -D "FILES=a|b" -P EmbedTexts.cmake
 set(OSGLEGO_EMBED_TEXTS ${CMAKE_CURRENT_LIST_FILE})
 
@@ -26,6 +27,10 @@ foreach(file IN LISTS FILES)
     string(REGEX REPLACE "^\\.\\./" "" name ${name})
     file(READ ${file} source)
     string(APPEND text "{\"${name}\", R\"text(${source})text\"},\n")
+    if(name MATCHES "\\.(css|js)$")
+        string(SHA256 hash "${source}")
+        string(APPEND text "{\"${name}.sha256\", \"${hash}\"},\n")
+    endif()
 endforeach()
 string(APPEND text "    };\n    return texts;\n}\n\n} // namespace osgLego\n")
 file(WRITE ${OUTPUT} "${text}")

@@ -214,44 +214,22 @@ glm::dmat3 frameAround(const glm::dvec3& normal)
 
 BrickRayCaster::BrickRayCaster(const BrickModel& model) :
     _model(&model), _up(model.getGrid().getUpIndex()),
-    _cellExtent(model.getGrid().cellSize / model.getGrid().getPitch()), _dimensions(model.getGrid().dimensions),
-    _blocks(1)
+    _cellExtent(model.getGrid().cellSize / model.getGrid().getPitch()), _dimensions(model.getGrid().dimensions)
 {
     ++_dimensions[_up];
-    _blockCounts = (_dimensions + BLOCK_MASK) >> BLOCK_SHIFT;
-    _blockNumbers.resize(static_cast<std::size_t>(_blockCounts.x) * static_cast<std::size_t>(_blockCounts.y) *
-                         static_cast<std::size_t>(_blockCounts.z));
+    _blocks = SparseBox<Block>((_dimensions + BLOCK_MASK) >> BLOCK_SHIFT);
     for (const Brick& brick : model.getBricks())
     {
         glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
-        addBlock(cell).covered |= bitOf(cell);
+        _blocks.edit(cell >> BLOCK_SHIFT).covered |= bitOf(cell);
         ++cell[_up];
-        if (brick.openSides & (SIDE_RIGHT << (2 * _up))) addBlock(cell).studs |= bitOf(cell);
+        if (brick.openSides & (SIDE_RIGHT << (2 * _up))) _blocks.edit(cell >> BLOCK_SHIFT).studs |= bitOf(cell);
     }
 }
 
 glm::dvec3 BrickRayCaster::toCaster(const osg::Vec3d& point) const
 {
     return (glm::dvec3(point.x(), point.y(), point.z()) - _model->getGrid().origin) / getPitch();
-}
-
-std::size_t BrickRayCaster::placeOf(const glm::ivec3& cell) const
-{
-    const auto x = static_cast<std::size_t>(cell.x >> BLOCK_SHIFT);
-    const auto y = static_cast<std::size_t>(cell.y >> BLOCK_SHIFT);
-    const auto z = static_cast<std::size_t>(cell.z >> BLOCK_SHIFT);
-    return x + static_cast<std::size_t>(_blockCounts.x) * (y + static_cast<std::size_t>(_blockCounts.y) * z);
-}
-
-BrickRayCaster::Block& BrickRayCaster::addBlock(const glm::ivec3& cell)
-{
-    std::uint32_t& number = _blockNumbers[placeOf(cell)];
-    if (number == 0)
-    {
-        number = static_cast<std::uint32_t>(_blocks.size());
-        _blocks.emplace_back();
-    }
-    return _blocks[number];
 }
 
 std::optional<double> BrickRayCaster::findNearest(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -262,7 +240,7 @@ std::optional<double> BrickRayCaster::findNearest(const glm::dvec3& origin, cons
     while (isOnTheWay)
     {
         const glm::ivec3& cell = walk.getCell();
-        const Block& block = _blocks[_blockNumbers[placeOf(cell)]];
+        const Block& block = _blocks.get(cell >> BLOCK_SHIFT);
         if ((block.covered | block.studs) == 0)
         {
             isOnTheWay = walk.leaveBlock();

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstddef>
+#include <osgLego/BrickModel.h>
+#include <osgLego/data/SparseBox.h>
+
 #include <cstdint>
 #include <optional>
-#include <osgLego/BrickModel.h>
-#include <vector>
 
 #include <glm/vec3.hpp>
 #include <osg/Vec3d>
@@ -30,9 +30,8 @@ namespace osgLego
  * 1. Cells of the model are at least as high as a stud. All Proportions satisfy this.
  * 2. Directions and normals have length 1; points are finite.
  *
- * Needs no GL context. Immutable once created; every function may be called from any thread. Uses 16 bytes for each
- * block of 4 x 4 x 4 cells that contains a brick or a stud, and 4 bytes for every block of the grid: 64 MiB at 1024
- * cells along each side.
+ * Needs no GL context. Immutable once created; every function may be called from any thread. Memory follows the number
+ * of bricks: 64 KiB for each block of 64 x 64 x 64 cells that contains some.
  */
 class BrickRayCaster
 {
@@ -80,18 +79,14 @@ private:
         std::uint64_t studs = 0;
     };
 
-    std::size_t placeOf(const glm::ivec3& cell) const;
-    Block& addBlock(const glm::ivec3& cell);
     std::optional<double> findStud(const glm::ivec3& cell, const glm::dvec3& origin, const glm::dvec3& direction,
                                    double maximumDistance) const;
 
     osg::ref_ptr<const BrickModel> _model;
     int _up;
-    glm::dvec3 _cellExtent;                   // the size of a cell, in pitches
-    glm::ivec3 _dimensions;                   // in cells, with a layer for the studs on the topmost bricks
-    glm::ivec3 _blockCounts;                  // along each axis
-    std::vector<std::uint32_t> _blockNumbers; // for every block of the grid, its index into _blocks
-    std::vector<Block> _blocks;               // the first is empty and shared by all empty blocks
+    glm::dvec3 _cellExtent; // the size of a cell, in pitches
+    glm::ivec3 _dimensions; // in cells, with a layer for the studs on the topmost bricks
+    SparseBox<Block> _blocks;
 };
 
 } // namespace osgLego

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include <osg/Notify>
@@ -47,15 +49,14 @@ constexpr std::size_t HEADER_SIZE = 8;
 constexpr std::uint64_t LARGEST_RATIO = 1032;
 // The number of cells in the largest part: a brick of 2x8 studs and three plates.
 constexpr int LARGEST_PART = 48;
-// The number of cells of all parts, as many as filling a model gives, so that decoding needs at most a few gigabytes.
-constexpr std::uint64_t MOST_CELLS_OF_PARTS = std::uint64_t(1) << 26;
 // The fewest bytes of a brick or part in the data: its colour, or a step, a size, a colour and its code.
 constexpr std::uint64_t SMALLEST_BRICK = 3;
 constexpr std::uint64_t SMALLEST_PART = 11;
+// The most bytes of either: two numbers of up to 10 bytes and a colour, or a number, sizes, a colour and its code.
+constexpr std::uint64_t LARGEST_RECORD = 23;
 constexpr const char* BAD_BRICKS = "the stored bricks contradict their grid; expected each brick in a cell of its own";
 constexpr const char* BAD_PARTS =
     "the stored parts contradict their grid; expected parts within it that do not overlap";
-constexpr int LARGEST_DIMENSION = std::numeric_limits<std::uint16_t>::max() + 1;
 
 std::uint32_t checkSumOf(std::string_view bytes)
 {
@@ -76,14 +77,28 @@ void writeGrid(const BrickGrid& grid, ByteWriter& writer)
         writer.writeDouble(grid.cellSize[axis]);
 }
 
-bool readGrid(ByteReader& reader, BrickGrid& grid)
+/** @return one sentence if a grid has too many cells, or cells so long that tables of the space around bricks would not
+ * fit into memory; otherwise empty. */
+std::string findObstacle(const glm::dvec3& cells, const BrickGrid& grid)
 {
+    std::ostringstream text;
+    if (!GridLimits::contain(cells, grid.getUpIndex()))
+        text << std::setprecision(std::numeric_limits<std::uint32_t>::digits10 + 1) << "the bricks are in a grid of "
+             << cells.x << " x " << cells.y << " x " << cells.z << " cells; expected at most "
+             << GridLimits::describe(grid.getUpIndex()) << " in stored bricks";
+    const auto [shortest, longest] = std::minmax({grid.cellSize.x, grid.cellSize.y, grid.cellSize.z});
+    if (!(longest <= GridLimits::MOST_STRETCH * shortest))
+        text << "the cells of the bricks are " << longest / shortest << " times as long as wide; expected at most "
+             << GridLimits::MOST_STRETCH << " times in stored bricks";
+    return text.str();
+}
+
+/** @return false if a value is impossible, with one sentence in `error` if the grid is too large. */
+bool readGrid(ByteReader& reader, BrickGrid& grid, std::string& error)
+{
+    glm::dvec3 cells;
     for (int axis = 0; axis < 3; ++axis)
-    {
-        const auto cells = reader.readNumber<std::uint32_t>();
-        if (cells > LARGEST_DIMENSION) return false;
-        grid.dimensions[axis] = static_cast<int>(cells);
-    }
+        cells[axis] = reader.readNumber<std::uint32_t>();
     const auto up = reader.readNumber<std::uint8_t>();
     if (up != 1 && up != 2) return false;
     grid.upAxis = up == 1 ? UpAxis::Y : UpAxis::Z;
@@ -94,12 +109,26 @@ bool readGrid(ByteReader& reader, BrickGrid& grid)
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(grid.origin[axis]) || !std::isfinite(grid.cellSize[axis]) || !(grid.cellSize[axis] > 0.0))
             return false;
+    if (const std::string obstacle = findObstacle(cells, grid); !obstacle.empty())
+    {
+        error = obstacle;
+        return false;
+    }
+    grid.dimensions = glm::ivec3(cells);
     return true;
 }
 
 int countCells(const Part& part)
 {
     return part.size[0] * part.size[1] * part.size[2];
+}
+
+/** @return one sentence if there are too many bricks to be stored; otherwise empty. @param kind such as "bricks". */
+std::string findObstacle(std::uint64_t count, const char* kind)
+{
+    if (count <= GridLimits::MOST_BRICKS) return {};
+    return "there are " + std::to_string(count) + " " + kind + "; expected at most " +
+           std::to_string(GridLimits::MOST_BRICKS) + " in stored bricks";
 }
 
 /** @return one sentence if parts are too large to be stored; otherwise empty. */
@@ -113,10 +142,16 @@ std::string findObstacle(const std::vector<Part>& parts)
                    std::to_string(LARGEST_PART) + " in each part of stored bricks";
         numCells += static_cast<std::uint64_t>(countCells(part));
     }
-    if (numCells > MOST_CELLS_OF_PARTS)
-        return "the parts cover " + std::to_string(numCells) + " cells; expected at most " +
-               std::to_string(MOST_CELLS_OF_PARTS) + " in stored bricks";
-    return {};
+    return findObstacle(numCells, "cells of parts");
+}
+
+/** @return one sentence if a model is too large to be stored; otherwise empty. */
+std::string findObstacle(const BrickModel& model)
+{
+    const BrickGrid& grid = model.getGrid();
+    if (std::string obstacle = findObstacle(grid.dimensions, grid); !obstacle.empty()) return obstacle;
+    if (!model.getParts().empty()) return findObstacle(model.getParts());
+    return findObstacle(model.getBricks().size(), "bricks");
 }
 
 std::string compressData(const std::string& data)
@@ -164,18 +199,25 @@ osg::ref_ptr<const BrickModel> readPartData(ByteReader& reader, const BrickGrid&
     return TakenCells::overlap(parts) ? nullptr : BrickModel::createOfParts(grid, std::move(parts));
 }
 
-/** Read a model, after the header. @return null if a value is impossible, with one sentence in `error` if parts are too
- * large. */
+/** Read a model, after the header. @return null if a value is impossible, with one sentence in `error` if the model is
+ * too large. */
 osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t version, std::string& error)
 {
     BrickGrid grid;
-    if (!readGrid(reader, grid)) return nullptr;
+    if (!readGrid(reader, grid, error)) return nullptr;
+    const bool hasParts = version == VERSION_OF_PARTS;
     const auto count = reader.readNumber<std::uint64_t>();
     const auto size = reader.readNumber<std::uint64_t>();
-    if (reader.hasFailed()) return nullptr;
+    // A brick needs several bytes of the data, and the data is limited by that of the file: see decompressData().
+    if (reader.hasFailed() || count > size / (hasParts ? SMALLEST_PART : SMALLEST_BRICK)) return nullptr;
+    if (const std::string obstacle = findObstacle(count, hasParts ? "parts" : "bricks"); !obstacle.empty())
+    {
+        error = obstacle;
+        return nullptr;
+    }
+    if (size > count * LARGEST_RECORD) return nullptr;
     const std::optional<std::string> data = decompressData(reader.readRest(), size);
-    const bool hasParts = version == VERSION_OF_PARTS;
-    if (!data || count > size / (hasParts ? SMALLEST_PART : SMALLEST_BRICK)) return nullptr;
+    if (!data) return nullptr;
     ByteReader dataReader(*data);
     return hasParts ? readPartData(dataReader, grid, count, error) : readBrickData(dataReader, grid, count);
 }
@@ -184,7 +226,7 @@ osg::ref_ptr<const BrickModel> readModel(ByteReader& reader, std::uint32_t versi
 
 std::string encodeBricks(const BrickModel& model)
 {
-    if (const std::string obstacle = findObstacle(model.getParts()); !obstacle.empty())
+    if (const std::string obstacle = findObstacle(model); !obstacle.empty())
     {
         OSG_WARN << "osgLego: " << obstacle << std::endl;
         return {};

@@ -56,13 +56,6 @@ BrickGrid createLattice(const LegoSettings& settings)
     return lattice;
 }
 
-glm::dvec3 largestSize(const BrickGrid& lattice)
-{
-    glm::dvec3 largest(LegoSettings::MAXIMUM_RESOLUTION);
-    largest[lattice.getUpIndex()] = LegoSettings::MAXIMUM_LAYERS;
-    return largest;
-}
-
 // In cells. Farther away, positions in double precision are too coarse to be assigned to cells.
 constexpr double MAXIMUM_DISTANCE = 1e9;
 
@@ -76,7 +69,7 @@ BrickGrid createFromLattice(const osg::BoundingBoxd& bounds, const LegoSettings&
         return grid;
     }
     const CellRange cells = findCells(grid, bounds);
-    if (!glm::all(glm::lessThanEqual(cells.count, largestSize(grid)))) return grid;
+    if (!GridLimits::contain(cells.count, grid.getUpIndex())) return grid;
     grid.origin += cells.first * grid.cellSize;
     grid.dimensions = glm::ivec3(cells.count);
     return grid;
@@ -124,11 +117,10 @@ std::string BrickGrid::findObstacle(const osg::BoundingBoxd& bounds, const LegoS
                "cell "
                "or a nearer origin";
     const glm::dvec3 count = findCells(lattice, bounds).count;
-    const glm::dvec3 largest = largestSize(lattice);
-    if (glm::all(glm::lessThanEqual(count, largest))) return {};
+    if (GridLimits::contain(count, lattice.getUpIndex())) return {};
     std::ostringstream text;
     text << "the model reaches into " << count.x << " x " << count.y << " x " << count.z << " cells; expected at most "
-         << largest.x << " x " << largest.y << " x " << largest.z
+         << GridLimits::describe(lattice.getUpIndex())
          << ", by a larger cell, or by origin and size that select a part";
     return text.str();
 }

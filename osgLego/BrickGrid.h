@@ -57,7 +57,7 @@ struct OSGLEGO_EXPORT BrickGrid
     double getPitch() const { return cellSize.x; }
     /** The height of a stud, in cells along the up axis. */
     double getStudHeight() const { return BrickDimensions::STUD_HEIGHT * getPitch() / cellSize[getUpIndex()]; }
-    /** The number of cells, at most 1024 * 1024 * 2560. */
+    /** The number of cells; for the most, see GridLimits. */
     std::size_t getNumCells() const;
 
     /** Convert a point from model units to cell units. */

@@ -57,25 +57,19 @@ public:
 class GridSize : public ThreeNumbers<glm::ivec3>
 {
 public:
-    SettingRange getRange() const { return {1.0, static_cast<double>(LegoSettings::MAXIMUM_LAYERS)}; }
+    SettingRange getRange() const { return {1.0, static_cast<double>(GridLimits::MOST_LAYERS)}; }
     std::string getForm() const { return "<w>:<d>:<h>"; }
     std::string getValues() const
     {
-        const SettingRange sideways{getRange().minimum, static_cast<double>(LegoSettings::MAXIMUM_RESOLUTION)};
-        return "w:d:h in cells, each " + limitsOf<int>(sideways) + ", and up to " +
-               toText(LegoSettings::MAXIMUM_LAYERS) + " along the up axis";
+        const SettingRange sideways{getRange().minimum, static_cast<double>(GridLimits::MOST_CELLS)};
+        return "w:d:h in cells, each " + limitsOf<int>(sideways) + ", and up to " + toText(GridLimits::MOST_LAYERS) +
+               " along the up axis";
     }
     std::string getExpected() const { return getValues(); }
     bool contains(const glm::ivec3& size, const LegoSettings& settings) const
     {
-        const int up = settings.grid.upAxis == UpAxis::Y ? 1 : 2;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const int most =
-                axis == up ? LegoSettings::MAXIMUM_LAYERS : static_cast<int>(LegoSettings::MAXIMUM_RESOLUTION);
-            if (size[axis] < 1 || size[axis] > most) return false;
-        }
-        return true;
+        return glm::all(glm::greaterThanEqual(size, glm::ivec3(1))) &&
+               GridLimits::contain(size, settings.grid.upAxis == UpAxis::Y ? 1 : 2);
     }
 };
 

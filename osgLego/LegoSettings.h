@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/Export.h>
+#include <osgLego/GridLimits.h>
 #include <osgLego/SettingDescription.h>
 
 #include <cstdint>
@@ -137,8 +138,7 @@ enum class Show
  */
 struct OSGLEGO_EXPORT LegoSettings
 {
-    static constexpr unsigned int MAXIMUM_RESOLUTION = 1024;
-    static constexpr int MAXIMUM_LAYERS = 2560; //!< cells along the up axis
+    static constexpr unsigned int MAXIMUM_RESOLUTION = GridLimits::MOST_CELLS;
     static constexpr double MINIMUM_CELL = 1e-9;
     static constexpr double MAXIMUM_CELL = 1e12;
     static constexpr double MAXIMUM_ORIGIN = 1e18; //!< of either sign
@@ -162,9 +162,8 @@ struct OSGLEGO_EXPORT LegoSettings
          * pitch, proportions, up axis and origin belong to one lattice. Needs a `cellPitch`. Unset: the model's origin.
          */
         std::optional<glm::dvec3> origin;
-        /** The number of cells along the model's x, y and z, from `origin` on, which it needs: 1 to MAXIMUM_RESOLUTION,
-         * and to MAXIMUM_LAYERS along the up axis. Geometry outside is ignored. Unset: all cells that the model
-         * reaches. */
+        /** The number of cells along the model's x, y and z, from `origin` on, which it needs: each at least 1, and
+         * within GridLimits. Geometry outside is ignored. Unset: all cells that the model reaches. */
         std::optional<glm::ivec3> size;
         Proportions proportions = Proportions::CUBE;
         UpAxis upAxis = UpAxis::Z;

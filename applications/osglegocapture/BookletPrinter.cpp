@@ -81,6 +81,10 @@ bool copyWithPaper(const std::string& page, const std::filesystem::path& copy)
     text << std::ifstream(page, std::ios::binary).rdbuf();
     if (!text) return false;
     std::string content = text.str();
+    // The page allows its own style sheet by its hash.
+    constexpr std::string_view POLICY = "<meta http-equiv=\"Content-Security-Policy\"";
+    if (const std::size_t policy = content.find(POLICY); policy != std::string::npos)
+        content.erase(policy, content.find('>', policy) + 1 - policy);
     constexpr std::string_view STYLE = "<style>";
     if (const std::size_t style = content.find(STYLE); style != std::string::npos)
         content.insert(style + STYLE.size(), "@page { size: A4; }");

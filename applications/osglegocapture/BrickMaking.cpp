@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <future>
+#include <system_error>
 
 namespace osgLego
 {
@@ -19,13 +20,27 @@ void show(const LegoProgress& progress, const ProgressBar& bar)
         bar.show("making bricks");
 }
 
+/** Make bricks on a separate thread; if the system can't start one, in the first call that waits without a limit. */
+std::future<void> startMaking(LegoNode& lego)
+{
+    const auto make = [&lego] { lego.getBricks(); };
+    try
+    {
+        return std::async(std::launch::async, make);
+    }
+    catch (const std::system_error&)
+    {
+        return std::async(std::launch::deferred, make);
+    }
+}
+
 } // namespace
 
 void makeBricks(LegoNode& lego, const ProgressBar& progress)
 {
     constexpr std::chrono::milliseconds INTERVAL(100);
-    std::future<void> making = std::async(std::launch::async, [&lego] { lego.getBricks(); });
-    while (making.wait_for(INTERVAL) != std::future_status::ready)
+    std::future<void> making = startMaking(lego);
+    while (making.wait_for(INTERVAL) == std::future_status::timeout)
     {
         if (Cancellation::isRequested()) lego.cancel();
         show(lego.getProgress(), progress);

@@ -28,7 +28,8 @@ void readSettings(CaptureOptions& options)
         settings.parts.set = PartSet::BRICKS;
         settings.grid.proportions = Proportions::BRICK;
     }
-    std::string error;
+    std::string error = findKeyOfOption(options.settingsText);
+    if (!error.empty()) throw CLI::ValidationError("--legolize: " + error);
     const bool isEmpty = options.settingsText.empty() && !options.build.empty();
     if (!isEmpty && !LegoSettings::parse(options.settingsText, settings, error))
         throw CLI::ValidationError("--legolize: " + error);

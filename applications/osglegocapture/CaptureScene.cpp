@@ -8,6 +8,7 @@
 #include <common/UprightTurn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -300,8 +301,10 @@ osg::BoundingSphere CaptureScene::getBound() const
     const bool hasMesh = isInSource() && !_lego->getStoredBricks();
     osg::BoundingSphere bound = hasMesh ? transformed(_lego->osg::Group::computeBound(), *_lego) : _source->getBound();
     if (!_lego) return bound;
-    // A grid beside the mesh has no bricks, but is drawn.
     const osg::BoundingSphere bricks = transformed(_lego->getBound(), *_lego);
+    // Triangles that reach to infinity have no bricks; a warning has said so.
+    if (!std::isfinite(bound.radius()) || !std::isfinite(bound.center().length())) return bricks;
+    // A grid beside the mesh has no bricks, but is drawn.
     if (!bound.intersects(bricks)) bound.expandBy(bricks);
     return bound;
 }

@@ -1,8 +1,11 @@
 #include "OptionReaders.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include <osgLego/ModelDesigner.h>
 
@@ -73,6 +76,25 @@ std::string readParts(const std::string& text, CaptureOptions& options)
     const std::size_t number = isNumber ? std::stoul(text) : 0;
     if (number < 1 || number > DesignOptions::MOST_PARTS) return badValue("--parts", text, "1 to 10000 parts");
     options.buildParts = number;
+    return {};
+}
+
+std::string findKeyOfOption(std::string_view settings)
+{
+    constexpr std::array<std::pair<std::string_view, const char*>, 3> OPTIONS{
+        {{"occlusion", "--occlusion off"}, {"distant", "--occlusion grid,distant=off"}, {"probe", "--probe park.exr"}}};
+    for (std::size_t begin = 0; begin < settings.size();)
+    {
+        const std::size_t end = std::min(settings.find(',', begin), settings.size());
+        const std::string_view item = settings.substr(begin, end - begin);
+        const std::size_t first = std::min(item.find_first_not_of(' '), item.size());
+        const std::string_view key = item.substr(first, item.find_first_of(" =", first) - first);
+        for (const auto& [name, option] : OPTIONS)
+            if (key == name)
+                return "'" + std::string(key) +
+                       "' is a key of names with .legolize only; expected an option, such as " + option;
+        begin = end + 1;
+    }
     return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace osgLego
 {
@@ -42,5 +43,9 @@ std::string readLoad(const std::string& text, CaptureOptions& options);
 std::string readLength(const std::string& text, CaptureOptions& options);
 /** Read --parts. */
 std::string readParts(const std::string& text, CaptureOptions& options);
+
+/** @return one sentence that names an option of this program, if the settings have a key that is its setting in names
+ * with .legolize; otherwise empty. */
+std::string findKeyOfOption(std::string_view settings);
 
 } // namespace osgLego

@@ -64,8 +64,8 @@ void ScenePicture::placeCamera()
     const osg::BoundingSphere bound = _scene.getBound();
     if (!(bound.radius() < 0.0f) && !(std::isfinite(bound.radius()) && std::isfinite(bound.center().length())))
         throw CaptureError(EXIT_BAD_INPUT,
-                           "the mesh reaches to infinity, so no camera sees it; expected coordinates that "
-                           "are finite as 32-bit numbers");
+                           "the mesh has coordinates that are not finite or so large that no camera sees all of it; "
+                           "expected at most 1e+18, or bricks, which leave such triangles out");
     const double aspect = static_cast<double>(_options.width) / _options.height;
     CaptureCamera place(_options.view, _scene.getUpAxis(), aspect);
     if (_options.view.distance > 0.0)

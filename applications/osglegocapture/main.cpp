@@ -14,6 +14,7 @@
 #include "SceneStability.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
+#include "ThreadSupply.h"
 
 #include <common/PictureBuffer.h>
 #include <offscreen/OffscreenContext.h>
@@ -25,6 +26,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <osgDB/Registry>
@@ -280,6 +282,7 @@ void checkPrinted()
 
 int run(int argc, char** argv)
 {
+    adaptToThreadSupply();
     findOwnPlugins();
     InputFiles::record();
     CaptureOptions options;
@@ -317,6 +320,14 @@ int main(int argc, char** argv)
     catch (const std::bad_alloc&)
     {
         fmt::print(stderr, "osglegocapture: out of memory; expected a lower resolution, or a smaller picture\n");
+        return osgLego::EXIT_BAD_INPUT;
+    }
+    catch (const std::system_error& error)
+    {
+        const bool isThread = error.code() == std::errc::resource_unavailable_try_again;
+        fmt::print(stderr, "osglegocapture: {}\n",
+                   isThread ? "the system can't start a thread; expected higher limits of processes and of memory"
+                            : error.what());
         return osgLego::EXIT_BAD_INPUT;
     }
     catch (const std::exception& error)

@@ -40,17 +40,7 @@ StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, c
         upper = glm::max(upper, box.upper);
     }
     _size = upper - _lower;
-    _isCovered.assign(static_cast<std::size_t>(_size.x) * static_cast<std::size_t>(_size.y) *
-                          static_cast<std::size_t>(_size.z),
-                      false);
-}
-
-std::size_t StepViews::toIndex(const glm::ivec3& cell) const
-{
-    const glm::ivec3 place = cell - _lower;
-    return static_cast<std::size_t>(place.x) +
-           static_cast<std::size_t>(_size.x) * (static_cast<std::size_t>(place.y) +
-                                                static_cast<std::size_t>(_size.y) * static_cast<std::size_t>(place.z));
+    _isCovered = SparseBox<bool>(_size);
 }
 
 void StepViews::cover(const std::vector<std::uint32_t>& parts, bool isCovered)
@@ -61,7 +51,7 @@ void StepViews::cover(const std::vector<std::uint32_t>& parts, bool isCovered)
         for (int z = box.lower.z; z < box.upper.z; ++z)
             for (int y = box.lower.y; y < box.upper.y; ++y)
                 for (int x = box.lower.x; x < box.upper.x; ++x)
-                    _isCovered[toIndex({x, y, z})] = isCovered;
+                    _isCovered.edit(glm::ivec3(x, y, z) - _lower) = isCovered;
     }
 }
 
@@ -136,7 +126,7 @@ bool StepViews::isHidden(glm::dvec3 place, const glm::dvec3& toEye) const
         const glm::ivec3 cell(glm::floor(place));
         const bool isInside =
             glm::all(glm::greaterThanEqual(cell, _lower)) && glm::all(glm::lessThan(cell, _lower + _size));
-        if (isInside && _isCovered[toIndex(cell)]) return true;
+        if (isInside && _isCovered.get(cell - _lower)) return true;
         double way = 0.0; // to the next cell
         int next = -1;
         for (int axis = 0; axis < 3; ++axis)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/PlanningOptions.h>
+#include <osgLego/data/SparseBox.h>
 #include <osgLego/stability/JointGraph.h>
 
 #include <vector>
@@ -46,7 +47,6 @@ private:
     Sight look(const std::vector<std::uint32_t>& parts, int turns) const;
     double getVisibleShare(const BuildingBox& box, const glm::dvec3& toEye) const;
     bool isHidden(glm::dvec3 place, const glm::dvec3& toEye) const;
-    std::size_t toIndex(const glm::ivec3& cell) const;
 
     const std::vector<BuildingBox>& _boxes;
     double _cellHeight;
@@ -54,7 +54,7 @@ private:
     int _numTurns;
     glm::ivec3 _lower{0};
     glm::ivec3 _size{0};
-    std::vector<bool> _isCovered; // cells
+    SparseBox<bool> _isCovered; // cells from `_lower` on
     int _turns = 0;
 };
 

@@ -1,6 +1,6 @@
 #include <osgLego/data/VoxelGrid.h>
 
-#include <osgLego/LegoSettings.h>
+#include <osgLego/GridLimits.h>
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ double VoxelGrid::getLongestSide(const BrickGrid& grid)
 VoxelGrid::VoxelGrid(const BrickGrid& grid, std::span<const BrickPoint> points, double width, double reach)
 {
     const glm::dvec3 cell = grid.cellSize / grid.getPitch();
-    _cellsPerVoxel = glm::ivec3(glm::clamp(glm::round(width / cell), 1.0, double(LegoSettings::MAXIMUM_LAYERS)));
+    _cellsPerVoxel = glm::ivec3(glm::clamp(glm::round(width / cell), 1.0, double(GridLimits::MOST_LAYERS)));
     _extent = glm::dvec3(_cellsPerVoxel) * cell;
     _size = (grid.dimensions + _cellsPerVoxel - 1) / _cellsPerVoxel + 2 * BORDER;
     _margin = glm::ivec3(glm::ceil(reach / _extent)) + 1;

@@ -3,11 +3,13 @@
 #include <osgLego/data/SharedObjects.h>
 #include <osgLego/gl/ContextProgram.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -77,6 +79,75 @@ bool readShader(const std::string& fileName, std::string& text)
     return getKnownSources().find(fileName, text);
 }
 
+/** Warn once: a program asks for its sources several times. */
+void warnOnce(const std::string& warning)
+{
+    static std::mutex mutex;
+    static std::set<std::string> given;
+    const std::lock_guard lock(mutex);
+    if (given.insert(warning).second) OSG_WARN << "osgLego: " << warning << std::endl;
+}
+
+/** Replaces lines that include files by these files. */
+class IncludeResolver
+{
+public:
+    /** @return the text of a file, with its includes resolved; empty, with a warning, if there is none, or it includes
+     * itself. */
+    std::string resolve(const std::string& fileName)
+    {
+        const std::string text = include(fileName);
+        return _isCyclic ? std::string() : text;
+    }
+
+private:
+    std::string include(const std::string& fileName)
+    {
+        if (const auto first = std::find(_open.begin(), _open.end(), fileName); first != _open.end())
+        {
+            _isCyclic = true;
+            warnOfCycle({first, _open.end()});
+            return {};
+        }
+        std::string text;
+        if (!readShader(fileName, text))
+        {
+            warnOnce("shader '" + fileName + "' not found");
+            return {};
+        }
+        _open.push_back(fileName);
+        text = resolveLines(text);
+        _open.pop_back();
+        return text;
+    }
+
+    std::string resolveLines(const std::string& text)
+    {
+        constexpr std::string_view INCLUDE = "#include \"";
+        std::ostringstream result;
+        std::istringstream lines(text);
+        for (std::string line; !_isCyclic && std::getline(lines, line);)
+        {
+            if (line.starts_with(INCLUDE))
+                result << include(line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size()));
+            else
+                result << line << '\n';
+        }
+        return result.str();
+    }
+
+    static void warnOfCycle(const std::vector<std::string>& cycle)
+    {
+        std::string names;
+        for (const std::string& name : cycle)
+            names += "'" + name + "' includes ";
+        warnOnce(names + "'" + cycle.front() + "'; expected shaders that do not include themselves");
+    }
+
+    std::vector<std::string> _open; // the files that are being included, each by the one before
+    bool _isCyclic = false;
+};
+
 osg::Shader::Type stageOf(const std::string& fileName)
 {
     if (fileName.ends_with(".vert")) return osg::Shader::VERTEX;
@@ -136,24 +207,7 @@ void ShaderLibrary::add(const Sources& sources)
 
 std::string ShaderLibrary::getSource(const std::string& fileName)
 {
-    std::string text;
-    if (!readShader(fileName, text))
-    {
-        OSG_WARN << "osgLego: shader '" << fileName << "' not found" << std::endl;
-        return {};
-    }
-
-    constexpr std::string_view INCLUDE = "#include \"";
-    std::ostringstream result;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-    {
-        if (line.starts_with(INCLUDE))
-            result << getSource(line.substr(INCLUDE.size(), line.rfind('"') - INCLUDE.size()));
-        else
-            result << line << '\n';
-    }
-    return result.str();
+    return IncludeResolver().resolve(fileName);
 }
 
 osg::ref_ptr<osg::Program> ShaderLibrary::getProgram(const std::string& pass,

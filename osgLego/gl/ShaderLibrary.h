@@ -30,7 +30,8 @@ public:
      * the library. */
     static void add(const Sources& sources);
 
-    /** The text of a file in shaders/, with its includes resolved; empty, with a warning, if there is no such file. */
+    /** The text of a file in shaders/, with its includes resolved; empty if there is no such file, or one includes
+     * itself, with a warning that is given once. */
     static std::string getSource(const std::string& fileName);
 
     /** The program of the given stages (.vert, .geom and .frag files). Calls with equal arguments return the same

@@ -202,10 +202,10 @@ bool fillCells(const BrickModel& model, Fill fill, unsigned int shell, FilledCel
     empty.forEachInside([&](int, int, const EmptyRun& run)
                         { numInterior += static_cast<std::size_t>(run.end - run.begin); });
     const std::size_t count = model.getBricks().size() + numInterior;
-    if (count > MAXIMUM_FILLED_CELLS)
+    if (count > GridLimits::MOST_BRICKS)
     {
         error = "the filled model has " + std::to_string(count) + " cells; expected at most " +
-                std::to_string(MAXIMUM_FILLED_CELLS) + ", as at a lower resolution";
+                std::to_string(GridLimits::MOST_BRICKS) + ", as at a lower resolution";
         return false;
     }
     cells = fillSolid(model, empty, numInterior);

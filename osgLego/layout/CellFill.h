@@ -20,14 +20,11 @@ struct FilledCells
     std::size_t numInterior = 0;
 };
 
-/** The number of cells up to which models are filled. */
-inline constexpr std::size_t MAXIMUM_FILLED_CELLS = std::size_t(1) << 26;
-
 /** Add interior cells to a model: empty cells from which every path through empty cells, side by side, ends at a
  * covered cell inside the grid. A mesh that has a hole wider than a cell, or that the grid cuts open, has none.
  *
  * @param fill SURFACE adds none; SHELL adds those at most `shell` steps, side by side, from an empty cell outside.
- * @return false, with one sentence in `error`, if there would be more than MAXIMUM_FILLED_CELLS.
+ * @return false, with one sentence in `error`, if there would be more than GridLimits::MOST_BRICKS.
  * @throws std::bad_alloc if there is not enough memory. */
 bool fillCells(const BrickModel& model, Fill fill, unsigned int shell, FilledCells& cells, std::string& error);
 

@@ -1,7 +1,5 @@
 #include <osgLego/model/CellExposure.h>
 
-#include <cstddef>
-
 namespace osgLego
 {
 
@@ -13,24 +11,15 @@ constexpr double DOWNWARDS = 0.25;
 
 } // namespace
 
-CellExposure::CellExposure(const LayoutProblem& problem) : _size(problem.size)
+CellExposure::CellExposure(const LayoutProblem& problem) : _size(problem.size), _isCovered(problem.size)
 {
-    _isCovered.resize(static_cast<std::size_t>(_size.x) * static_cast<std::size_t>(_size.y) *
-                      static_cast<std::size_t>(_size.z));
     for (const LayoutCell& cell : problem.cells)
-        _isCovered[getIndex({cell.place[0], cell.place[1], cell.place[2]})] = true;
+        _isCovered.edit({cell.place[0], cell.place[1], cell.place[2]}) = true;
 }
 
 bool CellExposure::isInside(const glm::ivec3& cell) const
 {
     return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < _size.x && cell.y < _size.y && cell.z < _size.z;
-}
-
-std::size_t CellExposure::getIndex(const glm::ivec3& cell) const
-{
-    return (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(_size.y) + static_cast<std::size_t>(cell.y)) *
-               static_cast<std::size_t>(_size.x) +
-           static_cast<std::size_t>(cell.x);
 }
 
 double CellExposure::get(const glm::ivec3& cell) const
@@ -46,7 +35,7 @@ double CellExposure::get(const glm::ivec3& cell) const
                 const double weight = z < 0 ? DOWNWARDS : 1.0;
                 all += weight;
                 glm::ivec3 next = cell + step;
-                while (isInside(next) && !_isCovered[getIndex(next)])
+                while (isInside(next) && !_isCovered.get(next))
                     next += step;
                 if (!isInside(next)) open += weight;
             }

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <osgLego/data/SparseBox.h>
 #include <osgLego/layout/LayoutProblem.h>
-
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -23,10 +22,9 @@ public:
 
 private:
     bool isInside(const glm::ivec3& cell) const;
-    std::size_t getIndex(const glm::ivec3& cell) const;
 
     glm::ivec3 _size;
-    std::vector<bool> _isCovered;
+    SparseBox<bool> _isCovered;
 };
 
 } // namespace osgLego

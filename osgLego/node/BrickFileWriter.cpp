@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <string_view>
 
@@ -135,6 +136,7 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBaked(const osg::Node& node, 
 template <typename Write>
 BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node, const std::string& fileName,
                                                           const Options* options, const Write& write)
+try
 {
     const std::string format = formatOf(fileName);
     const bool writesSource = storesNodes(format) && !mustBake(options);
@@ -156,6 +158,10 @@ BrickFileWriter::WriteResult BrickFileWriter::writeBricks(const osg::Node& node,
         OSG_WARN << "osgLego: '" << fileName << "' holds the shape of the bricks without their colours, which ."
                  << format << " can't store" << std::endl;
     return result;
+}
+catch (const std::bad_alloc&)
+{
+    return WriteResult("osgLego: there is not enough memory to write '" + fileName + "'; expected fewer bricks");
 }
 
 BrickFileWriter::WriteResult BrickFileWriter::writeObject(const osg::Object& object, const std::string& fileName,

@@ -42,7 +42,7 @@ private:
     ~BrickFileWriter() override = default;
 
     /** Write a node by `write(node, options)`, after replacing its bricks by geometry if the format requires it, or its
-     * sources by their bricks if the options request it. */
+     * sources by their bricks if the options request it. @return an error also if memory runs out. */
     template <typename Write>
     static WriteResult writeBricks(const osg::Node& node, const std::string& fileName, const Options* options,
                                    const Write& write);

@@ -17,7 +17,7 @@ SlabPlan SlabPlan::create(const BrickGrid& grid, int cellBytes)
     const int numLayers = grid.dimensions.z;
     if (layerTexels == 0 || numLayers == 0) return plan;
 
-    // With 1024 cells along the longest side, a layer has at most 1024 x 2560 cells, so at least three layers fit.
+    // By GridLimits, a layer has at most 1024 x 2560 cells, so at least three layers fit.
     const int layersInImage = std::min(numLayers, std::min(MAXIMUM_TEXELS, MAXIMUM_BYTES / cellBytes) / layerTexels);
     const int step = layersInImage == numLayers ? numLayers : layersInImage - 2;
     for (int begin = 0; begin < numLayers; begin += step)

@@ -83,12 +83,10 @@ private:
 
 std::string findObstacle(const glm::ivec3& cells)
 {
-    constexpr int WIDEST = static_cast<int>(LegoSettings::MAXIMUM_RESOLUTION);
-    if (cells.x <= WIDEST && cells.y <= WIDEST && cells.z <= LegoSettings::MAXIMUM_LAYERS) return {};
-    const auto textOf = [](int x, int y, int z)
-    { return std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z); };
-    return "its parts reach over " + textOf(cells.x, cells.y, cells.z) + " cells; expected at most " +
-           textOf(WIDEST, WIDEST, LegoSettings::MAXIMUM_LAYERS);
+    constexpr int UP = 2;
+    if (GridLimits::contain(cells, UP)) return {};
+    return "its parts reach over " + std::to_string(cells.x) + " x " + std::to_string(cells.y) + " x " +
+           std::to_string(cells.z) + " cells; expected at most " + GridLimits::describe(UP);
 }
 
 BrickGrid createGrid(const LDrawLattice& lattice, const Extent& extent)

@@ -8,6 +8,8 @@
 #include <osgDB/ObjectWrapper>
 #include <osgDB/OutputStream>
 
+#include <new>
+
 // OSG's own formats store a LegoNode's settings, as text, its appearance, its light and its source, from which the
 // bricks are made again after reading, or its stored bricks.
 
@@ -139,30 +141,56 @@ static bool checkStoredBricks(const osgLego::LegoNode& node)
     return node.getStoredBricks().valid() || node.getNumChildren() == 0;
 }
 
+/** Read stored bricks, or their absence, into a node. @return one sentence if they can't be read; otherwise empty. */
+static std::string readBricks(osgDB::InputStream& stream, osgLego::LegoNode& node)
+try
+{
+    std::string bytes;
+    std::string error = "the stored bricks are damaged or incomplete; expected the file as it was written";
+    if (!readBytesField(stream, bytes)) return error;
+    if (bytes == NO_BRICKS) return {};
+    const osg::ref_ptr<const osgLego::BrickModel> bricks = osgLego::decodeBricks(bytes, error);
+    if (!bricks) return error;
+    node.setStoredBricks(bricks);
+    return {};
+}
+catch (const std::bad_alloc&)
+{
+    return "there is not enough memory for the stored bricks; expected up to 40 bytes for each of them";
+}
+
 static bool readStoredBricks(osgDB::InputStream& stream, osgLego::LegoNode& node)
 {
     lastComplete = &node;
-    std::string bytes;
-    std::string error = "the stored bricks are damaged or incomplete; expected the file as it was written";
-    const bool isRead = readBytesField(stream, bytes);
-    if (isRead && bytes == NO_BRICKS) return true;
-    const osg::ref_ptr<const osgLego::BrickModel> bricks = isRead ? osgLego::decodeBricks(bytes, error) : nullptr;
     // Without its bricks, the node would be empty: the whole file is refused.
-    if (bricks)
-        node.setStoredBricks(bricks);
-    else
-        stream.throwException("osgLego: " + error);
-    return bricks.valid();
+    if (const std::string error = readBricks(stream, node); !error.empty()) stream.throwException("osgLego: " + error);
+    return true; // otherwise, OSG would add a message that names the property
+}
+
+/** @return the bytes of a node's bricks; empty, with one sentence in `error`, if they can't be stored. */
+static std::string encodeBricksOf(const osgLego::LegoNode& node, std::string& error)
+try
+{
+    const osg::ref_ptr<const osgLego::BrickModel> bricks = node.getStoredBricks();
+    if (!bricks) return NO_BRICKS;
+    error = "the bricks of a LegoNode can't be stored; expected a smaller model";
+    return osgLego::encodeBricks(*bricks);
+}
+catch (const std::bad_alloc&)
+{
+    error = "there is not enough memory to store the bricks of a LegoNode; expected 20 bytes for each of them";
+    return {};
 }
 
 static bool writeStoredBricks(osgDB::OutputStream& stream, const osgLego::LegoNode& node)
 {
-    const osg::ref_ptr<const osgLego::BrickModel> bricks = node.getStoredBricks();
-    const std::string bytes = bricks ? osgLego::encodeBricks(*bricks) : std::string(NO_BRICKS);
+    std::string error;
+    const std::string bytes = encodeBricksOf(node, error);
     if (bytes.empty())
-        stream.throwException("osgLego: the bricks of a LegoNode can't be stored; expected smaller parts");
-    writeBytesField(stream, bytes);
-    return !bytes.empty();
+        stream.throwException("osgLego: " + error);
+    else
+        writeBytesField(stream, bytes);
+    return true; // as after reading
 }
 
 REGISTER_OBJECT_WRAPPER(osgLego_LegoNode, new osgLego::LegoNode, osgLego::LegoNode,

@@ -49,6 +49,28 @@ def check_keys(path):
         expect_place(browser, stops[1], "the button")
 
 
+def check_policy(path):
+    """The page has its style and its script, but no other script, style sheet, picture or address."""
+    attempts = {
+        "script-src-elem": "const own = document.createElement('script'); own.textContent = '1'; document.body.append(own);",
+        "script-src-attr": "document.body.setAttribute('onclick', '1');",
+        "style-src-elem": "const own = document.createElement('style'); own.textContent = 'p {}'; document.body.append(own);",
+        "img-src": "new Image().src = 'http://127.0.0.1:9/picture.png';",
+        "connect-src": "fetch('http://127.0.0.1:9/').catch(() => 0);",
+        "frame-src": "const own = document.createElement('iframe'); own.src = 'http://127.0.0.1:9/'; document.body.append(own);"}
+    with Browser(1100, 800) as browser:
+        browser.open(path)
+        place = browser.evaluate("getComputedStyle(document.querySelector('.steps-bar')).position")
+        expect(place == "fixed", f"the page does not have its style: the bar is {place}")
+        for directive, attempt in attempts.items():
+            forbidden = browser.evaluate("""new Promise(done => {
+                document.addEventListener("securitypolicyviolation", event => done(event.effectiveDirective), {once: true});
+                setTimeout(() => done("nothing"), 5000);
+                (() => { %s })();
+            })""" % attempt)
+            expect(forbidden == directive, f"the page forbids {forbidden} instead of {directive}")
+
+
 def check_phone(path):
     with Browser(390, 844) as browser:
         browser.open(path)
@@ -81,6 +103,7 @@ def check_sheets(path):
 check_keys(sys.argv[1])
 check_sheets(sys.argv[1])
 check_phone(sys.argv[1])
+check_policy(sys.argv[1])
 for failure in failures:
     print(failure)
 sys.exit(1 if failures else 0)

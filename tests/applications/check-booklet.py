@@ -6,8 +6,10 @@ Usage: check-booklet.py FILE.html FIRST_STEP LAST_STEP [MODEL.ldr]
 LAST_STEP may be "all". MODEL.ldr is the model, of parts without submodels, from which the booklet was made. Prints one line
 per failure, and "N steps, M submodels".
 """
+import base64
 import collections
 import csv
+import hashlib
 import io
 import re
 import sys
@@ -46,6 +48,25 @@ def check_structure(page):
     for level, following in zip(levels, levels[1:]):
         if following > level + 1:
             fail(f"h{following} follows h{level}")
+
+
+def check_policy(text):
+    """The page allows its own script and style sheet, by their hashes, and pictures in the page; otherwise nothing."""
+    policy = re.search('<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="([^"]*)">', text)
+    if not policy:
+        fail("the page has no policy in its second element")
+        return
+    expected = {"default-src": "'none'", "img-src": "data:", "base-uri": "'none'", "form-action": "'none'",
+                "style-src": "'unsafe-inline'", "style-src-attr": "'unsafe-inline'"}
+    for directive, tag in (("script-src", "script"), ("style-src-elem", "style")):
+        contents = re.findall(f"<{tag}>(.*?)</{tag}>", text, re.DOTALL)
+        if len(contents) != 1:
+            fail(f"the page has {len(contents)} elements {tag}")
+        hash_of_content = base64.b64encode(hashlib.sha256(contents[0].encode()).digest()).decode()
+        expected[directive] = f"'sha256-{hash_of_content}'"
+    found = dict(own.strip().split(" ", 1) for own in policy[1].split(";"))
+    if found != expected:
+        fail(f"the policy of the page is {found} instead of {expected}")
 
 
 def check_pictures(page):
@@ -295,7 +316,9 @@ def check_cover(page, document, is_whole):
 def main():
     name, first, last, *models = sys.argv[1:]
     with open(name, encoding="utf-8") as file:
-        page = Page(file.read())
+        text = file.read()
+    page = Page(text)
+    check_policy(text)
     failures.extend(page.failures)
     check_structure(page)
     check_pictures(page)

@@ -4,6 +4,8 @@
 #include <common/RacingCar.h>
 #include <osgLego/CpuLegolizer.h>
 
+#include <HeapSize.h>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -356,6 +358,20 @@ TEST(BrickRayCaster, EverySeedAndNormalSamplesTheWeightedHemisphere)
         EXPECT_NEAR(glm::length(occlusion.bentNormal), 1.0, 1e-12);
         EXPECT_NEAR(glm::distance(occlusion.bentNormal, normal), 0.0, 0.05);
     }
+}
+
+TEST(BrickRayCaster, MemoryFollowsTheBricksNotTheGrid)
+{
+    BrickGrid grid;
+    grid.dimensions = GridLimits::getLargest(grid.getUpIndex());
+    Brick brick;
+    brick.cell = {1023, 1023, 2559};
+    const osg::ref_ptr<const BrickModel> model = BrickModel::create(grid, {Brick(), brick});
+    const std::size_t before = test::getHeapSize();
+    const BrickRayCaster caster(*model);
+    EXPECT_LT(test::getHeapSize() - before, test::HEAP_OF_FEW_BRICKS);
+    EXPECT_DOUBLE_EQ(caster.findNearest({1023.5, 0.0, 2559.5}, {0.0, 1.0, 0.0}, FAR).value(), 1023.0);
+    EXPECT_FALSE(caster.findNearest({1022.5, 0.0, 2559.5}, {0.0, 1.0, 0.0}, FAR));
 }
 
 } // namespace

@@ -1,5 +1,9 @@
 #include <osgLego/building/StepViews.h>
 
+#include <osgLego/GridLimits.h>
+
+#include <HeapSize.h>
+
 #include <array>
 
 #include <gtest/gtest.h>
@@ -114,6 +118,16 @@ TEST(StepViews, SeeOverWallsWhoseHeightTheAngleAllows)
     EXPECT_EQ(show(5, 1.2), 1);
     EXPECT_EQ(show(7, 0.4), 0);
     EXPECT_EQ(show(14, 0.4), 1);
+}
+
+TEST(StepViews, MemoryFollowsThePartsNotTheirDistance)
+{
+    const glm::ivec3 largest = GridLimits::getLargest(2);
+    const std::vector<BuildingBox> boxes{{{0, 0, 0}, {2, 2, 1}}, {largest - glm::ivec3(2, 2, 1), largest}};
+    const std::size_t before = getHeapSize();
+    StepViews views(boxes, 1.2);
+    EXPECT_EQ(views.show({0, 1}), 0);
+    EXPECT_LT(getHeapSize() - before, HEAP_OF_FEW_BRICKS);
 }
 
 } // namespace

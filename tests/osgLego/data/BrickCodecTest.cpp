@@ -4,7 +4,7 @@
 
 #include <common/RacingCar.h>
 #include <osgLego/CpuLegolizer.h>
-#include <osgLego/layout/CellFill.h>
+#include <osgLego/GridLimits.h>
 
 #include <Meshes.h>
 #include <Notices.h>
@@ -115,7 +115,7 @@ TEST_F(BrickCodec, EmptyModelsAndTheCornersOfTheLargestGridAreEqualAfterDecoding
 {
     expectEqualAfterDecoding(*BrickModel::create(BrickGrid(), {}));
     expectEqualAfterDecoding(*BrickModel::create(createGrid({4, 5, 6}), {}));
-    const BrickGrid largest = createGrid({1024, 1024, 2560});
+    const BrickGrid largest = createGrid(GridLimits::getLargest(2));
     expectEqualAfterDecoding(*BrickModel::create(largest, {createBrick(0, 0, 0)}));
     expectEqualAfterDecoding(*BrickModel::create(largest, {createBrick(0, 0, 0), createBrick(1023, 0, 0),
                                                            createBrick(0, 1023, 1), createBrick(1023, 1023, 2559)}));
@@ -157,7 +157,6 @@ TEST_F(BrickCodec, ImpossibleValuesAreErrorsEvenIfTheCheckSumIsRight)
     const std::string huge(8, '\x7f');
     const std::vector<std::string> forged{forge(_bytes, DIMENSIONS, std::string(12, '\0')),
                                           forge(_bytes, DIMENSIONS, std::string(1, '\x01')),
-                                          forge(_bytes, DIMENSIONS, huge),
                                           forge(_bytes, UP_AXIS, std::string(1, '\0')),
                                           forge(_bytes, UP_AXIS, "\x03"),
                                           forge(_bytes, ORIGIN, toBytes(-infinity)),
@@ -174,6 +173,52 @@ TEST_F(BrickCodec, ImpossibleValuesAreErrorsEvenIfTheCheckSumIsRight)
                                           forge(_bytes, DATA_SIZE + 8, "no zlib data")};
     for (std::size_t index = 0; index < forged.size(); ++index)
         EXPECT_NE(errorOf(forged[index]).find("contradict"), std::string::npos) << index;
+}
+
+TEST_F(BrickCodec, GridsBeyondTheLimitsAreNeitherWrittenNorRead)
+{
+    for (const int up : {1, 2})
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            BrickGrid grid = createGrid(GridLimits::getLargest(up));
+            grid.cellSize = {0.1, 0.1, 0.1};
+            grid.upAxis = up == 1 ? UpAxis::Y : UpAxis::Z;
+            const std::string largest = encodeBricks(*BrickModel::create(grid, {createBrick(0, 0, 0)}));
+            std::string error;
+            EXPECT_TRUE(decodeBricks(largest, error)) << error;
+            ++grid.dimensions[axis];
+            const std::string expected = "expected at most " + GridLimits::describe(up) + " in stored bricks";
+            const auto number = static_cast<std::uint64_t>(grid.dimensions[axis]);
+            const std::string larger =
+                forge(largest, DIMENSIONS + 4 * static_cast<std::size_t>(axis), toBytes(number).substr(0, 4));
+            EXPECT_NE(errorOf(larger).find(expected), std::string::npos) << errorOf(larger);
+            const std::string notices =
+                noticesOf([&] { EXPECT_EQ(encodeBricks(*BrickModel::create(grid, {createBrick(0, 0, 0)})), ""); });
+            EXPECT_NE(notices.find(expected), std::string::npos) << notices;
+        }
+    EXPECT_EQ(errorOf(forge(_bytes, DIMENSIONS, std::string(12, '\x7f'))),
+              "the bricks are in a grid of 2139062143 x 2139062143 x 2139062143 cells; expected at most " +
+                  GridLimits::describe(2) + " in stored bricks");
+}
+
+TEST_F(BrickCodec, TooManyBricksAreAnErrorBeforeTheyNeedMemory)
+{
+    const std::uint64_t count = GridLimits::MOST_BRICKS + 1;
+    EXPECT_EQ(errorOf(forge(_bytes, NUM_BRICKS, toBytes(count) + toBytes(3 * count))),
+              "there are 67108865 bricks; expected at most 67108864 in stored bricks");
+}
+
+TEST_F(BrickCodec, CellsFarLongerThanWideAreNeitherWrittenNorRead)
+{
+    BrickGrid grid = createGrid({4, 4, 4});
+    for (const double length : {0.1 / 5.0, 0.1 * 5.0, 1e9, 1e-9})
+    {
+        grid.cellSize = {0.1, 0.1, length};
+        EXPECT_NE(errorOf(forge(_bytes, CELL_SIZE, toBytes(0.1) + toBytes(0.1) + toBytes(length)))
+                      .find("times as long as wide; expected at most 4 times"),
+                  std::string::npos);
+        noticesOf([&] { EXPECT_EQ(encodeBricks(*BrickModel::create(grid, {createBrick(0, 0, 0)})), ""); });
+    }
 }
 
 TEST_F(BrickCodec, BricksOutsideTheGridOrTwiceInACellAreErrors)
@@ -219,8 +264,8 @@ bool arePossible(const BrickModel& model)
 /** The bytes of a number of parts in a large grid, with these data and the right check sum. */
 std::string storeParts(std::uint64_t count, const std::string& data)
 {
-    const std::string good =
-        encodeBricks(*BrickModel::createOfParts(createGrid({1024, 1024, 2560}), {createPart({0, 0, 0}, {1, 1, 1})}));
+    const std::string good = encodeBricks(
+        *BrickModel::createOfParts(createGrid(GridLimits::getLargest(2)), {createPart({0, 0, 0}, {1, 1, 1})}));
     std::string compressed(compressBound(data.size()), '\0');
     uLongf size = compressed.size();
     compress(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(data.data()),
@@ -263,7 +308,7 @@ TEST_F(PartCodec, PartsAreEqualAfterDecoding)
     expectEqualAfterDecoding(*createModel({40, 30, 20}, UpAxis::Y));
     constexpr std::int32_t LARGEST = std::numeric_limits<std::int32_t>::max();
     expectEqualAfterDecoding(*BrickModel::createOfParts(
-        createGrid({1024, 1024, 2560}),
+        createGrid(GridLimits::getLargest(2)),
         {createPart({1016, 1022, 2557}, {8, 2, 3}, LARGEST), createPart({0, 0, 0}, {1, 1, 1}),
          createPart({0, 0, 1}, {3, 16, 1}, std::numeric_limits<std::int32_t>::min())}));
 }
@@ -345,8 +390,7 @@ TEST_F(PartCodec, PartsOfMoreThan48CellsAreNeitherWrittenNorRead)
 TEST_F(PartCodec, PartsOfMoreCellsThanAFilledModelAreAnErrorBeforeTheyNeedMemory)
 {
     EXPECT_EQ(errorOf(storeParts(1398102, createPartData(1398102, 1, {1, 1, 48}))),
-              "the parts cover 67108896 cells; expected at most " + std::to_string(MAXIMUM_FILLED_CELLS) +
-                  " in stored bricks");
+              "there are 67108896 cells of parts; expected at most 67108864 in stored bricks");
 }
 
 TEST_F(PartCodec, OverlappingPartsAreAnErrorAndPartsSideBySideAreNot)

@@ -2,6 +2,10 @@
 
 #include "../layout/LaidModel.h"
 
+#include <osgLego/GridLimits.h>
+
+#include <HeapSize.h>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -50,6 +54,18 @@ TEST(CellExposure, OfACellBehindAHoleIsThatOfOneDirection)
 {
     const LayoutProblem box = makeBox({5, 5, 8});
     EXPECT_DOUBLE_EQ(CellExposure(box).get({5, 5, 4}), 1.0 / (17.0 + 9.0 / 4.0));
+}
+
+TEST(CellExposure, MemoryFollowsTheCellsNotTheSizeOfTheLayout)
+{
+    LayoutProblem problem;
+    problem.size = GridLimits::getLargest(2);
+    problem.cells.resize(1);
+    const std::size_t before = test::getHeapSize();
+    const CellExposure exposure(problem);
+    EXPECT_LT(test::getHeapSize() - before, test::HEAP_OF_FEW_BRICKS);
+    EXPECT_DOUBLE_EQ(exposure.get({problem.size.x - 1, 0, 0}), 1.0 - 1.0 / (17.0 + 9.0 / 4.0))
+        << "the cell is in one direction, sideways";
 }
 
 } // namespace
