@@ -26,7 +26,7 @@ const std::vector<osgLego::LegoSettings>& getSettings()
         std::vector<osgLego::LegoSettings> read;
         for (const char* text : {"6", "1,up=y", "4,proportions=plate,parts=bricks,effort=instant", "7,fill=solid",
                                  "4,up=y,proportions=brick,parts=bricks,effort=instant,connect=on", "6,palette=ldraw",
-                                 "cell=0.5", "cell=0.25,origin=-1:-1:-1,size=8:8:8", "4,anchor=model"})
+                                 "cell=2", "cell=0.25,origin=-1:-1:-1,size=8:8:8", "4,anchor=model"})
         {
             std::string error;
             require(osgLego::LegoSettings::parse(text, read.emplace_back(), error), "the settings are valid: " + error);
