@@ -81,6 +81,22 @@ private:
     std::unordered_map<std::uint64_t, Block> _blocks;
 };
 
+/** Leave out boxes with a cell of an earlier one, before the grid is chosen: it should fit the other parts alone. */
+std::vector<PlacedBox> removeOverlaps(const std::vector<PlacedBox>& boxes, std::vector<LDrawPart>& overlapping)
+{
+    const glm::ivec3 lowest = Extent(boxes).lowest;
+    TakenCells taken;
+    std::vector<PlacedBox> kept;
+    for (const PlacedBox& placed : boxes)
+    {
+        if (taken.take(placed.box.place - lowest, placed.box.size))
+            kept.push_back(placed);
+        else
+            overlapping.push_back(*placed.part);
+    }
+    return kept;
+}
+
 std::string findObstacle(const glm::ivec3& cells)
 {
     constexpr int UP = 2;
@@ -139,24 +155,18 @@ LDrawBricks LDrawBricks::create(std::span<const LDrawPart> parts, const LDrawCol
             result.offLattice.push_back(part);
     }
     if (boxes.empty()) return result;
+    boxes = removeOverlaps(boxes, result.overlapping);
     const Extent extent(boxes);
     const BrickGrid grid = createGrid(lattice, extent);
     error = findObstacle(grid.dimensions);
     if (!error.empty()) return result;
 
-    TakenCells taken;
     std::vector<Part> laid;
     const glm::ivec3 divisor(1, 1, extent.areBricks ? BRICK_PLATES : 1);
     for (const PlacedBox& placed : boxes)
     {
-        Part part = toPart((placed.box.place - extent.lowest) / divisor, placed.box.size / divisor);
-        if (!taken.take(part.getCell(), part.getSize()))
-        {
-            result.overlapping.push_back(*placed.part);
-            continue;
-        }
+        Part& part = laid.emplace_back(toPart((placed.box.place - extent.lowest) / divisor, placed.box.size / divisor));
         setColor(part, placed.part->color, colors, result.unknownColors);
-        laid.push_back(part);
     }
     result.model = BrickModel::createOfParts(grid, std::move(laid));
     return result;

@@ -189,6 +189,15 @@ TEST_F(LDrawReaderTest, OverlappingPartsAreLeftOut)
     EXPECT_EQ(_warnings, (std::vector<std::string>{"these parts overlap others and are left out: 3001.dat"}));
 }
 
+TEST_F(LDrawReaderTest, TheGridFitsThePartsWithoutThoseThatAreLeftOut)
+{
+    // The second part is a plate higher and two studs farther to the right than the first.
+    const auto model = read("1 4 0 -24 0" + ALONG_X + "3001.dat\n1 1 40 -32 0" + ALONG_X + "3001.dat\n");
+    ASSERT_TRUE(model) << _error;
+    EXPECT_EQ(model->getGrid().dimensions, glm::ivec3(4, 2, 1)) << "of bricks, not of plates";
+    EXPECT_EQ(_warnings.size(), 1u);
+}
+
 TEST_F(LDrawReaderTest, DirectColoursHaveNoCodeAndUnknownCodesAreGrey)
 {
     const auto model =
