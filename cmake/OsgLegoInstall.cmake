@@ -1,12 +1,15 @@
 # Installs the libraries, their public headers, the packages for find_package(osgLego) and pkg-config, the licence, and the manual
 # page of osglegocapture.
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgLego)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
-install(TARGETS osgLego EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS osgLego EXPORT osgLegoTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
 get_target_property(public_headers osgLego OSGLEGO_PUBLIC_HEADERS)
 install(FILES ${public_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgLego)
 if(TARGET osgLegoBooklet)
-    install(TARGETS osgLegoBooklet EXPORT osgLegoTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS osgLegoBooklet EXPORT osgLegoTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT booklet NAMELINK_COMPONENT development)
     get_target_property(booklet_headers osgLegoBooklet OSGLEGO_PUBLIC_HEADERS)
     install(FILES ${booklet_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgLegoBooklet)
 endif()
@@ -37,7 +40,8 @@ if(TARGET osgLegoBooklet)
     install(FILES ${PROJECT_BINARY_DIR}/osgLegoBooklet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
-install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Debian's packages have another file with these texts.
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 
 # Only builds of all targets make the manual page.
 find_program(OSGLEGO_HELP2MAN help2man)
@@ -50,5 +54,5 @@ if(OSGLEGO_BUILD_APPLICATIONS AND OSGLEGO_HELP2MAN AND NOT OSGLEGO_SANITIZE AND 
                 --output ${manual_page} $<TARGET_FILE:osglegocapture>
         DEPENDS osglegocapture COMMENT "Writing the manual page of osglegocapture" VERBATIM)
     add_custom_target(osgLegoManualPage ALL DEPENDS ${manual_page})
-    install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+    install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools OPTIONAL)
 endif()

@@ -234,15 +234,15 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
     return code;
 }
 
-/** Continue as the program that is linked with OSMesa instead of EGL, since a process can use only one of them. Returns
- * only by an exception, if there is no such program. */
-[[maybe_unused]] void becomeOsMesa(char** argv)
+/** Continue as the program that is linked with OSMesa instead of EGL, since a process can use only one of them.
+ * @return the path of the program, if there is none: OSMesa is optional */
+[[maybe_unused]] std::string becomeOsMesa(char** argv)
 {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::string other = self.string() + "-osmesa";
+    std::string other = self.string() + "-osmesa";
     execv(other.c_str(), argv);
-    throw CaptureError(EXIT_NO_GL, "there is no '" + other + "' to create an OSMesa context; expected --context egl");
+    return other;
 }
 
 /** Create the context that is drawn in, or continue as the program that can. @return null if nothing is drawn. */
@@ -250,7 +250,9 @@ osg::ref_ptr<osg::GraphicsContext> createContextFor(const CaptureOptions& option
 {
     if (!options.needsContext() && options.instructions.empty() && options.build.empty()) return nullptr;
 #if !defined(OSGLEGO_OSMESA)
-    if (options.context == ContextKind::OSMESA) becomeOsMesa(argv);
+    if (options.context == ContextKind::OSMESA)
+        throw CaptureError(EXIT_NO_GL, "there is no '" + becomeOsMesa(argv) +
+                                           "' to create an OSMesa context; expected --context egl");
 #endif
     constexpr int UNUSED_SIZE = 16; // pictures have their own frame buffers
     std::string error;
