@@ -1,9 +1,9 @@
 #include <osgLego/data/VolumeMipmaps.h>
 
+#include <osgLego/data/MipmapFootprint.h>
 #include <osgLego/data/ParallelLoop.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -40,27 +40,12 @@ std::vector<Level> createLevels(const glm::ivec3& size)
     return levels;
 }
 
-/** The texels of a longer side that one texel of a shorter side covers. */
-struct Footprint
+std::vector<MipmapFootprint> createFootprints(int narrow, int wide)
 {
-    int first;
-    int count;                    // at most 3, of a side of three texels that becomes one
-    std::array<float, 3> weights; // whose sum is 1
-};
-
-std::vector<Footprint> createFootprints(int shorter, int longer)
-{
-    std::vector<Footprint> footprints;
-    const double length = static_cast<double>(longer) / shorter;
-    for (int index = 0; index < shorter; ++index)
-    {
-        const double begin = index * length;
-        Footprint footprint{static_cast<int>(begin), 0, {}};
-        for (int texel = footprint.first; texel < longer && texel < begin + length - 1e-6; ++texel)
-            footprint.weights.at(static_cast<std::size_t>(footprint.count++)) = static_cast<float>(
-                (std::min(begin + length, texel + 1.0) - std::max(begin, static_cast<double>(texel))) / length);
-        footprints.push_back(footprint);
-    }
+    std::vector<MipmapFootprint> footprints;
+    footprints.reserve(static_cast<std::size_t>(narrow));
+    for (int index = 0; index < narrow; ++index)
+        footprints.emplace_back(index, narrow, wide);
     return footprints;
 }
 
@@ -83,8 +68,8 @@ private:
     void writeLayer(int z) const
     {
         unsigned char* texel = _bytes + _to.getPlace(0, 0, z);
-        for (const Footprint& row : _rows)
-            for (const Footprint& column : _columns)
+        for (const MipmapFootprint& row : _rows)
+            for (const MipmapFootprint& column : _columns)
             {
                 const glm::vec4 mean = getMean(column, row, _layers[static_cast<std::size_t>(z)]);
                 for (int channel = 0; channel < static_cast<int>(CHANNELS); ++channel)
@@ -92,18 +77,20 @@ private:
             }
     }
 
-    glm::vec4 getMean(const Footprint& column, const Footprint& row, const Footprint& layer) const
+    glm::vec4 getMean(const MipmapFootprint& column, const MipmapFootprint& row, const MipmapFootprint& layer) const
     {
         glm::vec4 sum(0.0f);
-        for (int z = 0; z < layer.count; ++z)
-            for (int y = 0; y < row.count; ++y)
+        for (std::size_t z = 0; z < layer.weights.size(); ++z)
+            for (std::size_t y = 0; y < row.weights.size(); ++y)
             {
-                const unsigned char* texel = _bytes + _from.getPlace(column.first, row.first + y, layer.first + z);
-                const float weight =
-                    row.weights[static_cast<std::size_t>(y)] * layer.weights[static_cast<std::size_t>(z)];
-                for (int x = 0; x < column.count; ++x, texel += CHANNELS)
-                    sum += weight * column.weights[static_cast<std::size_t>(x)] *
-                           glm::vec4(texel[0], texel[1], texel[2], texel[3]);
+                const unsigned char* texel = _bytes + _from.getPlace(column.first, row.first + static_cast<int>(y),
+                                                                     layer.first + static_cast<int>(z));
+                const float weight = row.weights[y] * layer.weights[z];
+                for (const float share : column.weights)
+                {
+                    sum += weight * share * glm::vec4(texel[0], texel[1], texel[2], texel[3]);
+                    texel += CHANNELS;
+                }
             }
         return sum;
     }
@@ -111,9 +98,9 @@ private:
     unsigned char* _bytes;
     Level _from;
     Level _to;
-    std::vector<Footprint> _columns;
-    std::vector<Footprint> _rows;
-    std::vector<Footprint> _layers;
+    std::vector<MipmapFootprint> _columns;
+    std::vector<MipmapFootprint> _rows;
+    std::vector<MipmapFootprint> _layers;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include <osgLego/flattening/SurfaceTexture.h>
 
+#include <osgLego/data/MipmapFootprint.h>
 #include <osgLego/flattening/ColorFraction.h>
 
 #include <algorithm>
@@ -48,35 +49,15 @@ FloatImage readImage(const osg::Image& image)
     return result;
 }
 
-/** The texels of a wider row that one texel of a narrower row averages, with their weights. */
-struct Footprint
-{
-    int first = 0;
-    std::vector<float> weights;
-};
-
-Footprint footprintOf(int index, int narrow, int wide)
-{
-    const double scale = static_cast<double>(wide) / narrow;
-    const double begin = index * scale;
-    const double end = begin + scale;
-    Footprint footprint;
-    footprint.first = static_cast<int>(begin);
-    for (int texel = footprint.first; texel < wide && texel < end; ++texel)
-        footprint.weights.push_back(
-            static_cast<float>((std::min(end, texel + 1.0) - std::max(begin, static_cast<double>(texel))) / scale));
-    return footprint;
-}
-
 FloatImage halved(FloatImage& image)
 {
     FloatImage result = makeFloatImage(glm::max(image.size / 2, glm::ivec2(1)));
     for (int row = 0; row < result.size.y; ++row)
     {
-        const Footprint rows = footprintOf(row, result.size.y, image.size.y);
+        const MipmapFootprint rows(row, result.size.y, image.size.y);
         for (int column = 0; column < result.size.x; ++column)
         {
-            const Footprint columns = footprintOf(column, result.size.x, image.size.x);
+            const MipmapFootprint columns(column, result.size.x, image.size.x);
             glm::vec4 sum(0.0f);
             for (std::size_t v = 0; v < rows.weights.size(); ++v)
                 for (std::size_t u = 0; u < columns.weights.size(); ++u)
