@@ -32,6 +32,7 @@ struct OcclusionOptions : BenchOptions
 
 constexpr glm::ivec2 SIZE(1280, 720);
 constexpr unsigned int FRAME_RESOLUTION = 128;
+constexpr unsigned int LARGE_RESOLUTION = 192; // voxels of distant occlusion are larger than cells
 constexpr unsigned int FIRST_FRAME_RESOLUTION = 48;
 constexpr const char* GRID = "grid";
 constexpr std::array QUALITIES{GRID, "low", "medium", "high"};
@@ -54,9 +55,14 @@ JsonValue compareWithRays(const BenchScene& scene, const std::string& quality, b
                           const OcclusionOptions& options)
 {
     fmt::print(stderr, "casting rays at {}, {}\n", scene.mesh.name, quality);
-    JsonValue row{{"mesh", scene.mesh.name},  {"resolution", scene.settings.grid.resolution},
-                  {"azimuth", scene.azimuth}, {"elevation", scene.elevation},
-                  {"quality", quality},       {"distant", isDistant}};
+    const bool isPlate = scene.settings.grid.proportions == Proportions::PLATE;
+    JsonValue row{{"mesh", scene.mesh.name},
+                  {"resolution", scene.settings.grid.resolution},
+                  {"proportions", isPlate ? "plate" : "cube"},
+                  {"azimuth", scene.azimuth},
+                  {"elevation", scene.elevation},
+                  {"quality", quality},
+                  {"distant", isDistant}};
     OcclusionView view(scene, getOcclusion(quality), SIZE);
     row.update(view.compare(createSettings(quality, isDistant), options.numRays, options.stride));
     return row;
@@ -146,13 +152,20 @@ void writePictures(const BenchScene& scene, const OcclusionOptions& options)
 /** Ambient occlusion was tuned on the first view. */
 std::vector<BenchScene> createScenes(const OcclusionOptions& options)
 {
-    std::vector<std::pair<MeshSource, unsigned int>> meshes{{MeshSource(), 32}, {MeshSource{"stair", "stair"}, 10}};
-    if (const MeshSource mesh = options.getMesh(); mesh.isFile()) meshes.insert(meshes.begin(), {mesh, 64});
+    std::vector<BenchScene> models{BenchScene(MeshSource(), 32), BenchScene(MeshSource{"stair", "stair"}, 10)};
+    if (const MeshSource mesh = options.getMesh(); mesh.isFile())
+    {
+        models.insert(models.begin(), BenchScene(mesh, 64));
+        BenchScene plates(mesh, 64);
+        plates.settings.grid.proportions = Proportions::PLATE;
+        models.push_back(plates);
+        models.emplace_back(mesh, LARGE_RESOLUTION);
+    }
     std::vector<BenchScene> scenes;
     for (const auto& [azimuth, elevation] : {std::pair{30.0, 25.0}, {150.0, 40.0}, {260.0, 10.0}})
-        for (const auto& [mesh, resolution] : meshes)
+        for (const BenchScene& model : models)
         {
-            scenes.emplace_back(mesh, resolution);
+            scenes.push_back(model);
             scenes.back().azimuth = azimuth;
             scenes.back().elevation = elevation;
         }

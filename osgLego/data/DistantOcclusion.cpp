@@ -1,5 +1,6 @@
 #include <osgLego/data/DistantOcclusion.h>
 
+#include <osgLego/data/CoarseFaceOcclusion.h>
 #include <osgLego/data/FaceOcclusion.h>
 #include <osgLego/data/ForEachVoxel.h>
 #include <osgLego/data/OcclusionFalloff.h>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/gtc/type_precision.hpp>
 
 namespace osgLego
 {
@@ -112,6 +114,18 @@ OcclusionVolume findDistantOcclusion(const VoxelGrid& grid, double reach)
     return volume;
 }
 
+/** Whether voxels take no more memory than those of a cube of DistantOcclusion::MAXIMUM_CELLS, with margins for rays in
+ * all directions. */
+bool isSmall(const VoxelGrid& grid)
+{
+    constexpr std::size_t MAXIMUM_SIDE = 256; // of textures, which every implementation of OpenGL 3 has
+    constexpr std::size_t MOST = DistantOcclusion::MAXIMUM_CELLS + 2 * DistantOcclusion::BORDER;
+    constexpr std::size_t MOST_WITH_MARGINS = 2 * MOST;
+    const glm::u64vec3 size(grid.getSize());
+    return std::max({size.x, size.y, size.z}) <= MAXIMUM_SIDE && size.x * size.y * size.z <= MOST * MOST * MOST &&
+           grid.getNumVoxels() <= MOST_WITH_MARGINS * MOST_WITH_MARGINS * MOST_WITH_MARGINS;
+}
+
 } // namespace
 
 double DistantOcclusion::getReach(const BrickGrid& grid)
@@ -129,17 +143,25 @@ DistantOcclusion::DistantOcclusion(const VoxelGrid& grid, const OcclusionVolume&
 osg::ref_ptr<const DistantOcclusion> DistantOcclusion::create(const BrickGrid& grid, std::span<const BrickPoint> points,
                                                               NearOcclusion near)
 {
-    const double longest = VoxelGrid::getLongestSide(grid);
     const double reach = getReach(grid);
-    if (near == NearOcclusion::GRID && longest <= MAXIMUM_CELLS)
+    if (near == NearOcclusion::GRID)
     {
-        const VoxelGrid cells(grid, points, 1.0, reach);
-        if (cells.getCellsPerVoxel() == glm::ivec3(1))
+        VoxelGrid cells(grid, 0.0, reach);
+        if (isSmall(cells))
+        {
+            cells.cover(points);
             return new DistantOcclusion(cells, findFaceOcclusion(cells, points, reach), true);
+        }
     }
+    constexpr double MARGIN = 3.0; // voxels; rays through voxels begin where those through cells end
     const int most = near == NearOcclusion::GRID ? MAXIMUM_CELLS : MAXIMUM_SIZE;
-    const VoxelGrid voxels(grid, points, std::max(1.0, std::ceil(longest / most)), reach);
-    return new DistantOcclusion(voxels, findDistantOcclusion(voxels, reach), false);
+    const double width = std::max(1.0, std::ceil(VoxelGrid::getLongestSide(grid) / most));
+    VoxelGrid voxels(grid, width, near == NearOcclusion::GRID ? reach + MARGIN * width : reach);
+    voxels.cover(points);
+    return new DistantOcclusion(voxels,
+                                near == NearOcclusion::GRID ? findCoarseFaceOcclusion(grid, voxels, points, reach)
+                                                            : findDistantOcclusion(voxels, reach),
+                                false);
 }
 
 } // namespace osgLego

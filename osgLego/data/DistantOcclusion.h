@@ -34,12 +34,13 @@ enum class NearOcclusion
  * squares of their normal's components (the ambient cube of McTaggart 2004). Voxels with bricks have the mean of their
  * empty neighbours.
  *
- * For NearOcclusion::GRID, voxels are cells, unless there are too many: then it is likewise. From the middle of each
- * open face, rays find all the light that is hidden from it, near and far. Between the middles of faces it is
- * interpolated, so that it has no seams; the table of near occlusion then adds the difference to the exact occlusion
- * (createOcclusionTable()). So that this holds at edges, too, rays also start in empty cells beside open faces, in
- * their planes. Voxels without such a face have the mean of their neighbours. Distant occlusion alone, which excludes
- * what near occlusion knows, is there as its mean over the faces of a voxel and as its direction.
+ * For NearOcclusion::GRID, voxels are cells, unless there are too many: then they are blocks of cells, and have the
+ * light that bricks which near occlusion does not know hide from their faces (findCoarseFaceOcclusion()). Otherwise,
+ * from the middle of each open face, rays find all the light that is hidden from it, near and far. Between the middles
+ * of faces it is interpolated, so that it has no seams; the table of near occlusion then adds the difference to the
+ * exact occlusion (createOcclusionTable()). So that this holds at edges, too, rays also start in empty cells beside
+ * open faces, in their planes. Voxels without such a face have the mean of their neighbours. Distant occlusion alone,
+ * which excludes what near occlusion knows, is there as its mean over the faces of a voxel and as its direction.
  *
  * Immutable; every function may be called from any thread.
  */
@@ -48,7 +49,7 @@ class DistantOcclusion : public osg::Referenced
 public:
     /** The greatest number of voxels along an axis for NearOcclusion::PICTURE, without the border. */
     static constexpr int MAXIMUM_SIZE = 64;
-    /** Likewise for NearOcclusion::GRID: up to it, voxels are cells. */
+    /** Likewise for NearOcclusion::GRID. Voxels are cells if there are no more of them than in a cube of this side. */
     static constexpr int MAXIMUM_CELLS = 128;
     static constexpr int BORDER = VoxelGrid::BORDER;
     /** The greatest distance of occluders, in pitches: a quarter of the longest side of the grid. */

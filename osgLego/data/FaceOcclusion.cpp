@@ -1,16 +1,13 @@
 #include <osgLego/data/FaceOcclusion.h>
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/data/FaceRay.h>
 #include <osgLego/data/ForEachVoxel.h>
 #include <osgLego/data/OcclusionCurve.h>
-#include <osgLego/data/OcclusionFalloff.h>
-#include <osgLego/data/OcclusionPath.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -21,88 +18,6 @@ namespace osgLego
 namespace
 {
 
-constexpr int NUM_SIDES = 6; // in the order of BrickSide
-constexpr int NUM_DIRECTIONS = 48;
-
-/** The steps that a face takes along its side's normal. */
-glm::ivec3 getNormal(int side)
-{
-    glm::ivec3 normal(0);
-    normal[side / 2] = side % 2 == 0 ? -1 : 1;
-    return normal;
-}
-
-/** Whether the near occlusion of the grid knows a cell. @param cell relative to the one in front of a face. */
-bool isKnown(const glm::ivec3& cell, int axis)
-{
-    constexpr int NUM_LAYERS = 3;
-    const glm::ivec3 away = glm::abs(cell);
-    return away[axis] < NUM_LAYERS && away[(axis + 1) % 3] <= 1 && away[(axis + 2) % 3] <= 1;
-}
-
-/** A ray from the middle of a face. */
-class FaceRay
-{
-public:
-    FaceRay(const VoxelGrid& grid, const glm::dvec3& direction, int side, double reach) :
-        _path(grid, getMiddle(grid, side), direction, reach)
-    {
-        for (const OcclusionPath::Step& step : _path.getSteps())
-        {
-            const double hidden = fadeOcclusion(step.distance, reach);
-            const double near = isKnown(step.voxel, side / 2)
-                                    ? fadeOcclusion(step.distance, AmbientOcclusionSettings::RADIUS_IN_BRICKS)
-                                    : 0.0;
-            _hits.push_back({static_cast<float>(hidden), static_cast<float>(std::max(hidden - near, 0.0))});
-        }
-    }
-
-    struct Hit
-    {
-        float hidden;  // the fraction that it hides
-        float distant; // that which near occlusion does not know
-    };
-
-    const glm::vec3& getDirection() const { return _path.getDirection(); }
-
-    /** The first hit; null if there is none. @param covered that of the first voxel. */
-    const Hit* findHit(const std::uint8_t* covered) const
-    {
-        const std::optional<std::size_t> step = _path.findHit(covered);
-        return step ? &_hits[*step] : nullptr;
-    }
-
-private:
-    /** The middle of a face, from the corner of the voxel in front of it. */
-    static glm::dvec3 getMiddle(const VoxelGrid& grid, int side)
-    {
-        glm::dvec3 middle = 0.5 * grid.getExtent();
-        middle[side / 2] = side % 2 == 0 ? grid.getExtent()[side / 2] : 0.0;
-        return middle;
-    }
-
-    OcclusionPath _path;
-    std::vector<Hit> _hits; // by step
-};
-
-using FaceRays = std::array<std::vector<FaceRay>, NUM_SIDES>;
-
-FaceRays createRays(const VoxelGrid& grid, double reach)
-{
-    const std::vector<glm::dvec3> hemisphere = createHemisphere(NUM_DIRECTIONS);
-    FaceRays rays;
-    for (int side = 0; side < NUM_SIDES; ++side)
-        for (const glm::dvec3& direction : hemisphere)
-        {
-            glm::dvec3 turned;
-            turned[side / 2] = side % 2 == 0 ? -direction.z : direction.z;
-            turned[(side / 2 + 1) % 3] = direction.x;
-            turned[(side / 2 + 2) % 3] = direction.y;
-            rays[static_cast<std::size_t>(side)].emplace_back(grid, turned, side, reach);
-        }
-    return rays;
-}
-
 /** The voxels in front of open faces: bits of BrickSide, by place. */
 std::vector<std::uint8_t> findFaces(const VoxelGrid& grid, std::span<const BrickPoint> points)
 {
@@ -112,7 +27,7 @@ std::vector<std::uint8_t> findFaces(const VoxelGrid& grid, std::span<const Brick
         const Brick brick = unpackBrick(point);
         for (int side = 0; side < NUM_SIDES; ++side)
             if (brick.openSides & 1 << side)
-                faces[grid.getPlace(brick.getCell() + VoxelGrid::BORDER + getNormal(side))] |=
+                faces[grid.getPlace(brick.getCell() + VoxelGrid::BORDER + getSideNormal(side))] |=
                     static_cast<std::uint8_t>(1 << side);
     }
     return faces;
@@ -122,7 +37,7 @@ class FaceOcclusion
 {
 public:
     FaceOcclusion(const VoxelGrid& grid, std::span<const BrickPoint> points, double reach) :
-        _grid(grid), _faces(findFaces(grid, points)), _rays(createRays(grid, reach))
+        _grid(grid), _faces(findFaces(grid, points)), _rays(createFaceRays(grid, reach, reach))
     {
     }
 
@@ -190,10 +105,6 @@ private:
 
     void castRays(std::size_t place, int side, Sums& sums) const
     {
-        // Bent normals move by this part of `bend`; see shaders/light/distant_light.glsl.
-        constexpr float BEND = 0.5625f;
-        // The mean open direction of an open hemisphere is two thirds as long as its normal.
-        constexpr float MEAN_DIRECTION = 2.0f / 3.0f;
         const std::uint8_t* covered = _grid.getCovered() + place;
         float hidden = 0.0f;
         float distant = 0.0f;
@@ -207,14 +118,14 @@ private:
             towards += hit->distant * ray.getDirection();
         }
         const int axis = side / 2;
-        sums.mean[axis] += hidden / static_cast<float>(NUM_DIRECTIONS);
+        sums.mean[axis] += hidden / static_cast<float>(NUM_FACE_RAYS);
         sums.meanCount[axis] += 1.0f;
         for (int other = (axis + 1) % 3; other != axis; other = (other + 1) % 3)
         {
-            sums.bend[other] += towards[other] / (BEND * MEAN_DIRECTION * static_cast<float>(NUM_DIRECTIONS));
+            sums.bend[other] += towards[other] * BEND_OF_FACE_RAY;
             sums.bendCount[other] += 1.0f;
         }
-        sums.distant += distant / static_cast<float>(NUM_DIRECTIONS);
+        sums.distant += distant / static_cast<float>(NUM_FACE_RAYS);
         sums.numFaces += 1.0f;
     }
 

@@ -30,10 +30,10 @@ public:
     const std::vector<Step>& getSteps() const { return _steps; }
 
     /** The index of the first step to a voxel with bricks, if there is one.
-     * @param covered VoxelGrid::getCovered() from the first voxel on. */
-    std::optional<std::size_t> findHit(const std::uint8_t* covered) const
+     * @param covered VoxelGrid::getCovered() from the first voxel on. @param first the first step that counts. */
+    std::optional<std::size_t> findHit(const std::uint8_t* covered, std::size_t first = 0) const
     {
-        for (std::size_t step = 0; step < _offsets.size(); ++step)
+        for (std::size_t step = first; step < _offsets.size(); ++step)
             if (covered[_offsets[step]] != 0) return step;
         return {};
     }

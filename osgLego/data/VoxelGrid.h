@@ -27,9 +27,13 @@ public:
     /** The longest side of a grid, in pitches. */
     static double getLongestSide(const BrickGrid& grid);
 
-    /** @param points the visible bricks. @param width of a voxel, in pitches, at least 1.
-     * @param reach the length of rays, in pitches. */
-    VoxelGrid(const BrickGrid& grid, std::span<const BrickPoint> points, double width, double reach);
+    /** No voxel is covered yet, and no memory taken.
+     * @param width of a voxel, in pitches; 0 for voxels of one cell. @param reach the length of rays, in pitches. */
+    VoxelGrid(const BrickGrid& grid, double width, double reach);
+
+    /** Cover the voxels of bricks. To be called once, before any place is asked for its cover.
+     * @param points the visible bricks. */
+    void cover(std::span<const BrickPoint> points);
 
     /** The number of cells in a voxel, along each axis. */
     const glm::ivec3& getCellsPerVoxel() const { return _cellsPerVoxel; }
@@ -39,7 +43,7 @@ public:
     const glm::ivec3& getSize() const { return _size; }
 
     /** The number of voxels in memory, with the margin. */
-    std::size_t getNumVoxels() const { return _covered.size(); }
+    std::size_t getNumVoxels() const { return _numVoxels; }
     /** The distance in memory between voxels that are `step` apart. */
     std::ptrdiff_t getOffset(const glm::ivec3& step) const
     {
@@ -58,6 +62,7 @@ private:
     glm::ivec3 _size{0};
     glm::ivec3 _margin{0};
     glm::vec<3, std::ptrdiff_t> _strides{0};
+    std::size_t _numVoxels = 0;
     std::vector<std::uint8_t> _covered; // 1 for voxels with bricks
 };
 

@@ -108,7 +108,7 @@ vec4 openSky(Surface surface)
     vec3 shift;
     vec4 open = nearOcclusion(surface, shift);
 #if defined(DISTANT_OCCLUSION)
-    float overlap = includesNear && (detail & 3u) != STUD_WALL ? STUD_OVERLAP : NEAR_OVERLAP;
+    float overlap = !hasFaceOcclusion ? 1.0 : includesNear && (detail & 3u) != STUD_WALL ? STUD_OVERLAP : NEAR_OVERLAP;
     occludeFromAfar(distantOcclusionOf(surface, shift), surface.normal, overlap, open.xyz, open.w);
 #endif
     return open;

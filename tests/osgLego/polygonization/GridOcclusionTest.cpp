@@ -310,6 +310,19 @@ TEST_F(GridOcclusion, HidesTheLightThatRaysDoNotFindFromTheWallsOfStuds)
     }
 }
 
+TEST_F(GridOcclusion, HasNoGapBetweenNearAndDistantBricksInLargeModels)
+{
+    // So long that voxels of distant occlusion are three cells wide.
+    const osg::ref_ptr<LegoNode> lego = createFloor({260, 20, 20}, [](int x, int) { return x == 130; });
+    for (const osg::Vec3d& eye : {osg::Vec3d(141, -6, 9), osg::Vec3d(119, 4, 14)})
+    {
+        const Error error = compareWithRays(*lego, {eye, {131, 10, 3}}, true);
+        ASSERT_GT(error.numPixels, 1000);
+        EXPECT_GT(error.spread, 0.2) << "there is nothing to compare";
+        EXPECT_LT(error.rootMeanSquare, 0.07) << eye.x();
+    }
+}
+
 TEST_F(GridOcclusion, IncludesDistantBricksOnTheWallsOfStuds)
 {
     // High walls at a distance of up to four bricks, within the reach of five.

@@ -1,0 +1,225 @@
+#include <osgLego/data/CoarseFaceOcclusion.h>
+
+#include <osgLego/data/FaceRay.h>
+#include <osgLego/data/ForEachVoxel.h>
+#include <osgLego/data/OcclusionFalloff.h>
+#include <osgLego/data/SparseBox.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/common.hpp>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The cells of a grid that have bricks, or open faces beside them, with a margin. */
+class SurfaceCells
+{
+public:
+    /** @param margin in cells. */
+    SurfaceCells(const glm::ivec3& dimensions, const glm::ivec3& margin, std::span<const BrickPoint> points) :
+        _margin(margin), _cells(dimensions + 2 * margin)
+    {
+        for (const BrickPoint& point : points)
+        {
+            const Brick brick = unpackBrick(point);
+            _cells.edit(brick.getCell() + _margin) |= COVERED;
+            for (int side = 0; side < NUM_SIDES; ++side)
+                if (brick.openSides & 1 << side)
+                    _cells.edit(brick.getCell() + getSideNormal(side) + _margin) |=
+                        static_cast<std::uint8_t>(1 << side);
+        }
+    }
+
+    bool isCovered(const glm::ivec3& cell) const { return (_cells.get(cell + _margin) & COVERED) != 0; }
+    /** Whether a cell is in front of an open face. @param sides the bits of those that count, of bricks. */
+    bool isBesideFace(const glm::ivec3& cell, int sides) const { return (_cells.get(cell + _margin) & sides) != 0; }
+
+private:
+    static constexpr std::uint8_t COVERED = 1 << NUM_SIDES;
+
+    glm::ivec3 _margin;
+    SparseBox<std::uint8_t> _cells; // bits of BrickSide, and COVERED
+};
+
+/** The continuation of a FaceRay through voxels. */
+class CoarseRay
+{
+public:
+    CoarseRay(const VoxelGrid& voxels, const FaceRay& ray, double reach) :
+        _path(voxels, 0.5 * voxels.getExtent(), ray.getDirection(), reach)
+    {
+        std::size_t first = 0;
+        glm::ivec3 start(0);
+        for (const OcclusionPath::Step& near : ray.getSteps())
+        {
+            for (; first < _path.getSteps().size() && _path.getSteps()[first].distance < near.distance; ++first)
+                start = _path.getSteps()[first].voxel;
+            _beginnings.push_back({first, voxels.getOffset(start)});
+        }
+        for (const OcclusionPath::Step& step : _path.getSteps())
+            _hidden.push_back(static_cast<float>(fadeOcclusion(step.distance, reach)));
+    }
+
+    /** The hidden fraction of the ray. @param step of the FaceRay, which it continues.
+     * @param covered VoxelGrid::getCovered() from the voxel of that step on. */
+    float findHidden(std::size_t step, const std::uint8_t* covered) const
+    {
+        const Beginning& beginning = _beginnings[step];
+        const std::optional<std::size_t> hit = _path.findHit(covered - beginning.offset, beginning.first);
+        return hit ? _hidden[*hit] : 0.0f;
+    }
+
+private:
+    struct Beginning
+    {
+        std::size_t first;     // step that counts
+        std::ptrdiff_t offset; // of the voxel before it
+    };
+
+    OcclusionPath _path;
+    std::vector<Beginning> _beginnings; // by step of the FaceRay
+    std::vector<float> _hidden;         // by step
+};
+
+class CoarseFaceOcclusion
+{
+public:
+    CoarseFaceOcclusion(const BrickGrid& grid, const VoxelGrid& voxels, std::span<const BrickPoint> points,
+                        double reach) :
+        _voxels(voxels),
+        _nearest(NEAREST * std::max({voxels.getExtent().x, voxels.getExtent().y, voxels.getExtent().z})),
+        _cells(grid.dimensions, glm::ivec3(glm::ceil(2.0 * _nearest * grid.getPitch() / grid.cellSize)) + 2, points),
+        _sides(voxels.getNumVoxels(), 0),
+        _rays(createFaceRays(VoxelGrid(grid, 0.0, 2.0 * _nearest), reach, std::min(2.0 * _nearest, reach)))
+    {
+        for (std::size_t side = 0; side < NUM_SIDES; ++side)
+            for (const FaceRay& ray : _rays[side])
+                _farRays[side].emplace_back(voxels, ray, reach);
+        for (const BrickPoint& point : points)
+        {
+            const Brick brick = unpackBrick(point);
+            for (int side = 0; side < NUM_SIDES; ++side)
+                if (brick.openSides & 1 << side)
+                    _sides[voxels.getPlace(getVoxel(brick.getCell() + getSideNormal(side)))] |=
+                        static_cast<std::uint8_t>(1 << side);
+        }
+    }
+
+    bool hasFaces(const glm::ivec3& voxel) const { return _sides[_voxels.getPlace(voxel)] != 0; }
+
+    /** Find the light that is hidden from the faces in a voxel, which has some. */
+    OcclusionVolume::Light find(const glm::ivec3& voxel) const
+    {
+        const int sides = _sides[_voxels.getPlace(voxel)];
+        OcclusionVolume::Light light;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const int both = 3 << 2 * axis;
+            std::array<float, 2> hidden{};
+            for (const int end : {0, 1})
+            {
+                // Faces of a side count alone. Surfaces without a face on their side of the axis count as those of the
+                // other side; along an axis without faces, those of all sides tell from where light is hidden.
+                const int own = 1 << (2 * axis + end);
+                const int faces = (sides & own) != 0 ? own : (sides & both) != 0 ? sides & both : sides;
+                const int side = (faces & both) != 0 && (faces & own) == 0 ? 2 * axis + 1 - end : 2 * axis + end;
+                hidden[static_cast<std::size_t>(end)] = findHidden(voxel, static_cast<std::size_t>(side), faces);
+            }
+            light.mean[axis] = 0.5f * (hidden[0] + hidden[1]);
+            light.bend[axis] = 0.5f * (hidden[1] - hidden[0]);
+        }
+        return light;
+    }
+
+private:
+    /** In voxels: steps of a surface of voxels must not occlude each other. */
+    static constexpr double NEAREST = AmbientOcclusionSettings::RADIUS_IN_BRICKS;
+
+    glm::ivec3 getVoxel(const glm::ivec3& cell) const
+    {
+        return glm::ivec3(glm::floor(glm::vec3(cell) / glm::vec3(_voxels.getCellsPerVoxel()))) + VoxelGrid::BORDER;
+    }
+
+    /** The cells of a voxel in front of faces. @param sides the bits of those of the faces. */
+    std::vector<glm::ivec3> findCells(const glm::ivec3& voxel, int sides) const
+    {
+        const glm::ivec3& size = _voxels.getCellsPerVoxel();
+        const glm::ivec3 first = (voxel - VoxelGrid::BORDER) * size;
+        std::vector<glm::ivec3> cells;
+        for (int z = first.z; z < first.z + size.z; ++z)
+            for (int y = first.y; y < first.y + size.y; ++y)
+                for (int x = first.x; x < first.x + size.x; ++x)
+                    if (_cells.isBesideFace({x, y, z}, sides)) cells.emplace_back(x, y, z);
+        return cells;
+    }
+
+    /** The light that a ray finds hidden. It goes through cells up to `_nearest`, then on to a voxel without bricks: in
+     * one with bricks, it might pass beside them.
+     * @param cell in front of the face. */
+    FaceRay::Hit castRay(const glm::ivec3& cell, const FaceRay& near, const CoarseRay& far) const
+    {
+        const std::vector<OcclusionPath::Step>& steps = near.getSteps();
+        for (std::size_t step = 0; step < steps.size(); ++step)
+        {
+            const glm::ivec3 place = cell + steps[step].voxel;
+            if (_cells.isCovered(place)) return near.getHit(step);
+            if (step + 1 < steps.size() && steps[step].distance < _nearest) continue;
+            const std::uint8_t* voxel = _voxels.getCovered() + _voxels.getPlace(getVoxel(place));
+            if (step + 1 < steps.size() && *voxel != 0) continue;
+            const float hidden = far.findHidden(step, voxel);
+            return {hidden, hidden};
+        }
+        return {0.0f, 0.0f};
+    }
+
+    /** The fraction of the light left by near occlusion that is hidden from surfaces that face a side. Each ray starts
+     * in another cell in front of faces. @param faces the bits of their sides. */
+    float findHidden(const glm::ivec3& voxel, std::size_t side, int faces) const
+    {
+        const std::vector<glm::ivec3> cells = findCells(voxel, faces);
+        float hidden = 0.0f;
+        float left = 0.0f;
+        for (std::size_t ray = 0; ray < NUM_FACE_RAYS; ++ray)
+        {
+            const FaceRay::Hit hit = castRay(cells[ray % cells.size()], _rays[side][ray], _farRays[side][ray]);
+            hidden += hit.distant;
+            left += 1.0f - (hit.hidden - hit.distant);
+        }
+        return left > 0.0f ? hidden / left : 0.0f;
+    }
+
+    const VoxelGrid& _voxels;
+    double _nearest; // in pitches
+    SurfaceCells _cells;
+    std::vector<std::uint8_t> _sides; // of faces in a voxel, by its place: bits of BrickSide
+    FaceRays _rays;
+    std::array<std::vector<CoarseRay>, NUM_SIDES> _farRays;
+};
+
+} // namespace
+
+OcclusionVolume findCoarseFaceOcclusion(const BrickGrid& grid, const VoxelGrid& voxels,
+                                        std::span<const BrickPoint> points, double reach)
+{
+    const CoarseFaceOcclusion faces(grid, voxels, points, reach);
+    OcclusionVolume volume(voxels.getSize());
+    forEachVoxel(voxels.getSize(),
+                 [&](const glm::ivec3& voxel)
+                 {
+                     if (faces.hasFaces(voxel)) volume.set(voxel, faces.find(voxel), OcclusionVolume::ALL);
+                 });
+    volume.fillFromNeighbors(OcclusionVolume::Neighbors::ALL, [](const glm::ivec3&) { return true; });
+    volume.fillFromBlocks();
+    return volume;
+}
+
+} // namespace osgLego
