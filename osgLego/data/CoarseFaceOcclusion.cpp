@@ -70,11 +70,14 @@ public:
     }
 
     /** The hidden fraction of the ray. @param step of the FaceRay, which it continues.
-     * @param covered VoxelGrid::getCovered() from the voxel of that step on. */
+     * @param covered VoxelGrid::getCovered() from the voxel of that step on. If this one is covered, the ray passes
+     * along bricks, and hits those after the next voxel without bricks. */
     float findHidden(std::size_t step, const std::uint8_t* covered) const
     {
         const Beginning& beginning = _beginnings[step];
-        const std::optional<std::size_t> hit = _path.findHit(covered - beginning.offset, beginning.first);
+        const std::uint8_t* first = covered - beginning.offset;
+        const std::size_t gap = *covered != 0 ? _path.findGap(first, beginning.first) : beginning.first;
+        const std::optional<std::size_t> hit = _path.findHit(first, gap);
         return hit ? _hidden[*hit] : 0.0f;
     }
 
@@ -123,19 +126,16 @@ public:
         OcclusionVolume::Light light;
         for (int axis = 0; axis < 3; ++axis)
         {
-            const int both = 3 << 2 * axis;
-            std::array<float, 2> hidden{};
-            for (const int end : {0, 1})
-            {
-                // Faces of a side count alone. Surfaces without a face on their side of the axis count as those of the
-                // other side; along an axis without faces, those of all sides tell from where light is hidden.
-                const int own = 1 << (2 * axis + end);
-                const int faces = (sides & own) != 0 ? own : (sides & both) != 0 ? sides & both : sides;
-                const int side = (faces & both) != 0 && (faces & own) == 0 ? 2 * axis + 1 - end : 2 * axis + end;
-                hidden[static_cast<std::size_t>(end)] = findHidden(voxel, static_cast<std::size_t>(side), faces);
-            }
-            light.mean[axis] = 0.5f * (hidden[0] + hidden[1]);
-            light.bend[axis] = 0.5f * (hidden[1] - hidden[0]);
+            // Faces of a side count alone, and for both sides if there are no others along the axis. Along an axis
+            // without faces, those of all sides tell from where light is hidden.
+            const auto lower = static_cast<std::size_t>(2 * axis);
+            const int faces = sides >> lower & 3;
+            const float below = faces == 2 ? findHidden(voxel, lower + 1, 2 << lower)
+                                           : findHidden(voxel, lower, faces == 0 ? sides : 1 << lower);
+            const float above =
+                faces == 1 || faces == 2 ? below : findHidden(voxel, lower + 1, faces == 0 ? sides : 2 << lower);
+            light.mean[axis] = 0.5f * (below + above);
+            light.bend[axis] = 0.5f * (above - below);
         }
         return light;
     }
@@ -162,8 +162,8 @@ private:
         return cells;
     }
 
-    /** The light that a ray finds hidden. It goes through cells up to `_nearest`, then on to a voxel without bricks: in
-     * one with bricks, it might pass beside them.
+    /** The light that a ray finds hidden. It goes through cells up to `_nearest`, then on to a voxel without bricks,
+     * since it passes beside those of other voxels.
      * @param cell in front of the face. */
     FaceRay::Hit castRay(const glm::ivec3& cell, const FaceRay& near, const CoarseRay& far) const
     {

@@ -38,6 +38,14 @@ public:
         return {};
     }
 
+    /** The first step to a voxel without bricks, from a step on; the number of steps if there is none. */
+    std::size_t findGap(const std::uint8_t* covered, std::size_t first) const
+    {
+        while (first < _offsets.size() && covered[_offsets[first]] != 0)
+            ++first;
+        return first;
+    }
+
 private:
     glm::vec3 _direction;
     std::vector<Step> _steps;
