@@ -19,6 +19,17 @@ namespace
 
 namespace fs = std::filesystem;
 
+/** The file that a name refers to through symbolic links, whether or not it exists: std::filesystem::weakly_canonical()
+ * does not follow links to files that don't exist. Links that refer to each other stay as they are. */
+fs::path followLinks(fs::path path)
+{
+    constexpr int MOST_LINKS = 40; // as in Linux
+    std::error_code error;
+    for (int link = 0; link < MOST_LINKS && fs::is_symlink(path, error); ++link)
+        path = path.parent_path() / fs::read_symlink(path, error);
+    return path;
+}
+
 /** Whether a name is that of a device or a pipe, which is written directly. */
 bool isSpecial(const fs::path& path)
 {
@@ -51,7 +62,8 @@ std::string writeDevice(const std::string& name, const std::function<std::string
 std::string findObstacleToWriting(const std::string& fileName)
 {
     std::error_code ignored;
-    const fs::path path(fileName);
+    const fs::path path = followLinks(fileName);
+    if (fs::is_symlink(path, ignored)) return "its symbolic links refer to each other; expected a file";
     if (fs::is_directory(path, ignored)) return "it is a folder; expected a file";
     if (isSpecial(path)) return {};
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -68,16 +80,14 @@ std::string findObstacleToWriting(const std::string& fileName)
 bool isSameFile(const std::string& fileName, const std::string& otherName)
 {
     if (isSpecial(fileName)) return false;
-    return fs::weakly_canonical(fs::absolute(fileName)) == fs::weakly_canonical(fs::absolute(otherName));
+    return fs::weakly_canonical(fs::absolute(followLinks(fileName))) ==
+           fs::weakly_canonical(fs::absolute(followLinks(otherName)));
 }
 
 std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(std::ostream&)>& write)
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
-    std::error_code ignored;
-    // Replace the target of a link, not the link.
-    const fs::path path =
-        fs::is_symlink(fileName, ignored) ? fs::weakly_canonical(fileName, ignored) : fs::path(fileName);
+    const fs::path path = followLinks(fileName); // replace the target of a link, not the link
     if (isSpecial(path)) return writeDevice(fileName, write);
     TemporaryFile file(path.string());
     if (file.getDescriptor() < 0) return std::strerror(errno);

@@ -156,6 +156,29 @@ TEST_F(CompleteFile, IsWrittenThroughALink)
     EXPECT_EQ(contentsOf(name), "whole");
 }
 
+TEST_F(CompleteFile, IsWrittenThroughLinksToAFileThatDoesNotExist)
+{
+    fs::create_directory(pathOf("folder"));
+    fs::create_symlink("folder/second", pathOf("first"));
+    fs::create_symlink("new.txt", pathOf("folder/second"));
+    EXPECT_TRUE(isSameFile(pathOf("first"), pathOf("folder/new.txt")));
+    EXPECT_EQ(writeCompleteFile(pathOf("first"), writeWhole), "");
+    EXPECT_TRUE(fs::is_symlink(pathOf("first")));
+    EXPECT_EQ(contentsOf(pathOf("folder/new.txt")), "whole");
+    fs::create_symlink("nowhere/a.txt", pathOf("lost"));
+    EXPECT_EQ(writeCompleteFile(pathOf("lost"), writeWhole),
+              "there is no folder '" + pathOf("nowhere") + "'; expected an existing one");
+    EXPECT_TRUE(fs::is_symlink(pathOf("lost")));
+}
+
+TEST_F(CompleteFile, IsNotWrittenThroughLinksThatReferToEachOther)
+{
+    fs::create_symlink("b", pathOf("a"));
+    fs::create_symlink("a", pathOf("b"));
+    EXPECT_EQ(writeCompleteFile(pathOf("a"), writeWhole), "its symbolic links refer to each other; expected a file");
+    EXPECT_TRUE(fs::is_symlink(pathOf("a")));
+}
+
 TEST_F(CompleteFile, DevicesSayThatTheyAreFull)
 {
     EXPECT_EQ(writeCompleteFile("/dev/full", writeWhole), "No space left on device");
