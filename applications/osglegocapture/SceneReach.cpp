@@ -104,8 +104,14 @@ private:
 
 SceneReach::SceneReach(const std::vector<osg::Vec3d>& directions) :
     osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
-    _directions(directions), _surface{{}, {}, std::vector<double>(directions.size(), NOWHERE)}
+    _directions(directions), _surface(createSurface({}))
 {
+}
+
+SceneReach::Surface SceneReach::createSurface(const osg::Matrixd& toScene) const
+{
+    const std::vector<double> nowhere(_directions.size(), NOWHERE);
+    return {toScene, 2, {}, nowhere, nowhere};
 }
 
 void SceneReach::addSource(osg::Node& source, const LegoSettings& settings)
@@ -153,8 +159,8 @@ void SceneReach::apply(osg::Drawable& drawable)
 void SceneReach::addBricks(const LegoSettings& settings, const std::function<void()>& visitSource)
 {
     const osg::Matrixd toSurface = std::exchange(_matrix, osg::Matrixd());
-    Surface outer = std::exchange(
-        _surface, Surface{toSurface * _surface.toScene, {}, std::vector<double>(_directions.size(), NOWHERE)});
+    Surface outer = std::exchange(_surface, createSurface(toSurface * _surface.toScene));
+    _surface.upIndex = settings.grid.upAxis == UpAxis::Y ? 1 : 2;
     const bool isNested = std::exchange(_isInSource, true);
     visitSource();
     const Surface source = std::exchange(_surface, std::move(outer));
@@ -181,9 +187,15 @@ void SceneReach::addBricks(const LegoSettings& settings, const std::function<voi
     around._max[grid.getUpIndex()] += grid.getStudHeight() * grid.cellSize[grid.getUpIndex()];
     const std::vector<double> boxReach = reachOf(bricks, source.toScene, false);
     const std::vector<double> cellReach = reachOf(around, source.toScene, true);
+    osg::Vec3d bottom;
+    bottom[grid.getUpIndex()] = bricks._min[grid.getUpIndex()];
+    bottom = osg::Matrixd::transform3x3(bottom, source.toScene);
     for (std::size_t index = 0; index < _directions.size(); ++index)
-        _surface.reach[index] =
-            std::max(_surface.reach[index], std::min(boxReach[index], source.reach[index] + cellReach[index]));
+    {
+        double reach = source.reach[index];
+        if (settings.parts.support) reach = std::max(reach, source.groundReach[index] + _directions[index] * bottom);
+        _surface.reach[index] = std::max(_surface.reach[index], std::min(boxReach[index], reach + cellReach[index]));
+    }
     _surface.bounds.expandBy(source.bounds);
 }
 
@@ -221,9 +233,15 @@ void SceneReach::addPoint(const osg::Vec3d& point)
     for (const double coordinate : {point.x(), point.y(), point.z()})
         if (!(std::abs(coordinate) <= MAXIMUM_COORDINATE)) return;
     _surface.bounds.expandBy(point);
+    osg::Vec3d ground = point;
+    ground[_surface.upIndex] = 0.0;
+    ground = ground * _surface.toScene;
     const osg::Vec3d inScene = point * _surface.toScene;
     for (std::size_t index = 0; index < _directions.size(); ++index)
+    {
         _surface.reach[index] = std::max(_surface.reach[index], _directions[index] * inScene);
+        _surface.groundReach[index] = std::max(_surface.groundReach[index], _directions[index] * ground);
+    }
 }
 
 std::vector<double> SceneReach::reachOf(const osg::BoundingBoxd& box, const osg::Matrixd& toScene, bool isOffset) const

@@ -18,7 +18,8 @@ namespace osgLego
 /** The extent of a scene along given directions, including the possible extent of the bricks of its LegoNodes.
  *
  * Bricks are within one cell of the surface and inside the grid, so their extent is known before they exist. A mesh has
- * the same extent as the bricks that would be made from it. Stored bricks have the extent of the visible ones.
+ * the same extent as the bricks that would be made from it, and columns that support them go down to the bottom of the
+ * grid. Stored bricks have the extent of the visible ones.
  *
  *     SceneReach reach({osg::Vec3d(1, 0, 0), osg::Vec3d(-1, 0, 0)});
  *     reach.addSource(*mesh, settings);
@@ -49,10 +50,13 @@ private:
     struct Surface
     {
         osg::Matrixd toScene; //!< from the coordinates of the grid
+        unsigned int upIndex; //!< the axis of the grid along which studs point
         osg::BoundingBoxd bounds;
         std::vector<double> reach;
+        std::vector<double> groundReach; //!< that of the points if the coordinate along the up axis were 0
     };
 
+    Surface createSurface(const osg::Matrixd& toScene) const;
     void addBricks(const LegoSettings& settings, const std::function<void()>& visitSource);
     void addBox(const osg::BoundingBoxd& box);
     void addStoredBricks(const BrickModel& model);
