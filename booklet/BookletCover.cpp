@@ -20,6 +20,11 @@ std::vector<std::string> createWarnings(const BookletModel& model, const std::op
     else if (!stability->stands)
         warnings.push_back("This model does not stand on " + place + ": " + countOf(stability->falling.size(), "part") +
                            " would fall. Support it from below, or make it with support=on.");
+    else if (stability->tipsEasily())
+        warnings.push_back(
+            fmt::format("This model stands, but tips over easily, on a table that is tilted by {:.1f} degrees: "
+                        "lean it against something, or build it on a base plate.",
+                        *stability->tippingAngle));
     else if (!stability->safe)
         warnings.push_back("This model stands, but parts that are worn may not hold it: handle it with care.");
     if (const std::size_t unheld = model.getNumUnheld())

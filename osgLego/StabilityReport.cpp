@@ -27,9 +27,9 @@ std::string StabilityReport::toString() const
         text << "it is unknown whether the model stands";
     else
         text << "the model stands"
-             << (safe            ? " safely"
-                 : isMarginBound ? ", but maybe not safely"
-                                 : ", but not safely")
+             << (safe                             ? " safely"
+                 : isMarginBound && !tipsEasily() ? ", but maybe not safely"
+                                                  : ", but not safely")
              << ", with a margin of " << (isMarginBound ? "at least " : "") << std::lround(100.0 * margin) << " %";
     if (stands && tippingAngle)
         text << "; on a table that tilts, it would tip as a whole at " << std::fixed << std::setprecision(1)

@@ -39,7 +39,9 @@ struct OSGLEGO_EXPORT StabilityReport
     };
 
     bool stands = true; //!< whether forces within CAPACITY are known to keep all parts in equilibrium
-    bool safe = true;   //!< whether forces within SAFE_CAPACITY are known to do so
+    /** Whether forces within SAFE_CAPACITY are known to do so, and the model does not tip over on a table that is
+     * tilted by SAFE_TILT. */
+    bool safe = true;
     /** The share of CAPACITY that is left at the contact point that bears most, if forces are spread so that this point
      * bears as little as possible: 1 if nothing pulls, 0 at the limit, negative beyond it, and -1 if twice the capacity
      * does not suffice. */
@@ -61,6 +63,8 @@ struct OSGLEGO_EXPORT StabilityReport
      * give way before. 0 if
      * parts fall, and unset on a base plate, for no parts and if it is unknown whether the model stands. */
     std::optional<double> tippingAngle;
+    static constexpr double SAFE_TILT =
+        2.0; //!< degrees; a model that tips over at less falls if somebody bumps the table
     static constexpr double MOST_TILT = 45.0; //!< the greatest of `tiltAngles`
     /** The angles in degrees, from 0 to MOST_TILT, by which the base can be tilted towards +x, -x, +y and -y of the
      * ground, so that this side descends, before the model falls: because a piece tips over, or because joints break.
@@ -72,6 +76,8 @@ struct OSGLEGO_EXPORT StabilityReport
     std::size_t numComponents = 0; //!< pieces without contact to each other, which are computed separately
     double milliseconds = 0.0;     //!< the time taken
 
+    /** Whether the model tips over on a table that is tilted by SAFE_TILT. */
+    bool tipsEasily() const { return tippingAngle && *tippingAngle < SAFE_TILT; }
     /** Whether the model falls for certain; if it neither does nor stands, that is unknown. */
     bool falls() const { return !falling.empty(); }
     /** The verdict and the margin in a line of English. */

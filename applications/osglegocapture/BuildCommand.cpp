@@ -119,14 +119,20 @@ std::string describeGoals(const CaptureOptions& options)
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
 }
 
-std::vector<std::string> describeDefects(const DesignCandidate& best)
+std::vector<std::string> describeDefects(const DesignCandidate& best, const CaptureOptions& options)
 {
     std::vector<std::string> defects;
+    if (options.buildParts && best.layout.numParts > *options.buildParts)
+        defects.push_back(fmt::format("the model has {} parts, more than the {} of --parts", best.layout.numParts,
+                                      *options.buildParts));
     if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.layout.numComponents));
     if (best.stability.falls())
         defects.push_back(fmt::format("{} of {} parts fall", best.stability.falling.size(), best.layout.numParts));
     else if (!best.stability.stands)
         defects.emplace_back("it is unknown whether the model stands");
+    else if (best.stability.tipsEasily())
+        defects.push_back(fmt::format("the model stands, but tips over on a table that is tilted by {:.1f} degrees",
+                                      *best.stability.tippingAngle));
     else if (!best.stability.safe)
         defects.emplace_back("the model stands, but not safely");
     return defects;
@@ -186,7 +192,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                files.get(".png"), unprinted.empty() ? ".pdf, " : "");
     std::fflush(stdout); // before the warnings, where both are the same file
     if (!unprinted.empty()) fmt::print(stderr, "osglegocapture: warning: there is no PDF: {}\n", unprinted);
-    for (const std::string& defect : describeDefects(best))
+    for (const std::string& defect : describeDefects(best, options))
         fmt::print(stderr, "osglegocapture: warning: {}\n", defect);
 }
 

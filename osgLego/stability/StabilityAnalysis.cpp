@@ -92,6 +92,7 @@ public:
         }
         _cache = std::move(cache);
         if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(parts, report);
+        report.safe = report.safe && !report.tipsEasily();
         std::sort(report.falling.begin(), report.falling.end());
         std::sort(report.unknown.begin(), report.unknown.end());
         return report;

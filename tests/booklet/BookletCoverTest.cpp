@@ -49,6 +49,15 @@ TEST(BookletCoverTest, WarnsOfWornPartsIfAModelStandsButNotSafely)
               Lines{"This model stands, but parts that are worn may not hold it: handle it with care."});
 }
 
+TEST(BookletCoverTest, WarnsOfAModelThatTipsEasily)
+{
+    StabilityReport report = createReport(true, false);
+    report.tippingAngle = 0.44;
+    EXPECT_EQ(warningsOf(report),
+              Lines{"This model stands, but tips over easily, on a table that is tilted by 0.4 degrees: "
+                    "lean it against something, or build it on a base plate."});
+}
+
 TEST(BookletCoverTest, SaysIfItIsUnknownWhetherAModelStands)
 {
     StabilityReport report = createReport(false, false);

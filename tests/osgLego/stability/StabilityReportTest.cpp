@@ -26,6 +26,17 @@ TEST(StabilityReport, SaysWhetherAModelStandsFallsOrThatThisIsUnknown)
     EXPECT_TRUE(report.falls());
 }
 
+TEST(StabilityReport, SaysThatAModelThatTipsEasilyDoesNotStandSafely)
+{
+    StabilityReport report;
+    report.tippingAngle = 1.25;
+    report.isMarginBound = true;
+    report.safe = false;
+    EXPECT_EQ(report.toString(),
+              "the model stands, but not safely, with a margin of at least 100 %; on a table that tilts, it "
+              "would tip as a whole at 1.2 degrees");
+}
+
 TEST(StabilityReport, MarksAMarginThatIsABound)
 {
     StabilityReport report;

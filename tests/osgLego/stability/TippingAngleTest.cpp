@@ -36,7 +36,11 @@ TEST(TippingAngle, ColumnsTipAboutTheirLowerEdge)
     // 40 bricks stand with a margin of 1, but fall at 2 degrees.
     const StabilityReport thin = computeColumn(40, 1, 1);
     EXPECT_NEAR(thin.margin, 1.0, 1e-6);
-    EXPECT_LT(thin.tippingAngle.value(), 2.0);
+    EXPECT_LT(thin.tippingAngle.value(), StabilityReport::SAFE_TILT);
+    EXPECT_TRUE(thin.stands);
+    EXPECT_FALSE(thin.safe);
+    EXPECT_TRUE(computeColumn(40, 2, 2).safe);
+    EXPECT_TRUE(computeColumn(40, 1, 1, BuildingBase::PLATE).safe) << "the plate holds it";
     EXPECT_NEAR(thin.tippingAngle.value(), toDegrees(0.5 / (20.0 * HEIGHT)), 1e-9);
 }
 
