@@ -2,6 +2,8 @@
 
 #include <osgLego/Palette.h>
 
+#include <algorithm>
+
 namespace osgLego
 {
 

@@ -97,6 +97,16 @@ bool replace(const std::string& text, LegoSettings& settings, std::string& error
 
 DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) : _node(node), _options(options) {}
 
+/** Throws Failure if settings ask for no parts. */
+void DesignSearch::checkParts() const
+{
+    LegoSettings settings = createFreeSettings();
+    settings.parts.connect = false; // which needs parts
+    std::string error;
+    if (replace(_options.settings, settings, error) && settings.parts.set == PartSet::NONE)
+        throw Failure("parts=none gives no parts; expected parts=bricks");
+}
+
 /** Whether settings determine the size of cells, so that nothing of it can be chosen. */
 bool DesignSearch::determineSize() const
 {
@@ -113,6 +123,7 @@ bool DesignSearch::determineSize() const
 
 ModelDesign DesignSearch::run()
 {
+    checkParts();
     _isSizeGiven = determineSize();
     if (_isSizeGiven && _options.length)
         throw Failure("a length can't be combined with a resolution or a cell; expected either");
@@ -141,7 +152,6 @@ std::vector<LegoSettings> DesignSearch::listSettings() const
                 if (isPossible && std::find(list.begin(), list.end(), settings) == list.end()) list.push_back(settings);
             }
     if (list.empty()) throw Failure(error);
-    if (list.front().parts.set == PartSet::NONE) throw Failure("parts=none gives no parts; expected parts=bricks");
     return list;
 }
 

@@ -47,6 +47,7 @@ private:
         LayoutStatistics layout;
     };
 
+    void checkParts() const;
     bool determineSize() const;
     std::vector<LegoSettings> listSettings() const;
     void readSurface(UpAxis upAxis);

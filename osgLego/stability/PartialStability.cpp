@@ -72,14 +72,11 @@ PartialStability::~PartialStability() = default;
 bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
 {
     if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced)) return true;
-    for (const BearingForces& start : {createNoForces(), _proven})
-        if (includes(isPlaced, start.isPlaced))
-            if (std::optional<BearingForces> forces = _springs.add(start, isPlaced))
-            {
-                _forces = std::move(*forces);
-                return true;
-            }
-    return false;
+    std::optional<BearingForces> forces = _springs.add(createNoForces(), isPlaced);
+    if (!forces && includes(isPlaced, _proven.isPlaced)) forces = _springs.add(_proven, isPlaced);
+    if (!forces) return false;
+    _forces = std::move(*forces);
+    return true;
 }
 
 BearingForces PartialStability::createNoForces() const

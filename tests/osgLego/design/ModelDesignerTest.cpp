@@ -150,8 +150,11 @@ TEST(ModelDesigner, BadGoalsAreRefusedInOneSentence)
     options = {};
     options.settings = "up=x";
     EXPECT_NE(errorOf(*box, options).find("up"), std::string::npos);
-    options.settings = "parts=none,connect=off";
-    EXPECT_EQ(errorOf(*box, options), "parts=none gives no parts; expected parts=bricks");
+    for (const char* settings : {"parts=none", "parts=none,connect=off"})
+    {
+        options.settings = settings;
+        EXPECT_EQ(errorOf(*box, options), "parts=none gives no parts; expected parts=bricks");
+    }
     options.settings = "12";
     options.length = 100.0;
     EXPECT_EQ(errorOf(*box, options), "a length can't be combined with a resolution or a cell; expected either");
