@@ -49,9 +49,12 @@ struct BookletStep
 struct BookletChapter
 {
     static constexpr std::size_t MOST_IN_CALLOUT = 4; //!< parts
+    static constexpr std::size_t MOST_LISTED = 200;   //!< parts; those of larger submodels are in several bags
 
     /** Whether it is a submodel that is built from a box within the step that attaches it. */
     bool isCallout() const { return isSubmodel && model->getParts().size() <= MOST_IN_CALLOUT; }
+    /** Whether the contents of a submodel list its parts. */
+    bool isListed() const { return model->getParts().size() <= MOST_LISTED; }
 
     bool isSubmodel = false; //!< whether it is not the main model
 

@@ -172,7 +172,7 @@ glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
 SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
-    const Sizes items = measureItems(own.items);
+    const Sizes items = own.isListed() ? measureItems(own.items) : Sizes();
     const glm::dvec2 picture = measureContents(chapter);
     const double letter = LETTER + SPACE + (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
     constexpr double UNLIMITED = 1e9;
@@ -182,8 +182,9 @@ SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
     for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
     {
         const double width = SheetArrangement::getColumnWidth(numColumns) - BAR - SPACE;
-        const double list =
-            flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+        const double list = items.empty() ? LETTER
+                                          : flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y +
+                                                2.0 * CALLOUT_PADDING.y;
         const bool isBeside = natural + SPACE + picture.x <= width;
         block.heads[numColumns - 1] = (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
     }

@@ -290,6 +290,25 @@ TEST(BookletPage, ListsThePartsOfBags)
     EXPECT_EQ(write(createTower()).find("id=\"bag-1\""), std::string::npos);
 }
 
+TEST(BookletPage, SubmodelsOfMoreThan200PartsHaveNoListButThoseOfBags)
+{
+    std::vector<Part> parts;
+    Submodel submodel;
+    for (std::uint32_t part = 0; part < 201; ++part)
+    {
+        parts.push_back({{static_cast<std::uint16_t>(2 * part), 0, 0}, {2, 2, 1}, {180, 0, 0}, 4});
+        if (part % 10 == 0) submodel.steps.emplace_back();
+        submodel.steps.back().parts.push_back(part);
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({402, 2, 1}, 1.2), parts);
+    const auto plan = BuildingPlan::create(201, {createStep({}, {0})}, {submodel});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A ");
+    EXPECT_EQ(toVisibleText(findElement(html, "bag-2")), " Bag 2 of 2 101 parts of 1 kind 101× ");
+    EXPECT_LT(html.find("id=\"step-a10\""), html.find("id=\"bag-2\""));
+    EXPECT_LT(html.find("id=\"bag-2\""), html.find("id=\"step-a11\""));
+}
+
 TEST(BookletPage, ShowsThePartsOfASmallModelInTrueSize)
 {
     EXPECT_NE(findElement(write(createTower()), "parts").find("aria-label=\"Brick 2 x 4 in true size\""),
