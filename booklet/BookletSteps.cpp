@@ -6,6 +6,7 @@
 #include <common/NumberText.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,6 +30,17 @@ std::string joinWords(const std::vector<std::string>& words)
 std::string nameSubmodel(const BookletChapter& chapter)
 {
     return "submodel-" + osgDB::convertToLowerCase(chapter.letter);
+}
+
+/** The chapter with most steps among blocks, the main model if there are several. */
+std::size_t findMainChapter(std::span<const BookletBlock> blocks)
+{
+    std::map<std::size_t, std::size_t> numSteps;
+    for (const BookletBlock& block : blocks)
+        numSteps[block.chapter] += block.isContents ? 0 : 1;
+    return std::max_element(numSteps.begin(), numSteps.end(),
+                            [](const auto& chapter, const auto& other) { return chapter.second < other.second; })
+        ->first;
 }
 
 /** The place of a block on its sheet, for the style sheet. */
@@ -83,26 +95,27 @@ void BookletSteps::writeSection(std::span<const BookletBlock> blocks, const Book
     const SheetMeasures measures(_model, _pictures, _markup, _isWhole);
     std::vector<SheetBlock> sizes;
     sizes.reserve(blocks.size());
+    const std::size_t main = findMainChapter(blocks);
     for (const BookletBlock& block : blocks)
         sizes.push_back(block.isContents ? measures.measureSubmodel(block.chapter)
-                                         : measures.measureStep(block.chapter, block.step));
+                                         : measures.measureStep(block.chapter, block.step, block.chapter == main));
     const SheetArrangement arrangement(sizes, bag ? measures.measureHeader(bag->items) : 0.0);
-    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+    for (const Sheet& sheet : arrangement.getSheets())
     {
         _markup.getStream() << "<div class=\"sheet\">\n";
         if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag);
-        writeSheet(blocks, sheet, arrangement.getNumColumns());
+        writeSheet(blocks, sheet);
         _markup.getStream() << "</div>\n";
     }
 }
 
-void BookletSteps::writeSheet(std::span<const BookletBlock> blocks, const std::vector<SheetColumn>& sheet,
-                              std::size_t numColumns)
+void BookletSteps::writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet)
 {
+    if (sheet.columns.empty()) return; // below the header of a bag
     std::size_t numParts = 0;
     std::set<std::size_t> kinds;
-    _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << numColumns << "\">\n";
-    for (const SheetColumn& column : sheet)
+    _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << sheet.numColumns << "\">\n";
+    for (const SheetColumn& column : sheet.columns)
     {
         _markup.getStream() << "<div class=\"column\">\n";
         for (const PlacedBlock& place : column)

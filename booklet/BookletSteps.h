@@ -40,8 +40,7 @@ private:
     std::size_t countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
     std::vector<bool> findWhole() const;
     void writeSection(std::span<const BookletBlock> blocks, const BookletBag* bag);
-    void writeSheet(std::span<const BookletBlock> blocks, const std::vector<SheetColumn>& sheet,
-                    std::size_t numColumns);
+    void writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet);
     void writeBag(const BookletBag& bag);
     void writeBlock(const BookletBlock& block, const PlacedBlock& place);
     void addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const;
