@@ -148,20 +148,11 @@ std::vector<BookletItem> BookletModel::countKinds(const std::vector<std::uint32_
     return items;
 }
 
-/** Whether submodels have parts of the same kinds in the same places relative to each other, not turned. */
-bool BookletModel::areEqual(const BookletChapter& chapter, const BookletChapter& other) const
+/** How a submodel is turned from one with parts of the same kinds in the same places relative to each other. */
+std::optional<SubmodelTurn> BookletModel::findTurn(const BookletChapter& chapter, const BookletChapter& other) const
 {
-    const std::vector<Part>& parts = chapter.model->getParts();
-    const std::vector<Part>& others = other.model->getParts();
-    if (parts.size() != others.size()) return false;
-    const std::vector<std::size_t> kinds = _list.findRows(*chapter.model);
-    const std::vector<std::size_t> otherKinds = _list.findRows(*other.model);
-    const glm::ivec3 way = others.front().getCell() - parts.front().getCell();
-    for (std::size_t part = 0; part < parts.size(); ++part) // both are sorted by their cells
-        if (kinds[part] != otherKinds[part] || parts[part].getSize() != others[part].getSize() ||
-            parts[part].getCell() + way != others[part].getCell())
-            return false;
-    return true;
+    return SubmodelTurn::find(*chapter.model, _list.findRows(*chapter.model), *other.model,
+                              _list.findRows(*other.model));
 }
 
 /** Find the submodels of a step that are equal, so that they are shown once. */
@@ -172,7 +163,10 @@ void BookletModel::findCopies(const BookletStep& step)
         {
             BookletChapter& own = _chapters[step.submodels[place]];
             BookletChapter& other = _chapters[step.submodels[before]];
-            if (other.original != step.submodels[before] || !areEqual(other, own)) continue;
+            if (other.original != step.submodels[before]) continue;
+            const std::optional<SubmodelTurn> turn = findTurn(own, other);
+            if (!turn) continue;
+            own.turn = *turn;
             own.original = other.original;
             own.copy = ++other.quantity;
             break;

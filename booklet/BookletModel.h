@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BasePlate.h"
+#include "SubmodelTurn.h"
 
 #include <common/PartsList.h>
 #include <osgLego/BrickModel.h>
@@ -49,16 +50,21 @@ struct BookletStep
 struct BookletChapter
 {
     static constexpr std::size_t MOST_IN_CALLOUT = 4; //!< parts
+    static constexpr std::size_t MOST_LISTED = 200;   //!< parts; those of larger submodels are in several bags
 
     /** Whether it is a submodel that is built from a box within the step that attaches it. */
     bool isCallout() const { return isSubmodel && model->getParts().size() <= MOST_IN_CALLOUT; }
+    /** Whether the contents of a submodel list its parts. */
+    bool isListed() const { return model->getParts().size() <= MOST_LISTED; }
 
     bool isSubmodel = false; //!< whether it is not the main model
 
-    std::string letter;                    //!< of a submodel, such as "A"; empty for the main model
-    std::size_t original = 0;              //!< the equal submodel of the same step that is built first, or this chapter
-    std::size_t copy = 1;                  //!< which one of those that are equal in the same step, from 1
+    std::string letter; //!< of a submodel, such as "A"; empty for the main model
+    std::size_t original =
+        0;                //!< the equal submodel of the same step that is built first, turned or not, or this chapter
+    std::size_t copy = 1; //!< which one of those that are equal in the same step, from 1
     std::size_t quantity = 1;              //!< of an original: how many are equal, itself included
+    SubmodelTurn turn;                     //!< of a copy, from its original
     osg::ref_ptr<const BrickModel> model;  //!< of the parts of this chapter, those of submodels included
     osg::ref_ptr<const BuildingPlan> plan; //!< of that model, with one step for each of `steps`, and no submodels
     std::vector<BookletItem> items;        //!< all parts, those of submodels included, in the order of kinds
@@ -112,7 +118,7 @@ private:
     BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
     std::vector<BookletItem> countKinds(const std::vector<std::uint32_t>& parts) const;
     void findCopies(const BookletStep& step);
-    bool areEqual(const BookletChapter& chapter, const BookletChapter& other) const;
+    std::optional<SubmodelTurn> findTurn(const BookletChapter& chapter, const BookletChapter& other) const;
     void nameSteps(BookletChapter& chapter, std::size_t& numNamed);
 
     osg::ref_ptr<const BrickModel> _model;

@@ -73,13 +73,13 @@ void BookletParts::write()
     std::ostream& stream = _markup.getStream();
     stream << "<section class=\"section\" id=\"parts\" data-stop=\"Parts\">\n<div class=\"parts-list\">\n";
     const SheetArrangement arrangement(rows, LIST_HEADER, 1);
-    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+    for (const Sheet& sheet : arrangement.getSheets())
     {
         stream << "<div class=\"sheet\">\n";
         if (&sheet == &arrangement.getSheets().front())
             stream << "<header><h2>Parts</h2>\n<p class=\"subtitle\">" << countOf(_model.getNumParts(), "part")
                    << " of " << countOf(_model.getKinds().size(), "kind") << "</p></header>\n";
-        for (const PlacedBlock& place : sheet.front())
+        for (const PlacedBlock& place : sheet.columns.front())
             if (place.block < numRows)
             {
                 stream << "<ul class=\"parts\"" << formatListPlace(place) << ">\n";

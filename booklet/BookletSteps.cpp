@@ -6,6 +6,7 @@
 #include <common/NumberText.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,6 +32,17 @@ std::string nameSubmodel(const BookletChapter& chapter)
     return "submodel-" + osgDB::convertToLowerCase(chapter.letter);
 }
 
+/** The chapter with most steps among blocks, the main model if there are several. */
+std::size_t findMainChapter(std::span<const BookletBlock> blocks)
+{
+    std::map<std::size_t, std::size_t> numSteps;
+    for (const BookletBlock& block : blocks)
+        numSteps[block.chapter] += block.isContents ? 0 : 1;
+    return std::max_element(numSteps.begin(), numSteps.end(),
+                            [](const auto& chapter, const auto& other) { return chapter.second < other.second; })
+        ->first;
+}
+
 /** The place of a block on its sheet, for the style sheet. */
 std::string formatPlace(const PlacedBlock& place)
 {
@@ -47,80 +59,75 @@ std::string nameStep(const BookletStep& step)
 BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
                            const std::function<void(const std::string&)>& progress, BookletMarkup& markup) :
     _model(model),
-    _pictures(pictures), _progress(progress), _markup(markup), _bags(createBags(model)), _similarColors(model),
-    _submodelSizes(model.getChapters().size())
+    _pictures(pictures), _progress(progress), _markup(markup), _similarColors(model), _isWhole(findWhole()),
+    _blocks(model, _isWhole), _bags(createBags(_blocks.getBlocks())), _submodelSizes(model.getChapters().size())
 {
-    for (std::size_t chapter = 0; chapter < model.getChapters().size(); ++chapter)
+}
+
+std::vector<bool> BookletSteps::findWhole() const
+{
+    std::vector<bool> isWhole;
+    for (std::size_t chapter = 0; chapter < _model.getChapters().size(); ++chapter)
     {
-        const BookletChapter& own = model.getChapters()[chapter];
+        const BookletChapter& own = _model.getChapters()[chapter];
         const bool hasSubmodels = std::any_of(own.steps.begin(), own.steps.end(),
                                               [](const BookletStep& step) { return !step.submodels.empty(); });
         // A few parts are put together in any order, and in any direction.
         const bool isOneStep = own.isCallout() || (own.steps.size() == 1 && !own.steps.front().isUpsideDown);
-        _isWhole.push_back(chapter > 0 && isOneStep && !hasSubmodels && pictures.showsAllParts(chapter));
+        isWhole.push_back(chapter > 0 && isOneStep && !hasSubmodels && _pictures.showsAllParts(chapter));
     }
+    return isWhole;
 }
 
 void BookletSteps::write(std::size_t first, std::size_t end)
 {
     _markup.getStream() << "<section class=\"steps\" id=\"steps\">\n<h2 class=\"hidden\">Steps</h2>\n";
-    if (_bags.empty()) writeSection(first, end, nullptr);
+    if (_bags.empty()) writeSection(_blocks.select(0, _blocks.getBlocks().size(), first, end), nullptr);
     for (const BookletBag& bag : _bags)
-        if (bag.firstStep < end && bag.endStep > first)
-            writeSection(std::max(first, bag.firstStep), std::min(end, bag.endStep), &bag);
+        if (const auto blocks = _blocks.select(bag.firstBlock, bag.endBlock, first, end); !blocks.empty())
+            writeSection(blocks, &bag);
     _markup.getStream() << "</section>\n";
 }
 
-/** Collect a step and what is built before it. */
-void BookletSteps::collect(std::size_t chapter, std::size_t step, std::size_t quantity,
-                           std::vector<Block>& blocks) const
+/** Write blocks on sheets of their own. @param bag null without one. */
+void BookletSteps::writeSection(std::span<const BookletBlock> blocks, const BookletBag* bag)
 {
-    for (const std::size_t submodel : _model.getOriginals(_model.getChapters()[chapter].steps[step]))
-    {
-        const BookletChapter& own = _model.getChapters()[submodel];
-        if (own.isCallout()) continue;
-        blocks.push_back({submodel, 0, true, quantity * own.quantity});
-        for (std::size_t inner = 0; inner < own.steps.size() && !_isWhole[submodel]; ++inner)
-            collect(submodel, inner, quantity * own.quantity, blocks);
-    }
-    blocks.push_back({chapter, step, false, quantity});
-}
-
-/** Write steps of the model on sheets of their own. @param bag null without one. */
-void BookletSteps::writeSection(std::size_t first, std::size_t end, const BookletBag* bag)
-{
-    std::vector<Block> blocks;
-    for (std::size_t step = first; step < end; ++step)
-        collect(0, step, 1, blocks);
     const SheetMeasures measures(_model, _pictures, _markup, _isWhole);
     std::vector<SheetBlock> sizes;
     sizes.reserve(blocks.size());
-    for (const Block& block : blocks)
+    const std::size_t main = findMainChapter(blocks);
+    for (const BookletBlock& block : blocks)
         sizes.push_back(block.isContents ? measures.measureSubmodel(block.chapter)
-                                         : measures.measureStep(block.chapter, block.step));
+                                         : measures.measureStep(block.chapter, block.step, block.chapter == main));
     const SheetArrangement arrangement(sizes, bag ? measures.measureHeader(bag->items) : 0.0);
-    for (const std::vector<SheetColumn>& sheet : arrangement.getSheets())
+    for (const Sheet& sheet : arrangement.getSheets())
     {
-        std::size_t numParts = 0;
-        std::set<std::size_t> kinds;
         _markup.getStream() << "<div class=\"sheet\">\n";
         if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag);
-        _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << arrangement.getNumColumns() << "\">\n";
-        for (const SheetColumn& column : sheet)
-        {
-            _markup.getStream() << "<div class=\"column\">\n";
-            for (const PlacedBlock& place : column)
-            {
-                writeBlock(blocks[place.block], place);
-                numParts += countParts(blocks[place.block]);
-                addKinds(blocks[place.block], kinds);
-            }
-            _markup.getStream() << "</div>\n";
-        }
-        _markup.getStream() << "</div>\n";
-        writeLastLine(numParts, kinds);
+        writeSheet(blocks, sheet);
         _markup.getStream() << "</div>\n";
     }
+}
+
+void BookletSteps::writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet)
+{
+    if (sheet.columns.empty()) return; // below the header of a bag
+    std::size_t numParts = 0;
+    std::set<std::size_t> kinds;
+    _markup.getStream() << "<div class=\"columns\" style=\"--columns:" << sheet.numColumns << "\">\n";
+    for (const SheetColumn& column : sheet.columns)
+    {
+        _markup.getStream() << "<div class=\"column\">\n";
+        for (const PlacedBlock& place : column)
+        {
+            writeBlock(blocks[place.block], place);
+            numParts += sumQuantities(blocks[place.block].placed);
+            addKinds(blocks[place.block], kinds);
+        }
+        _markup.getStream() << "</div>\n";
+    }
+    _markup.getStream() << "</div>\n";
+    writeLastLine(numParts, kinds);
 }
 
 /** Write the line below the steps of a sheet: names of similar colours, and the number of parts. */
@@ -138,11 +145,11 @@ void BookletSteps::writeLastLine(std::size_t numParts, const std::set<std::size_
         }
         _markup.getStream() << "</ul>";
     }
-    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " on this page</p></footer>\n";
+    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " in these steps</p></footer>\n";
 }
 
 /** Add the kinds of parts that a block shows. */
-void BookletSteps::addKinds(const Block& block, std::set<std::size_t>& kinds) const
+void BookletSteps::addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const
 {
     const auto add = [&kinds](const std::vector<BookletItem>& items)
     {
@@ -150,6 +157,7 @@ void BookletSteps::addKinds(const Block& block, std::set<std::size_t>& kinds) co
             kinds.insert(item.kind);
     };
     const BookletChapter& own = _model.getChapters()[block.chapter];
+    if (block.isContents && !own.isListed()) return;
     if (block.isContents) return add(own.items);
     add(own.steps[block.step].items);
     for (const std::size_t submodel : own.steps[block.step].submodels)
@@ -168,25 +176,12 @@ void BookletSteps::writeBag(const BookletBag& bag)
     _markup.getStream() << "</ul>\n</header>\n";
 }
 
-void BookletSteps::writeBlock(const Block& block, const PlacedBlock& place)
+void BookletSteps::writeBlock(const BookletBlock& block, const PlacedBlock& place)
 {
     if (block.isContents)
         writeContents(block.chapter, place);
     else
         writeStep(block.chapter, block.step, place);
-}
-
-/** The number of parts that a builder places by a block. */
-std::size_t BookletSteps::countParts(const Block& block) const
-{
-    const BookletChapter& own = _model.getChapters()[block.chapter];
-    if (block.isContents) return _isWhole[block.chapter] ? block.quantity * own.model->getParts().size() : 0;
-    const BookletStep& step = own.steps[block.step];
-    std::size_t number = step.numDirect;
-    for (const std::size_t submodel : step.submodels)
-        if (const BookletChapter& inner = _model.getChapters()[submodel]; inner.isCallout())
-            number += inner.model->getParts().size();
-    return block.quantity * number;
 }
 
 std::size_t BookletSteps::countPictures(std::size_t first, std::size_t end) const
@@ -218,7 +213,7 @@ void BookletSteps::drawSubmodel(std::size_t chapter)
     _markup.getStream() << "</svg>\n";
 }
 
-/** Write the parts of a submodel of many parts, and how it looks when it is finished. */
+/** Write the parts of a submodel of many parts, unless they are too many, and how it looks when it is finished. */
 void BookletSteps::writeContents(std::size_t chapter, const PlacedBlock& place)
 {
     const BookletChapter& own = _model.getChapters()[chapter];
@@ -227,10 +222,14 @@ void BookletSteps::writeContents(std::size_t chapter, const PlacedBlock& place)
                         << own.letter << "\"" << formatPlace(place) << ">\n<header><h3>" << own.letter
                         << "<span class=\"hidden\">: submodel</span></h3>\n";
     writeMultiplier(own);
-    _markup.getStream() << "<ul class=\"callout\">\n";
-    _markup.writeItems(own.items);
+    if (own.isListed())
+    {
+        _markup.getStream() << "<ul class=\"callout\">\n";
+        _markup.writeItems(own.items);
+        _markup.getStream() << "</ul>";
+    }
     const double width = SheetMeasures(_model, _pictures, _markup, _isWhole).measureContents(chapter).x;
-    _markup.getStream() << "</ul></header>\n<figure style=\"--print:" << fmt::format("{:.2f}", width) << "\">";
+    _markup.getStream() << "</header>\n<figure style=\"--print:" << fmt::format("{:.2f}", width) << "\">";
     writeUseOfSubmodel(chapter, _isWhole[chapter] ? describeStep(own, own.steps.front())
                                                   : "Submodel " + own.letter + ", finished");
     _markup.getStream() << "</figure>\n</section>\n";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BookletBags.h"
+#include "BookletBlocks.h"
 #include "BookletMarkup.h"
 #include "BookletModel.h"
 #include "BookletPicture.h"
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,21 +38,12 @@ public:
 
 private:
     std::size_t countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
-    /** A step, or the contents of a submodel. */
-    struct Block
-    {
-        std::size_t chapter = 0;
-        std::size_t step = 0;
-        bool isContents = false;
-        std::size_t quantity = 1; // how often it is built
-    };
-
-    void collect(std::size_t chapter, std::size_t step, std::size_t quantity, std::vector<Block>& blocks) const;
-    void writeSection(std::size_t first, std::size_t end, const BookletBag* bag);
+    std::vector<bool> findWhole() const;
+    void writeSection(std::span<const BookletBlock> blocks, const BookletBag* bag);
+    void writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet);
     void writeBag(const BookletBag& bag);
-    void writeBlock(const Block& block, const PlacedBlock& place);
-    std::size_t countParts(const Block& block) const;
-    void addKinds(const Block& block, std::set<std::size_t>& kinds) const;
+    void writeBlock(const BookletBlock& block, const PlacedBlock& place);
+    void addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const;
     void writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds);
     void writeContents(std::size_t chapter, const PlacedBlock& place);
     void writeBoxes(const BookletStep& step);
@@ -72,9 +65,10 @@ private:
     BookletPictureSource& _pictures;
     const std::function<void(const std::string&)>& _progress;
     BookletMarkup& _markup;
-    std::vector<BookletBag> _bags;
     SimilarColors _similarColors;
-    std::vector<bool> _isWhole;             // whether the finished picture of a chapter shows all its steps
+    std::vector<bool> _isWhole; // whether the finished picture of a chapter shows all its steps
+    BookletBlocks _blocks;
+    std::vector<BookletBag> _bags;
     std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
 };
 

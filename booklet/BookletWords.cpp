@@ -73,7 +73,7 @@ void BookletWords::writeIntroduction(const std::string& title)
              << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
              << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
              << "A submodel has a letter. Build it apart, and count its own columns, rows and layers from its left, "
-                "front and lowest end. Copies of a submodel are equal.\n\nParts\n";
+                "front and lowest end. Copies of a submodel are equal, but may be attached turned.\n\nParts\n";
     for (const PartsList::Row& row : _model.getKinds())
         *_stream << describeParts(row, row.quantity) << ".\n";
 }
@@ -86,8 +86,11 @@ std::vector<std::string> BookletWords::findNamesOfCopy(const BookletChapter& cop
     const std::vector<std::string> names = findNames(copy.original);
     if (original.quantity == 1) return names;
     std::vector<std::string> own;
-    for (const std::uint32_t part : copy.plan->getOrder()) // parts of both are sorted by their cells
-        own.push_back(fmt::format("{} of copy {}", names[original.plan->getRanks()[part]], copy.copy));
+    for (const std::uint32_t part : copy.plan->getOrder())
+    {
+        const std::uint32_t equal = copy.copy == 1 ? part : copy.turn.equal[part];
+        own.push_back(fmt::format("{} of copy {}", names[original.plan->getRanks()[equal]], copy.copy));
+    }
     return own;
 }
 
@@ -213,6 +216,7 @@ void BookletWords::writePart(const std::vector<Place>& places, std::size_t part,
 /** Say where a submodel is attached. @param first of its parts, in the order of building. */
 void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first)
 {
+    constexpr int QUARTER = 90; // degrees
     const BookletChapter& inner = _model.getChapters()[submodel];
     const glm::ivec3 offset = places[first].first - findPlaces(submodel).front().first + 1;
     const std::size_t end = first + inner.model->getParts().size();
@@ -228,8 +232,14 @@ void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>&
             neighbors.push_back(places[other].name);
     const BookletChapter& original = _model.getChapters()[inner.original];
     const std::string copy = original.quantity == 1 ? "" : fmt::format(", copy {}", inner.copy);
-    *_stream << fmt::format("Submodel {}{}: its column 1, row 1 and layer 1 come to column {}, row {}, layer {}.{}\n",
-                            inner.letter, copy, offset.x, offset.y, offset.z,
+    const std::string turn =
+        inner.turn.turns == 0
+            ? std::string(": its column 1, row 1 and layer 1 come to")
+            : fmt::format(", turned by {} degrees counter-clockwise as seen from above: its new front left corner in "
+                          "layer 1 comes to",
+                          QUARTER * inner.turn.turns);
+    *_stream << fmt::format("Submodel {}{}{} column {}, row {}, layer {}.{}\n", inner.letter, copy, turn, offset.x,
+                            offset.y, offset.z,
                             neighbors.empty() ? std::string() : " On " + joinNames(neighbors) + ".");
 }
 

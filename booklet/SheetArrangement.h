@@ -1,5 +1,7 @@
 #pragma once
 
+#include "SheetFilling.h"
+
 #include <array>
 #include <cstddef>
 #include <span>
@@ -18,7 +20,7 @@ struct SheetBlock
     /** The height of all but the picture, for sheets of one, two and three columns. */
     std::array<double, MOST_COLUMNS> heads{};
     glm::dvec2 studs{0.0};  //!< the size of the picture, in studs; 0 without one
-    bool isOfModel = true;  //!< whether the picture has the scale of the others of the model, or its own one
+    bool hasScale = true;   //!< whether the picture has the scale of the section, or its own one
     double mostPitch = 8.0; //!< the largest picture of a stud; 8 is true to life
     double lostWidth = 0.0; //!< of the column, which the picture can't use
 };
@@ -35,11 +37,18 @@ struct PlacedBlock
 /** Blocks below each other. */
 using SheetColumn = std::vector<PlacedBlock>;
 
+/** A page of paper. */
+struct Sheet
+{
+    std::size_t numColumns = 1; //!< by which its width is divided
+    std::vector<SheetColumn> columns;
+};
+
 /** Arranges the blocks of a section on sheets: in columns, from top to bottom, so that all sheets are nearly equally
- * full. Pictures of the model have the same scale, unless a block would be higher than a sheet. The number of columns
- * and the scale make few sheets and large pictures.
+ * full. Pictures of the section's model have the same scale, unless a block would be higher than a sheet, or a sheet
+ * not half full. Most sheets have the same number of columns; this and the scale make few sheets and large pictures.
  *
- *     for (const std::vector<SheetColumn>& sheet : SheetArrangement(blocks, header).getSheets()) ...
+ *     for (const Sheet& sheet : SheetArrangement(blocks, header).getSheets()) ...
  *
  * Immutable. Uses no GL. */
 class SheetArrangement
@@ -55,32 +64,57 @@ public:
     static double getColumnWidth(std::size_t numColumns);
 
     /** @param blocks at least one; they must outlive this object.
-     * @param header the height of the header of the first sheet.
+     * @param header the height of the header of the first sheet, which has nothing else if that is more than half of
+     * it.
      * @param mostColumns 1 to SheetBlock::MOST_COLUMNS. */
     SheetArrangement(std::span<const SheetBlock> blocks, double header,
                      std::size_t mostColumns = SheetBlock::MOST_COLUMNS);
 
-    std::size_t getNumColumns() const { return _numColumns; }
-    /** The columns of each sheet, at least one. */
-    const std::vector<std::vector<SheetColumn>>& getSheets() const { return _sheets; }
+    const std::vector<Sheet>& getSheets() const { return _sheets; }
 
 private:
-    void chooseColumns(std::size_t mostColumns);
-    double getCapacity(std::size_t column) const;
+    /** Some blocks on a sheet. */
+    struct Part
+    {
+        std::size_t first = 0;
+        std::size_t numColumns = 1;
+        std::vector<std::size_t> ends; // of the columns
+        double growth = 1.0;           // of its pictures
+    };
+
+    /** The best way to place all blocks from the first on up to some other. */
+    struct Plan
+    {
+        double cost = SheetFilling::IMPOSSIBLE; // in sheets
+        Part last;                              // sheet
+    };
+
+    /** The usual number of columns, and the scale. */
+    struct Choice
+    {
+        double cost = SheetFilling::IMPOSSIBLE;
+        std::size_t numColumns = 1;
+        double pitch = 0.0;
+    };
+
+    Choice choose(std::size_t mostColumns);
     double findWidestPitch() const;
-    double getPitch(const SheetBlock& block) const;
-    double getHeight(const SheetBlock& block) const;
-    std::size_t countColumns() const;
-    std::size_t countFullColumns() const;
-    std::size_t countEmpty(const std::vector<std::size_t>& ends) const;
-    std::vector<std::size_t> divide(std::size_t numColumns) const;
-    SheetColumn createColumn(std::size_t first, std::size_t end, double capacity) const;
+    std::vector<Plan> plan() const;
+    void extendPlans(std::size_t first, std::size_t numColumns, std::vector<Plan>& plans) const;
+    void enlarge(Part& part) const;
+    bool isEmpty(const Part& part) const;
+    double getCapacity(std::size_t firstBlock) const;
+    double getPitch(const SheetBlock& block, const Part& part) const;
+    double getHeight(const SheetBlock& block, const Part& part) const;
+    void createSheets(const std::vector<Plan>& plans);
+    SheetColumn createColumn(std::size_t first, std::size_t end, const Part& part) const;
 
     std::span<const SheetBlock> _blocks;
     double _header;
+    bool _isHeaderAlone = false; // on a sheet
     std::size_t _numColumns = 1;
-    double _pitch = 0.0;
-    std::vector<std::vector<SheetColumn>> _sheets;
+    double _pitch = 0.0; // of pictures of the model
+    std::vector<Sheet> _sheets;
 };
 
 } // namespace osgLego

@@ -20,6 +20,7 @@ constexpr double QUANTITY_HEIGHT = 3.7;
 constexpr double QUANTITY_WIDTH = 2.5; // of a character
 constexpr double ROUNDING = 0.2;
 constexpr double NUMBER_WIDTH = 11.0;
+constexpr double NUMBER_CHARACTER = 4.6;
 constexpr double NUMBER_HEIGHT = 11.0;
 constexpr double TURN = 9.0;
 constexpr double SPACE = 2.0; // between the parts of a header
@@ -135,23 +136,24 @@ SheetMeasures::Sizes SheetMeasures::measureBoxes(const BookletStep& step, double
     return sizes;
 }
 
-SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step) const
+SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, bool hasScale) const
 {
     const BookletStep& own = _model.getChapters()[chapter].steps[step];
     SheetBlock block;
     block.studs = _pictures.measureStep(chapter, step);
-    block.isOfModel = chapter == 0;
-    if (!block.isOfModel)
+    block.hasScale = hasScale;
+    if (!hasScale)
     {
         constexpr double MOST_PITCH = 3.0;
         constexpr double MOST_HEIGHT = 0.4 * SheetArrangement::HEIGHT;
         block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
-        block.lostWidth = BAR;
     }
+    if (chapter > 0) block.lostWidth = BAR;
+    const double number = std::max(NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(own.name.size()));
     for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
     {
         const double width = SheetArrangement::getColumnWidth(numColumns) - block.lostWidth;
-        const double callout = measureCallout(own, width - NUMBER_WIDTH - SPACE - (own.isTurned ? TURN + SPACE : 0.0));
+        const double callout = measureCallout(own, width - number - SPACE - (own.isTurned ? TURN + SPACE : 0.0));
         double head = std::max(callout, NUMBER_HEIGHT);
         if (const Sizes boxes = measureBoxes(own, width); !boxes.empty())
             head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
@@ -172,18 +174,19 @@ glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
 SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
-    const Sizes items = measureItems(own.items);
+    const Sizes items = own.isListed() ? measureItems(own.items) : Sizes();
     const glm::dvec2 picture = measureContents(chapter);
     const double letter = LETTER + SPACE + (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
     constexpr double UNLIMITED = 1e9;
     const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
     SheetBlock block;
-    block.isOfModel = false;
+    block.hasScale = false;
     for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
     {
         const double width = SheetArrangement::getColumnWidth(numColumns) - BAR - SPACE;
-        const double list =
-            flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+        const double list = items.empty() ? LETTER
+                                          : flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y +
+                                                2.0 * CALLOUT_PADDING.y;
         const bool isBeside = natural + SPACE + picture.x <= width;
         block.heads[numColumns - 1] = (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
     }

@@ -25,7 +25,8 @@ public:
     SheetMeasures(const BookletModel& model, const BookletPictureSource& pictures, const BookletMarkup& markup,
                   const std::vector<bool>& isWhole);
 
-    SheetBlock measureStep(std::size_t chapter, std::size_t step) const;
+    /** @param hasScale whether pictures of the chapter have one scale in their section. */
+    SheetBlock measureStep(std::size_t chapter, std::size_t step, bool hasScale) const;
     /** The contents of a submodel of many parts. */
     SheetBlock measureSubmodel(std::size_t chapter) const;
     /** A heading and a list of parts across a sheet. */

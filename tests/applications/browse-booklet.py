@@ -92,7 +92,7 @@ def check_sheets(path):
     with Browser(484, 692) as browser:  # A5 without its margins
         browser.emulate_media("print")
         browser.open(path)
-        too_large = browser.evaluate("""[...document.querySelectorAll('.sheet, .column, .callout, .box')].filter(own =>
+        too_large = browser.evaluate("""[...document.querySelectorAll('.sheet, .column, .number, .callout, .box')].filter(own =>
             own.scrollHeight > own.clientHeight + 3 || own.scrollWidth > own.clientWidth + 3).length""")
         expect(too_large == 0, f"{too_large} sheets or columns have too much content")
         small = browser.evaluate("""[...document.querySelectorAll('.model .frame')].filter(own =>

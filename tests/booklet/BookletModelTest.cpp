@@ -103,7 +103,7 @@ TEST_F(BookletModelTest, NamesStepsAndSubmodelsInTheOrderOfBuilding)
     EXPECT_EQ(_model.getChapters()[1].steps[1].name, "A2");
 }
 
-TEST_F(BookletModelTest, SubmodelsOfAStepAreCopiesIfTheirPartsAreEqualAndNotTurned)
+TEST_F(BookletModelTest, SubmodelsOfAStepAreCopiesIfTheirPartsAreEqual)
 {
     // Bricks of 2x4 on a row: three along x, of which the last is blue, one along y, and one along x in another step.
     std::vector<Part> parts;
@@ -118,13 +118,16 @@ TEST_F(BookletModelTest, SubmodelsOfAStepAreCopiesIfTheirPartsAreEqualAndNotTurn
     const auto plan = BuildingPlan::create(5, {createStep({}, {0, 1, 2, 3}), createStep({}, {4})}, submodels);
     const BookletModel model(*bricks, *plan, Palette::getKnownColors());
     const std::vector<BookletChapter>& chapters = model.getChapters();
-    EXPECT_EQ(model.getOriginals(model.getMainChapter().steps[0]), (std::vector<std::size_t>{1, 3, 4}));
-    EXPECT_EQ(chapters[1].quantity, 2u);
+    EXPECT_EQ(model.getOriginals(model.getMainChapter().steps[0]), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(chapters[1].quantity, 3u);
     EXPECT_EQ(chapters[2].original, 1u);
     EXPECT_EQ(chapters[2].copy, 2u);
     EXPECT_EQ(chapters[2].letter, "A");
+    EXPECT_EQ(chapters[2].turn.turns, 0);
     EXPECT_EQ(chapters[3].letter, "B");
-    EXPECT_EQ(chapters[5].letter, "D") << "another step";
+    EXPECT_EQ(chapters[4].original, 1u) << "turned";
+    EXPECT_EQ(chapters[4].turn.turns, 1);
+    EXPECT_EQ(chapters[5].letter, "C") << "another step";
 }
 
 TEST_F(BookletModelTest, NamesSubmodelsAfterZWithTwoLetters)

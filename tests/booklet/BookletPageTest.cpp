@@ -265,7 +265,7 @@ TEST(BookletPage, NamesSimilarColoursOnTheirPages)
         write({*bricks, *BuildingPlan::create(2, {createStep({0, 1})}), Palette::getKnownColors()});
     const std::string colors = html.substr(html.find("<ul class=\"colors\""));
     EXPECT_EQ(toVisibleText(colors.substr(0, colors.find("</footer>"))),
-              " Reddish Brown Dark Brown 2 parts on this page ");
+              " Reddish Brown Dark Brown 2 parts in these steps ");
 }
 
 TEST(BookletPage, ListsThePartsOfBags)
@@ -288,6 +288,25 @@ TEST(BookletPage, ListsThePartsOfBags)
     EXPECT_LT(html.find("id=\"step-10\""), html.find("id=\"bag-2\""));
     EXPECT_LT(html.find("id=\"bag-2\""), html.find("id=\"step-11\""));
     EXPECT_EQ(write(createTower()).find("id=\"bag-1\""), std::string::npos);
+}
+
+TEST(BookletPage, SubmodelsOfMoreThan200PartsHaveNoListButThoseOfBags)
+{
+    std::vector<Part> parts;
+    Submodel submodel;
+    for (std::uint32_t part = 0; part < 201; ++part)
+    {
+        parts.push_back({{static_cast<std::uint16_t>(2 * part), 0, 0}, {2, 2, 1}, {180, 0, 0}, 4});
+        if (part % 10 == 0) submodel.steps.emplace_back();
+        submodel.steps.back().parts.push_back(part);
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({402, 2, 1}, 1.2), parts);
+    const auto plan = BuildingPlan::create(201, {createStep({}, {0})}, {submodel});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A ");
+    EXPECT_EQ(toVisibleText(findElement(html, "bag-2")), " Bag 2 of 2 101 parts of 1 kind 101× ");
+    EXPECT_LT(html.find("id=\"step-a10\""), html.find("id=\"bag-2\""));
+    EXPECT_LT(html.find("id=\"bag-2\""), html.find("id=\"step-a11\""));
 }
 
 TEST(BookletPage, ShowsThePartsOfASmallModelInTrueSize)

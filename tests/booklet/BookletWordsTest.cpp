@@ -15,6 +15,7 @@
 #include <regex>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
@@ -74,7 +75,8 @@ private:
                                      R"(rows? (\d+)(?: to (\d+))?, layers? (\d+)(?: to (\d+))?\.(.*))");
         static const std::regex submodel(R"(Submodel ([A-Z]+), of \d+ parts?\. Build it apart(?:, \d+ times)?\.)");
         static const std::regex attached(
-            R"(Submodel ([A-Z]+)(?:, copy \d+)?: its .* come to column (\d+), row (\d+), layer (\d+)\..*)");
+            R"(Submodel ([A-Z]+)(?:, copy \d+)?(?:, turned by (\d+) degrees counter-clockwise as seen from above)?: )"
+            R"(its .* comes? to column (\d+), row (\d+), layer (\d+)\..*)");
         static const std::regex finished(R"(Submodel ([A-Z]+) is finished\.)");
         std::smatch found;
         const auto number = [&found](std::size_t group) { return std::stoi(found[group]); };
@@ -96,11 +98,28 @@ private:
             _chapters.pop_back();
         }
         else if (std::regex_match(line, found, attached))
-            for (Built own : _submodels.at(found[1]))
+            for (Built own : turn(_submodels.at(found[1]), found[2].matched ? number(2) / 90 : 0))
             {
-                own.first += glm::ivec3(number(2), number(3), number(4)) - 1;
+                own.first += glm::ivec3(number(3), number(4), number(5)) - 1;
                 _chapters.back().push_back(own);
             }
+    }
+
+    /** A submodel after quarter turns, counter-clockwise from above. */
+    static std::vector<Built> turn(std::vector<Built> parts, int numTurns)
+    {
+        for (; numTurns > 0; --numTurns)
+        {
+            int depth = 0;
+            for (const Built& part : parts)
+                depth = std::max(depth, part.first.y + part.size.y);
+            for (Built& part : parts)
+            {
+                part.first = {depth - part.first.y - part.size.y + 1, part.first.x, part.first.z};
+                std::swap(part.size.x, part.size.y);
+            }
+        }
+        return parts;
     }
 
     /** The edges beside a part in place, of the same chapter, lead to the same place. */
@@ -148,6 +167,81 @@ std::vector<std::string> partsOf(const BrickModel& model, const PartsList& list)
     return parts;
 }
 
+/** On a plate of bricks, four submodels of a brick 2x3 with two of 1x1 on it, each turned by a quarter from the one
+ * before, and a brick 1x1 on the last one. */
+class TurnedCopies
+{
+public:
+    explicit TurnedCopies(UpAxis up) : _up(up)
+    {
+        for (const int y : {0, 2, 4, 6})
+            for (const int x : {0, 8})
+                add({x, y, 0}, {8, 2, 1});
+        const std::vector<glm::ivec3> corners{{0, 0, 1}, {1, 0, 1}, {2, 1, 1}, {0, 2, 1}};
+        const std::vector<glm::ivec3> others{{1, 0, 1}, {1, 1, 1}, {1, 1, 1}, {0, 1, 1}};
+        for (std::size_t index = 0; index < corners.size(); ++index)
+        {
+            const glm::ivec3 place(4 * static_cast<int>(index), 2, 1);
+            add(place, index % 2 == 0 ? glm::ivec3(3, 2, 1) : glm::ivec3(2, 3, 1));
+            add(place + corners[index], glm::ivec3(1));
+            add(place + others[index], glm::ivec3(1));
+        }
+        add({12, 4, 3}, glm::ivec3(1));
+    }
+
+    BookletModel createModel() const
+    {
+        const auto bricks = BrickModel::createOfParts(
+            createPartGrid(_up == UpAxis::Z ? glm::ivec3(16, 8, 4) : glm::ivec3(16, 4, 8), 1.2, _up), _parts);
+        const auto find = [&](std::size_t part)
+        { return static_cast<std::uint32_t>(bricks->findPart(_parts[part].getCell()) - bricks->getParts().data()); };
+        constexpr std::size_t FIRST = 8; // part of the submodels
+        constexpr std::size_t LAST = 20; // part of all
+        std::vector<Submodel> submodels;
+        for (std::size_t index = FIRST; index < LAST; index += 3)
+            submodels.push_back({{createStep({find(index), find(index + 1), find(index + 2)})}});
+        BuildingStep first;
+        for (std::size_t index = 0; index < FIRST; ++index)
+            first.parts.push_back(find(index));
+        const auto plan = BuildingPlan::create(
+            _parts.size(), {first, createStep({}, {0, 1, 2, 3}), createStep({find(LAST)})}, submodels);
+        return {*bricks, *plan, Palette::getKnownColors()};
+    }
+
+    /** As Reader gives them. */
+    std::vector<std::string> getParts() const
+    {
+        std::vector<std::string> texts = _texts;
+        std::sort(texts.begin(), texts.end());
+        return texts;
+    }
+
+private:
+    /** @param lower the column, row and layer, from 0. */
+    void add(const glm::ivec3& lower, const glm::ivec3& size)
+    {
+        // Of a grid with y upwards, rows count from the front, to which z points.
+        const bool isZ = _up == UpAxis::Z;
+        const glm::ivec3 cell = isZ ? lower : glm::ivec3(lower.x, lower.z, 8 - lower.y - size.y);
+        const glm::ivec3 cells = isZ ? size : glm::ivec3(size.x, size.z, size.y);
+        Part part;
+        for (std::size_t axis = 0; axis < part.cell.size(); ++axis)
+        {
+            part.cell[axis] = static_cast<std::uint16_t>(cell[static_cast<int>(axis)]);
+            part.size[axis] = static_cast<std::uint8_t>(cells[static_cast<int>(axis)]);
+        }
+        part.color = {180, 0, 0};
+        part.colorCode = 4;
+        _parts.push_back(part);
+        const auto [least, most] = std::minmax(size.x, size.y);
+        _texts.push_back(Built{fmt::format("red brick {} x {}", least, most), lower + 1, size}.toText());
+    }
+
+    UpAxis _up;
+    std::vector<Part> _parts;
+    std::vector<std::string> _texts;
+};
+
 } // namespace
 
 TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
@@ -194,6 +288,21 @@ TEST(BookletWordsTest, NamesThePartsOfCopies)
         std::string::npos)
         << text;
     EXPECT_EQ(Reader(text).getParts().size(), 4u);
+}
+
+TEST(BookletWordsTest, TurnsCopies)
+{
+    for (const UpAxis up : {UpAxis::Z, UpAxis::Y})
+    {
+        const TurnedCopies copies(up);
+        const BookletModel model = copies.createModel();
+        const std::string text = write(model);
+        EXPECT_NE(text.find("Build it apart, 4 times."), std::string::npos) << text;
+        EXPECT_NE(text.find("layer 4. On A1.2 of copy 4."), std::string::npos) << text;
+        for (const char* degrees : {"90", "180", "270"})
+            EXPECT_NE(text.find(std::string(", turned by ") + degrees), std::string::npos) << text;
+        EXPECT_EQ(Reader(text).getParts(), copies.getParts()) << text;
+    }
 }
 
 TEST(BookletWordsTest, AModelCanBeBuiltFromTheTextAlone)

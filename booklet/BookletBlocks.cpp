@@ -1,0 +1,86 @@
+#include "BookletBlocks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+void addCopies(const std::vector<BookletItem>& items, std::size_t quantity, std::vector<BookletItem>& sum)
+{
+    for (const BookletItem& item : items)
+        sum.push_back({item.kind, quantity * item.quantity});
+}
+
+} // namespace
+
+BookletBlocks::BookletBlocks(const BookletModel& model, const std::vector<bool>& isWhole)
+{
+    for (std::size_t step = 0; step < model.getMainChapter().steps.size(); ++step)
+    {
+        BookletBlock block;
+        block.step = step;
+        block.mainStep = step;
+        addStep(model, isWhole, block);
+    }
+}
+
+/** Add the submodels that a step attaches, and then the step. */
+void BookletBlocks::addStep(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block)
+{
+    const BookletStep& step = model.getChapters()[block.chapter].steps[block.step];
+    for (const std::size_t submodel : model.getOriginals(step))
+    {
+        if (model.getChapters()[submodel].isCallout()) continue;
+        BookletBlock contents = block;
+        contents.chapter = submodel;
+        addSubmodel(model, isWhole, contents);
+    }
+    addCopies(step.items, block.quantity, block.placed);
+    for (const std::size_t submodel : step.submodels)
+        if (const BookletChapter& own = model.getChapters()[submodel]; own.isCallout())
+            addCopies(own.items, block.quantity, block.placed);
+    _blocks.push_back(std::move(block));
+}
+
+/** Add the contents of a submodel, and then its steps. No bag begins among those of a submodel that is built several
+ * times. */
+void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block)
+{
+    const BookletChapter& own = model.getChapters()[block.chapter];
+    BookletBlock contents = block;
+    contents.isContents = true;
+    contents.step = 0;
+    contents.quantity *= own.quantity;
+    BookletBlock inner = contents;
+    if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
+    _blocks.push_back(std::move(contents));
+    inner.isContents = false;
+    ++inner.numOpen;
+    inner.isDivisible = inner.quantity == 1;
+    for (inner.step = 0; inner.step < own.steps.size() && !isWhole[block.chapter]; ++inner.step)
+        addStep(model, isWhole, inner);
+}
+
+std::vector<BookletBlock> BookletBlocks::select(std::size_t firstBlock, std::size_t endBlock, std::size_t firstStep,
+                                                std::size_t endStep) const
+{
+    std::vector<BookletBlock> blocks;
+    std::copy_if(_blocks.begin() + static_cast<std::ptrdiff_t>(firstBlock),
+                 _blocks.begin() + static_cast<std::ptrdiff_t>(endBlock), std::back_inserter(blocks),
+                 [&](const BookletBlock& block) { return block.mainStep >= firstStep && block.mainStep < endStep; });
+    return blocks;
+}
+
+std::size_t sumQuantities(const std::vector<BookletItem>& items)
+{
+    return std::accumulate(items.begin(), items.end(), std::size_t{0},
+                           [](std::size_t number, const BookletItem& item) { return number + item.quantity; });
+}
+
+} // namespace osgLego

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "BookletModel.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace osgLego
+{
+
+/** A step, or the contents of a submodel of many parts. */
+struct BookletBlock
+{
+    std::size_t chapter = 0;
+    std::size_t step = 0;
+    bool isContents = false;
+    std::size_t quantity = 1;        //!< how often it is built
+    std::size_t mainStep = 0;        //!< the step of the main model that it belongs to
+    std::size_t numOpen = 0;         //!< the submodels that have begun, but are not finished, before it
+    bool isDivisible = true;         //!< whether a bag may begin with it
+    std::vector<BookletItem> placed; //!< the parts that a builder places by it, in all copies
+};
+
+/** Everything that is built in a booklet, in the order of building. Submodels of few parts belong to the step that
+ * attaches them.
+ *
+ *     for (const BookletBlock& block : BookletBlocks(model, isWhole).getBlocks()) ...
+ *
+ * Uses no GL. Immutable; every function may be called from any thread. */
+class BookletBlocks
+{
+public:
+    /** @param isWhole for each chapter, whether its contents show all its steps. */
+    BookletBlocks(const BookletModel& model, const std::vector<bool>& isWhole);
+
+    const std::vector<BookletBlock>& getBlocks() const { return _blocks; }
+    /** Those of some blocks that belong to some steps of the main model. */
+    std::vector<BookletBlock> select(std::size_t firstBlock, std::size_t endBlock, std::size_t firstStep,
+                                     std::size_t endStep) const;
+
+private:
+    void addStep(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
+    void addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block);
+
+    std::vector<BookletBlock> _blocks;
+};
+
+/** The sum of the quantities of items. */
+std::size_t sumQuantities(const std::vector<BookletItem>& items);
+
+} // namespace osgLego
