@@ -250,11 +250,16 @@ void CpuProducer::cancel()
 
 osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
-    const std::shared_ptr<Job::Run> run = request(source, true, false).run;
-    run->wait();
-    error = run->getFailure();
-    const Made* const made = run->getResult();
-    return made ? made->set : nullptr;
+    osg::ref_ptr<const BrickSet> bricks;
+    const auto wait = [&]
+    {
+        const std::shared_ptr<Job::Run> run = request(source, true, false).run;
+        run->wait();
+        error = run->getFailure();
+        if (const Made* const made = run->getResult()) bricks = made->set;
+    };
+    if (std::string failure = catchFailure(wait, OUT_OF_MEMORY); !failure.empty()) error = std::move(failure);
+    return bricks;
 }
 
 } // namespace osgLego

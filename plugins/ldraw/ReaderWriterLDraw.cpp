@@ -114,7 +114,8 @@ private:
     }
 
     /** Call a function that returns the reason if it fails. @return that reason, also if memory runs out. */
-    static std::string catchShortage(const std::function<std::string()>& function)
+    template <typename Function>
+    static std::string catchShortage(const Function& function)
     try
     {
         return function();
