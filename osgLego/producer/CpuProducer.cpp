@@ -2,6 +2,7 @@
 
 #include <osgLego/stability/LoadColors.h>
 
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -250,16 +251,19 @@ void CpuProducer::cancel()
 
 osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
-    osg::ref_ptr<const BrickSet> bricks;
-    const auto wait = [&]
+    try
     {
         const std::shared_ptr<Job::Run> run = request(source, true, false).run;
         run->wait();
         error = run->getFailure();
-        if (const Made* const made = run->getResult()) bricks = made->set;
-    };
-    if (std::string failure = catchFailure(wait, OUT_OF_MEMORY); !failure.empty()) error = std::move(failure);
-    return bricks;
+        const Made* const made = run->getResult();
+        return made ? made->set : nullptr;
+    }
+    catch (const std::bad_alloc&) // before the run, or while its failure is copied
+    {
+        error = OUT_OF_MEMORY;
+        return nullptr;
+    }
 }
 
 } // namespace osgLego

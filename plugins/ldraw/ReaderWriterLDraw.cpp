@@ -174,6 +174,7 @@ private:
     static std::string writeChecked(const LDrawWriter& writer, std::ostream& stream)
     {
         std::ostringstream text;
+        text.exceptions(std::ios::badbit); // else a lack of memory would only shorten the text
         writer.write(text);
         std::string why = writer.check(text.str());
         if (why.empty()) stream << text.str();

@@ -31,16 +31,6 @@ std::atomic<std::size_t> numBlocks{0};
 class CallStacks
 {
 public:
-    void note(std::size_t call)
-    {
-        // backtrace() may call operator new itself.
-        thread_local bool isNoting = false;
-        if (isNoting) return;
-        isNoting = true;
-        add(call);
-        isNoting = false;
-    }
-
     std::vector<std::size_t> take()
     {
         const std::lock_guard lock(_mutex);
@@ -48,8 +38,7 @@ public:
         return std::exchange(_calls, {});
     }
 
-private:
-    void add(std::size_t call)
+    void note(std::size_t call)
     {
         std::array<void*, 12> frames{};
         const int depth = backtrace(frames.data(), static_cast<int>(frames.size()));
@@ -60,6 +49,7 @@ private:
         if (_hashes.insert(hash).second) _calls.push_back(call);
     }
 
+private:
     std::mutex _mutex;
     std::set<std::uint64_t> _hashes;
     std::vector<std::size_t> _calls;
@@ -76,8 +66,16 @@ CallStacks& getCallStacks()
 /** Count a call that is to return a block. */
 void countCall()
 {
+    // Calls of operator new that recording makes itself are not counted.
+    thread_local bool isNoting = false;
+    if (isNoting) return;
     const std::size_t call = numCalls.fetch_add(1, std::memory_order_relaxed);
-    if (isRecording) getCallStacks().note(call);
+    if (isRecording)
+    {
+        isNoting = true;
+        getCallStacks().note(call);
+        isNoting = false;
+    }
     if (call < firstFault || call > lastFault) return;
     ++numFaults;
     throw std::bad_alloc();

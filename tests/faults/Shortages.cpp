@@ -82,7 +82,7 @@ private:
         {
             fail(call, expected);
             EXPECT_EQ(run().result, expected) << "after call " << call << " has failed";
-            if (MemoryFaults::getNumBlocks() < numBlocks + times) return false;
+            if (::testing::Test::HasFailure() || MemoryFaults::getNumBlocks() < numBlocks + times) return false;
         }
         return true;
     }
