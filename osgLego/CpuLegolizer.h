@@ -38,7 +38,8 @@ namespace osgLego
  * done, up to 1; the function ends soon after it returns false. May be empty.
  * @return null if `proceed` ended it, and with a warning that gives the reason if the node has no visible triangles,
  * settings.check() reports an error, the palette can't be read, or the cells would be too many; a model without bricks
- * if the grid misses the triangles. */
+ * if the grid misses the triangles.
+ * @throws std::bad_alloc if there is not enough memory. */
 OSGLEGO_EXPORT osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSettings& settings,
                                                             LegoStatistics* statistics = nullptr,
                                                             const std::function<bool(double)>& proceed = {});

@@ -21,6 +21,18 @@ void ContextProgram::compileGLObjects(osg::State& state) const
         osg::Program::compileGLObjects(state);
 }
 
+void ContextProgram::retry(osg::State& state)
+{
+    const auto* applied =
+        dynamic_cast<const ContextProgram*>(state.getLastAppliedAttribute(osg::StateAttribute::PROGRAM));
+    if (!applied || state.getLastAppliedProgramObject()) return;
+    const ContextProgram* forCore = applied->useForCore(state);
+    const ContextProgram& used = forCore ? *forCore : *applied;
+    for (unsigned int index = 0; index < used.getNumShaders(); ++index)
+        used.getShader(index)->getPCS(state)->requestCompile();
+    used.getPCP(state)->requestLink();
+}
+
 /** Have the GL program released with its context, before it is created. */
 void ContextProgram::prepare(const osg::State& state) const
 {

@@ -28,6 +28,10 @@ public:
     void apply(osg::State& state) const override;
     void compileGLObjects(osg::State& state) const override;
 
+    /** If the program that was applied last to a context could not be linked, have its shaders compiled and linked
+     * again when it is applied next: OSG would not try again. */
+    static void retry(osg::State& state);
+
 private:
     ~ContextProgram() override = default;
 

@@ -1,5 +1,6 @@
 #include <osgLego/node/BrickSource.h>
 
+#include <new>
 #include <utility>
 
 #include <osg/Notify>
@@ -87,7 +88,15 @@ bool BrickSource::look(const osg::Node& node)
     if (_stored) return false;
     using enum SourceWatch::Need;
     const bool wasContentDirty = _isContentDirty.exchange(false);
-    return _watch.look(node, _request, wasContentDirty ? CONTENT : wasDirty ? REQUEST : NONE);
+    try
+    {
+        return _watch.look(node, _request, wasContentDirty ? CONTENT : wasDirty ? REQUEST : NONE);
+    }
+    catch (const std::bad_alloc&)
+    {
+        _watch.fail("there is not enough memory for the triangles; expected fewer triangles");
+        return true;
+    }
 }
 
 std::uint64_t BrickSource::getRevision() const

@@ -94,6 +94,12 @@ osg::ref_ptr<const GridTriangles> SourceWatch::flatten(const osg::Node& node, Le
     return scene->getNumTriangles() > 0 && _obstacle.empty() ? GridTriangles::create(*scene, settings) : nullptr;
 }
 
+void SourceWatch::fail(const std::string& obstacle)
+{
+    drop();
+    _obstacle = obstacle;
+}
+
 std::uint64_t SourceWatch::drop()
 {
     _revision = makeRevision();

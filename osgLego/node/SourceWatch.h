@@ -49,6 +49,9 @@ public:
      * @return the revision of these bricks. */
     std::uint64_t drop();
 
+    /** Forget the source, because an exception has ended look(). @param obstacle the reason. */
+    void fail(const std::string& obstacle);
+
     /** The number of the last source, of its absence, or of the bricks shown instead;
      * higher after every change. */
     std::uint64_t getRevision() const { return _revision; }

@@ -1,5 +1,6 @@
 #include <osgLego/passes/LegolizationPass.h>
 
+#include <osgLego/gl/ContextProgram.h>
 #include <osgLego/gl/CoreVertexArray.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/passes/SurfaceBinding.h>
@@ -58,7 +59,10 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& work) const
 {
     if (!state.getLastAppliedProgramObject())
+    {
+        ContextProgram::retry(state);
         return std::string("the shaders of ") + className() + " failed to compile";
+    }
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     const CoreVertexArray vertexArray(state);

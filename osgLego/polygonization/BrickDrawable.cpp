@@ -1,6 +1,7 @@
 #include <osgLego/polygonization/BrickDrawable.h>
 
 #include <osgLego/BrickGeometry.h>
+#include <osgLego/gl/ContextProgram.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 #include <osgLego/polygonization/DepthPass.h>
@@ -71,9 +72,15 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     const bool hasColors = !isDepthPass(renderInfo);
     SplatJob* const job = hasColors ? findSplats(renderInfo, destination) : nullptr;
     const Shown shown = getShown();
+    if (!state.getLastAppliedProgramObject())
+    {
+        ContextProgram::retry(state);
+        if (shown.bricks) bricks->fail(shown.bricks->getRevision(), "the shaders that draw bricks failed to compile");
+        return;
+    }
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
-    if (!prepare(state, *bricks, shown) || !state.getLastAppliedProgramObject()) return;
+    if (!prepare(state, *bricks, shown)) return;
 
     // osg::State accepts matrices only as osg::RefMatrix.
     const osg::ref_ptr<const osg::RefMatrix> modelView =

@@ -126,7 +126,7 @@ public:
         _task({.work = [this] { _result = _work(*this, _failure); },
                .outOfMemory = job._options.outOfMemory,
                .prefix = job._options.prefix,
-               .settle = [this](const std::string& failure) { settle(failure); },
+               .settle = [this](std::string&& failure) { settle(std::move(failure)); },
                .announce = [this] { announce(); }})
     {
     }
@@ -173,10 +173,10 @@ private:
         return std::exchange(_draft, std::nullopt);
     }
 
-    void settle(const std::string& failure)
+    void settle(std::string&& failure)
     {
         _work = nullptr; // and all that it holds
-        if (!failure.empty()) _failure = failure;
+        if (!failure.empty()) _failure = std::move(failure);
         _outcome = _result ? Outcome::MADE : Outcome::FAILED;
         if (_task.isCancelled())
         {
@@ -299,8 +299,9 @@ void BackgroundJob<Result>::retire()
 {
     forgetEnded();
     if (!_last) return;
+    _retired.push_back(_last); // first: if there is no memory for it, the last run goes on
     _last->_task.cancel();
-    _retired.push_back(std::move(_last));
+    _last.reset();
 }
 
 /** Destroy the retired runs whose threads have nothing left to do, so that no lock is held while waiting for a thread.

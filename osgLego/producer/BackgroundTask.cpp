@@ -5,11 +5,29 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace osgLego
 {
 
-std::string catchFailure(const std::function<void()>& work, const std::string& outOfMemory, const std::string& prefix)
+namespace
+{
+
+std::string describe(const std::exception& exception, std::string outOfMemory, const std::string& prefix)
+{
+    try
+    {
+        return prefix + exception.what();
+    }
+    catch (const std::bad_alloc&)
+    {
+        return outOfMemory;
+    }
+}
+
+} // namespace
+
+std::string catchFailure(const std::function<void()>& work, std::string outOfMemory, const std::string& prefix)
 {
     try
     {
@@ -26,7 +44,7 @@ std::string catchFailure(const std::function<void()>& work, const std::string& o
     }
     catch (const std::exception& exception)
     {
-        return prefix + exception.what();
+        return describe(exception, std::move(outOfMemory), prefix);
     }
 }
 
@@ -94,10 +112,11 @@ void BackgroundTask::run()
 {
     // In the group, so that cancelling it ends loops of oneTBB. Outside of it, oneTBB may report that it has no
     // threads.
-    const std::string failure =
-        catchFailure([this] { _group.run_and_wait([this] { _steps.work(); }); }, _steps.outOfMemory, _steps.prefix);
+    // The sentence is moved rather than copied: an exception that leaves a thread ends the program.
+    std::string failure = catchFailure([this] { _group.run_and_wait([this] { _steps.work(); }); },
+                                       std::move(_steps.outOfMemory), _steps.prefix);
     _steps.work = nullptr; // and all that it holds
-    _steps.settle(failure);
+    _steps.settle(std::move(failure));
     _hasEnded = true;
     wake();
     _steps.announce();

@@ -13,11 +13,10 @@
 namespace osgLego
 {
 
-/** Do work that may throw.
+/** Do work that may throw. Throws nothing itself, even if there is no memory at all.
  * @param outOfMemory the sentence for a lack of memory. @param prefix comes before the reason of any other failure.
  * @return the reason why the work failed; empty if it did not. */
-std::string catchFailure(const std::function<void()>& work, const std::string& outOfMemory,
-                         const std::string& prefix = {});
+std::string catchFailure(const std::function<void()>& work, std::string outOfMemory, const std::string& prefix = {});
 
 /** Work on a separate thread, which can be cancelled and waited for. Loops of oneTBB in the work use the threads of
  * oneTBB as well, and end early when it is cancelled.
@@ -33,8 +32,8 @@ public:
         std::function<void()> work; //!< returns early once isCancelled(); may throw; not called if cancelled before
         std::string outOfMemory;    //!< see catchFailure()
         std::string prefix;
-        std::function<void(const std::string& failure)> settle; //!< called before the task counts as ended
-        std::function<void()> announce;                         //!< called after that
+        std::function<void(std::string&& failure)> settle; //!< called before the task counts as ended; must not throw
+        std::function<void()> announce;                    //!< called after that; must not throw
     };
 
     static constexpr double FOREVER = std::numeric_limits<double>::infinity(); //!< seconds

@@ -2,6 +2,7 @@
 
 #include <osgLego/stability/LoadColors.h>
 
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -250,11 +251,19 @@ void CpuProducer::cancel()
 
 osg::ref_ptr<const BrickSet> CpuProducer::getBricks(const LegoSource& source, std::string& error)
 {
-    const std::shared_ptr<Job::Run> run = request(source, true, false).run;
-    run->wait();
-    error = run->getFailure();
-    const Made* const made = run->getResult();
-    return made ? made->set : nullptr;
+    try
+    {
+        const std::shared_ptr<Job::Run> run = request(source, true, false).run;
+        run->wait();
+        error = run->getFailure();
+        const Made* const made = run->getResult();
+        return made ? made->set : nullptr;
+    }
+    catch (const std::bad_alloc&) // before the run, or while its failure is copied
+    {
+        error = OUT_OF_MEMORY;
+        return nullptr;
+    }
 }
 
 } // namespace osgLego

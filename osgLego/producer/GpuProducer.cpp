@@ -39,6 +39,14 @@ void GpuProducer::produce(const LegoSource& source, osgUtil::CullVisitor& visito
     const std::lock_guard lock(_mutex);
     if (!isFirstCullOfFrame(visitor, source)) return;
     if (_workspace->getWanted().source != &source) _workspace->setSource(source, *createGpuBrickSet(source));
+    // The frame buffer object of a pass may be incomplete, which OSG does not try to mend.
+    const std::uint64_t failed =
+        _workspace->getStore().getContext(visitor.getState()->getContextID())->getFailedRevision();
+    if (failed > _failedRevision)
+    {
+        _failedRevision = failed;
+        _passes = nullptr;
+    }
     const PassPlan plan = PassPlan::create(source);
     if (!_passes || _passes->getPlan() != plan) _passes = new LegolizationPasses(*_workspace, plan);
     SharedGlObjects::get().addUser(visitor.getState()->getContextID(), this);

@@ -52,6 +52,7 @@ private:
     std::vector<LastCull> _lastCulls;
     unsigned int _idleFrames = 0;
     unsigned int _lastUpdate = 0;
+    std::uint64_t _failedRevision = 0; // the last one in any context, when the passes were created
 };
 
 } // namespace osgLego

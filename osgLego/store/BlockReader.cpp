@@ -19,15 +19,17 @@ void BlockReader::start(const osg::State& state, GLuint buffer, GLsizei numBrick
     _numBricks = numBricks;
     extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, _copy.get());
     extensions.glBufferData(GL_COPY_WRITE_BUFFER, size, nullptr, GL_STREAM_READ);
-    extensions.glBindBuffer(GL_COPY_READ_BUFFER, buffer);
-    copyBuffer(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, size);
-    extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);
-    extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     // Without memory for the copy, the bricks stay without blocks, and all of them are drawn.
-    if (takeOutOfMemoryError())
-        stop();
-    else
+    const bool hasMemory = !takeOutOfMemoryError();
+    if (hasMemory)
+    {
+        extensions.glBindBuffer(GL_COPY_READ_BUFFER, buffer);
+        copyBuffer(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, size);
+        extensions.glBindBuffer(GL_COPY_READ_BUFFER, 0);
         _fence = extensions.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    }
+    extensions.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    if (!hasMemory) stop();
 }
 
 void BlockReader::poll(const osg::State& state, bool waits, const std::function<void(std::span<const BrickPoint>)>& use)

@@ -114,7 +114,8 @@ private:
     }
 
     /** Call a function that returns the reason if it fails. @return that reason, also if memory runs out. */
-    static std::string catchShortage(const std::function<std::string()>& function)
+    template <typename Function>
+    static std::string catchShortage(const Function& function)
     try
     {
         return function();
@@ -173,6 +174,7 @@ private:
     static std::string writeChecked(const LDrawWriter& writer, std::ostream& stream)
     {
         std::ostringstream text;
+        text.exceptions(std::ios::badbit); // else a lack of memory would only shorten the text
         writer.write(text);
         std::string why = writer.check(text.str());
         if (why.empty()) stream << text.str();
