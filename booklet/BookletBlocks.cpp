@@ -50,7 +50,7 @@ void BookletBlocks::addStep(const BookletModel& model, const std::vector<bool>& 
 
 /** Add the contents of a submodel, and then its steps. No bag begins among those of a submodel that is built several
  * times. */
-void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block)
+void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block)
 {
     const BookletChapter& own = model.getChapters()[block.chapter];
     BookletBlock contents = block;

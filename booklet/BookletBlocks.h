@@ -40,7 +40,7 @@ public:
 
 private:
     void addStep(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
-    void addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
+    void addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block);
 
     std::vector<BookletBlock> _blocks;
 };

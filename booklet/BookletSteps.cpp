@@ -151,7 +151,7 @@ void BookletSteps::writeLastLine(std::size_t numParts, const std::set<std::size_
         }
         _markup.getStream() << "</ul>";
     }
-    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " on this page</p></footer>\n";
+    _markup.getStream() << "<p class=\"sheet-parts\">" << countOf(numParts, "part") << " in these steps</p></footer>\n";
 }
 
 /** Add the kinds of parts that a block shows. */

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <tuple>
 #include <utility>
-
 
 namespace osgLego
 {
@@ -19,7 +18,11 @@ struct PlacedKind
     std::array<int, 3> size{};
     std::size_t kind = 0;
 
-    auto operator<=>(const PlacedKind&) const = default;
+    bool operator==(const PlacedKind&) const = default;
+    bool operator<(const PlacedKind& other) const
+    {
+        return std::tie(lower, size, kind) < std::tie(other.lower, other.size, other.kind);
+    }
 };
 
 PlacedKind place(const BrickGrid& grid, const Part& part, std::size_t kind)
@@ -66,13 +69,13 @@ std::optional<SubmodelTurn> SubmodelTurn::find(const BrickModel& submodel, std::
 {
     if (kinds.size() != otherKinds.size()) return std::nullopt;
     const auto parts = arrange(submodel, kinds, 0);
-    for (int turns = 0; turns < NUM_TURNS; ++turns)
+    for (int numTurns = 0; numTurns < NUM_TURNS; ++numTurns)
     {
-        const auto turned = arrange(other, otherKinds, turns);
+        const auto turned = arrange(other, otherKinds, numTurns);
         if (!std::equal(parts.begin(), parts.end(), turned.begin(),
-                        [](const auto& own, const auto& equal) { return own.first == equal.first; }))
+                        [](const auto& own, const auto& its) { return own.first == its.first; }))
             continue;
-        SubmodelTurn found{turns, std::vector<std::uint32_t>(parts.size())};
+        SubmodelTurn found{numTurns, std::vector<std::uint32_t>(parts.size())};
         for (std::size_t index = 0; index < parts.size(); ++index)
             found.equal[parts[index].second] = turned[index].second;
         return found;

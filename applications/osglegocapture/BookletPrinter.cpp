@@ -87,7 +87,7 @@ bool copyWithPaper(const std::string& page, const std::filesystem::path& copy)
         content.erase(policy, content.find('>', policy) + 1 - policy);
     constexpr std::string_view STYLE = "<style>";
     if (const std::size_t style = content.find(STYLE); style != std::string::npos)
-        content.insert(style + STYLE.size(), "@page { size: A4; }");
+        content.insert(style + STYLE.size(), "@page { size: A4 landscape; }");
     std::ofstream file(copy, std::ios::binary);
     file << content;
     file.close();

@@ -5,7 +5,7 @@
 namespace osgLego
 {
 
-/** Print a booklet to PDF on A4, by Chromium without a window, as scripts/booklet-pdf does.
+/** Print a booklet to PDF on A4 sideways, by Chromium without a window, as scripts/booklet-pdf does.
  *
  * @param page the .html file. @param pdf is written atomically.
  * @return the reason, in one sentence, why the PDF was not written; empty if it was. Throws CaptureError if Chromium

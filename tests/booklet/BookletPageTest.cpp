@@ -265,7 +265,7 @@ TEST(BookletPage, NamesSimilarColoursOnTheirPages)
         write({*bricks, *BuildingPlan::create(2, {createStep({0, 1})}), Palette::getKnownColors()});
     const std::string colors = html.substr(html.find("<ul class=\"colors\""));
     EXPECT_EQ(toVisibleText(colors.substr(0, colors.find("</footer>"))),
-              " Reddish Brown Dark Brown 2 parts on this page ");
+              " Reddish Brown Dark Brown 2 parts in these steps ");
 }
 
 TEST(BookletPage, ListsThePartsOfBags)
