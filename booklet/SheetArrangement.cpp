@@ -170,7 +170,7 @@ double SheetArrangement::getHeight(const SheetBlock& block, const Part& part) co
 /** The cost of pictures that are smaller below a header than elsewhere. */
 double SheetArrangement::rateReduction(const Part& part) const
 {
-    constexpr double COST_OF_REDUCTION = 2.0; // sheets, for a picture that disappears
+    constexpr double COST_OF_REDUCTION = 3.0; // sheets, for a picture that disappears
     if (part.first > 0 || _isHeaderAlone) return 0.0;
     double cost = 0.0;
     for (std::size_t block = 0; block < part.ends.back(); ++block)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the sheets of a booklet as Chromium lays them out for A5: nothing leaves its sheet, its column or its block, no two
+"""Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
 things overlap, and pictures have nearly the size that was planned.
 
 Usage: check-sheets.py FILE.html
@@ -8,7 +8,7 @@ import sys
 
 from browser import Browser
 
-A5 = (484, 692)  # pixels of CSS, without its margins
+PAPERS = {"A5": (484, 692), "A4": (1047, 692)}  # pixels of CSS, without margins
 
 # Each failure as a text. Things that are within each other in the document may overlap.
 FIND_FAILURES = """(() => {
@@ -41,20 +41,23 @@ FIND_FAILURES = """(() => {
                 fail(`${name(own)} has too much content`);
         for (const own of sheet.querySelectorAll(".model .frame")) {
             const planned = own.getBoundingClientRect().width / parseFloat(getComputedStyle(own).getPropertyValue("--print"));
-            const unit = innerWidth / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
+            const unit = limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
             if (planned < 0.8 * unit) fail(`${name(own)} has ${(planned / unit).toFixed(2)} of the planned size`);
         }
     });
     return failures;
 })()"""
 
-with Browser(*A5) as browser:
-    browser.emulate_media("print")
-    browser.open(sys.argv[1])
-    found = browser.evaluate(FIND_FAILURES)
-    sheets = browser.evaluate("document.querySelectorAll('.sheet').length")
-for failure in found:
+failures = []
+for paper, size in PAPERS.items():
+    with Browser(*size) as browser:
+        browser.emulate_media("print")
+        browser.open(sys.argv[1])
+        failures += [f"{paper}, {failure}" for failure in browser.evaluate(FIND_FAILURES)]
+        # In true size, a sheet is 128 mm wide.
+        width = browser.evaluate("document.querySelector('.sheet')?.getBoundingClientRect().width ?? 0")
+        if abs(width - 484) > 3:
+            failures.append(f"{paper}: a sheet is {width:.0f} pixels wide instead of 484")
+for failure in failures:
     print(failure)
-if sheets == 0:
-    print("there are no sheets")
-sys.exit(1 if found or sheets == 0 else 0)
+sys.exit(1 if failures else 0)

@@ -115,6 +115,19 @@ TEST(SheetArrangementTest, PicturesAreSmallerToFillTheSheetOfAHeader)
     EXPECT_LT(pitch, sheets.back().columns[0][0].pitch);
 }
 
+TEST(SheetArrangementTest, NoPictureIsMuchSmallerBelowAHeader)
+{
+    const std::vector<SheetBlock> blocks(5, createBlock(20.0, {42.0, 36.0}));
+    // Lower headers are never alone if a picture fits below them, since their sheets would not be half full.
+    for (int percent = 54; percent <= 100; ++percent)
+    {
+        const SheetArrangement arrangement(blocks, 0.01 * percent * SheetArrangement::HEIGHT, 1);
+        const std::vector<Sheet>& sheets = arrangement.getSheets();
+        if (sheets.front().columns.empty()) continue;
+        EXPECT_GT(sheets.front().columns[0][0].pitch, 0.6 * sheets.back().columns[0][0].pitch) << percent;
+    }
+}
+
 TEST(SheetArrangementTest, ABlockThatIsTooHighForColumnsHasASheetWithoutThem)
 {
     std::vector<SheetBlock> blocks(20, createBlock(20.0, {10.0, 6.0}));
