@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace osgLego
 {
@@ -35,6 +36,8 @@ SheetArrangement::SheetArrangement(std::span<const SheetBlock> blocks, double he
         else
             _isHeaderAlone = false;
     }
+    if (best.cost >= SheetFilling::IMPOSSIBLE)
+        throw std::invalid_argument("a block is higher than a sheet; expected at most MOST_HEAD without its picture");
     _numColumns = best.numColumns;
     _pitch = best.pitch;
     if (_isHeaderAlone) _sheets.emplace_back();

@@ -71,7 +71,8 @@ public:
     /** @param blocks at least one; they must outlive this object.
      * @param header the height of the header of the first sheet, up to HEIGHT. The sheet may have nothing else if that
      * is more than half of it, or if no block fits below it.
-     * @param mostColumns 1 to SheetBlock::MOST_COLUMNS. */
+     * @param mostColumns 1 to SheetBlock::MOST_COLUMNS.
+     * @throws std::invalid_argument if a block is higher than a sheet. */
     SheetArrangement(std::span<const SheetBlock> blocks, double header,
                      std::size_t mostColumns = SheetBlock::MOST_COLUMNS);
 

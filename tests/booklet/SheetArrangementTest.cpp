@@ -143,6 +143,13 @@ TEST(SheetArrangementTest, ABlockThatIsTooHighForColumnsHasASheetWithoutThem)
             }
 }
 
+TEST(SheetArrangementTest, BlocksThatAreHigherThanASheetAreRejected)
+{
+    std::vector<SheetBlock> blocks(3, createBlock(20.0, {30.0, 20.0}));
+    blocks[1].heads[0] = SheetArrangement::HEIGHT + 1.0;
+    EXPECT_THROW(SheetArrangement(blocks, 0.0, 1), std::invalid_argument);
+}
+
 TEST(SheetArrangementTest, SheetsAreHalfFull)
 {
     for (unsigned seed = 0; seed < 30; ++seed)
