@@ -71,14 +71,18 @@ void BookletMarkup::writeUseOfKind(const BookletItem& item)
     writeUse(nameSymbol(item.kind), describeParts(_model.getKinds()[item.kind], item.quantity), _kindSizes[item.kind]);
 }
 
+std::string BookletMarkup::nameColorOf(std::size_t kind) const
+{
+    const PaletteColor& color = _model.getKinds()[kind].color;
+    const std::string brickLinkName = nameBrickLinkColor(color);
+    return brickLinkName.empty() ? nameColor(color) : brickLinkName;
+}
+
 void BookletMarkup::writeSwatch(std::size_t kind)
 {
     const glm::dvec2& size = _kindSizes[kind];
-    const PaletteColor& color = _model.getKinds()[kind].color;
-    const std::string brickLinkName = nameBrickLinkColor(color);
     *_stream << fmt::format(R"(<svg aria-hidden="true" viewBox="0 0 {:.0f} {:.0f}"><use href="#{}"/></svg>{})", size.x,
-                            size.y, nameSymbol(kind),
-                            escapedForMarkup(brickLinkName.empty() ? nameColor(color) : brickLinkName));
+                            size.y, nameSymbol(kind), escapedForMarkup(nameColorOf(kind)));
 }
 
 void BookletMarkup::writeArrows(const BookletPicture& picture, const std::vector<std::string>& letters)

@@ -37,6 +37,8 @@ public:
     void writeUseOfKind(const BookletItem& item);
     /** The size of the symbol of a kind, in pixels of CSS. */
     const glm::dvec2& getKindSize(std::size_t kind) const { return _kindSizes[kind]; }
+    /** The name of the colour of a kind. */
+    std::string nameColorOf(std::size_t kind) const;
     /** Write a small part of a kind with the name of its colour. */
     void writeSwatch(std::size_t kind);
     /** Write the arrows over a picture. @param letters beside the first of them. */

@@ -46,7 +46,8 @@ std::size_t findMainChapter(std::span<const BookletBlock> blocks)
 /** The place of a block on its sheet, for the style sheet. */
 std::string formatPlace(const PlacedBlock& place)
 {
-    return fmt::format(R"( style="--block:{:.2f};--space:{:.2f}")", place.height, place.space);
+    return fmt::format(R"( style="--block:{:.2f};--space:{:.2f};--scale:{:.3f}")", place.height / place.scale,
+                       place.space / place.scale, place.scale);
 }
 
 std::string nameStep(const BookletStep& step)
@@ -99,11 +100,12 @@ void BookletSteps::writeSection(std::span<const BookletBlock> blocks, const Book
     for (const BookletBlock& block : blocks)
         sizes.push_back(block.isContents ? measures.measureSubmodel(block.chapter)
                                          : measures.measureStep(block.chapter, block.step, block.chapter == main));
-    const SheetArrangement arrangement(sizes, bag ? measures.measureHeader(bag->items) : 0.0);
+    const SheetHeader header = bag ? measures.measureHeader(bag->items) : SheetHeader();
+    const SheetArrangement arrangement(sizes, header.height);
     for (const Sheet& sheet : arrangement.getSheets())
     {
         _markup.getStream() << "<div class=\"sheet\">\n";
-        if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag);
+        if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag, header.scale);
         writeSheet(blocks, sheet);
         _markup.getStream() << "</div>\n";
     }
@@ -136,7 +138,11 @@ void BookletSteps::writeLastLine(std::size_t numParts, const std::set<std::size_
     _markup.getStream() << "<footer class=\"last-line\">";
     if (const std::vector<std::size_t> chosen = _similarColors.chooseKinds(kinds); !chosen.empty())
     {
-        _markup.getStream() << "<ul class=\"colors\" aria-label=\"Similar colours\">";
+        std::vector<std::string> names(chosen.size());
+        std::transform(chosen.begin(), chosen.end(), names.begin(),
+                       [this](std::size_t kind) { return _markup.nameColorOf(kind); });
+        _markup.getStream() << fmt::format(R"(<ul class="colors" aria-label="Similar colours" style="--scale:{:.3f}">)",
+                                           SheetMeasures::findScaleOfColors(names));
         for (const std::size_t kind : chosen)
         {
             _markup.getStream() << "<li>";
@@ -164,14 +170,15 @@ void BookletSteps::addKinds(const BookletBlock& block, std::set<std::size_t>& ki
         if (_model.getChapters()[submodel].isCallout()) add(_model.getChapters()[submodel].items);
 }
 
-void BookletSteps::writeBag(const BookletBag& bag)
+/** @param scale of its texts and lists. */
+void BookletSteps::writeBag(const BookletBag& bag, double scale)
 {
     const auto number = &bag - _bags.data() + 1;
-    _markup.getStream() << fmt::format("<header class=\"bag\" id=\"bag-{0}\" data-stop=\"Bag {0} of {1}\">\n<h2>Bag "
-                                       "{0} <span>of {1}</span></h2>\n<p>{2} of "
+    _markup.getStream() << fmt::format("<header class=\"bag\" id=\"bag-{0}\" data-stop=\"Bag {0} of {1}\" "
+                                       "style=\"--scale:{4:.3f}\">\n<h2>Bag {0} <span>of {1}</span></h2>\n<p>{2} of "
                                        "{3}</p>\n<ul class=\"callout\">\n",
                                        number, _bags.size(), countOf(bag.countParts(), "part"),
-                                       countOf(bag.items.size(), "kind"));
+                                       countOf(bag.items.size(), "kind"), scale);
     _markup.writeItems(bag.items);
     _markup.getStream() << "</ul>\n</header>\n";
 }
@@ -294,7 +301,7 @@ void BookletSteps::writeStep(std::size_t chapter, std::size_t index, const Place
     _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
     const BookletPicture picture = _pictures.drawStep(chapter, index);
     _markup.getStream() << "<figure class=\"model\">";
-    writeFrame(chapter, step, picture, picture.width / picture.pitch * place.pitch);
+    writeFrame(chapter, step, picture, picture.width / picture.pitch * place.pitch / place.scale);
     _markup.getStream() << "</figure>\n</section>\n";
 }
 

@@ -41,7 +41,7 @@ private:
     std::vector<bool> findWhole() const;
     void writeSection(std::span<const BookletBlock> blocks, const BookletBag* bag);
     void writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet);
-    void writeBag(const BookletBag& bag);
+    void writeBag(const BookletBag& bag, double scale);
     void writeBlock(const BookletBlock& block, const PlacedBlock& place);
     void addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const;
     void writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds);

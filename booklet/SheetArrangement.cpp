@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace osgLego
 {
@@ -9,10 +10,11 @@ namespace osgLego
 namespace
 {
 
-constexpr double SMALL_PITCH = 1.5;   // millimetres; smaller studs need wider columns
-constexpr double LARGE_PITCH = 3.0;   // likewise; larger studs are no better
-constexpr double BIGGEST_PITCH = 8.0; // likewise, true to life
-constexpr double USUAL_HEAD = 40.0;   // blocks with more above their pictures have smaller ones
+constexpr double SMALL_PITCH = 1.5;    // millimetres; smaller studs need wider columns
+constexpr double LARGE_PITCH = 3.0;    // likewise; larger studs are no better
+constexpr double BIGGEST_PITCH = 8.0;  // likewise, true to life
+constexpr double USUAL_HEAD = 40.0;    // blocks with more above their pictures have smaller ones
+constexpr double LEAST_FILLING = 0.53; // of a sheet that is half full; heights are estimates
 
 } // namespace
 
@@ -26,7 +28,7 @@ SheetArrangement::SheetArrangement(std::span<const SheetBlock> blocks, double he
     _blocks(blocks), _header(header)
 {
     Choice best = choose(mostColumns);
-    if (_header > 0.5 * HEIGHT)
+    if (_header > LEAST_FILLING * HEIGHT || best.cost >= SheetFilling::IMPOSSIBLE)
     {
         _isHeaderAlone = true;
         if (const Choice other = choose(mostColumns); other.cost < best.cost)
@@ -34,6 +36,8 @@ SheetArrangement::SheetArrangement(std::span<const SheetBlock> blocks, double he
         else
             _isHeaderAlone = false;
     }
+    if (best.cost >= SheetFilling::IMPOSSIBLE)
+        throw std::invalid_argument("a block is higher than a sheet; expected at most MOST_HEAD without its picture");
     _numColumns = best.numColumns;
     _pitch = best.pitch;
     if (_isHeaderAlone) _sheets.emplace_back();
@@ -54,7 +58,9 @@ SheetArrangement::Choice SheetArrangement::choose(std::size_t mostColumns)
         {
             _pitch = widest * (1.0 - (1.0 - LEAST_SHARE) * index / (NUM_SHARES - 1.0));
             if (_numColumns > 1 && _pitch < SMALL_PITCH) break;
-            const double cost = plan().back().cost / std::pow(std::min(_pitch, LARGE_PITCH), SCALE_EXPONENT);
+            const double numSheets = plan().back().cost;
+            if (numSheets >= SheetFilling::IMPOSSIBLE) continue;
+            const double cost = numSheets / std::pow(std::min(_pitch, LARGE_PITCH), SCALE_EXPONENT);
             if (cost < best.cost) best = {cost, _numColumns, _pitch};
         }
     }
@@ -107,6 +113,7 @@ void SheetArrangement::extendPlans(std::size_t first, std::size_t numColumns, st
         Part part{first, numColumns, filling.findEnds(number)};
         for (std::size_t& end : part.ends)
             end += first;
+        cost += rateReduction(part);
         enlarge(part);
         if (part.growth > 1.0) cost += COST_OF_GROWTH;
         if (isEmpty(part)) cost += COST_OF_EMPTINESS;
@@ -126,7 +133,6 @@ void SheetArrangement::enlarge(Part& part) const
 /** Whether a sheet is not half full. */
 bool SheetArrangement::isEmpty(const Part& part) const
 {
-    constexpr double HALF = 0.53; // heights are estimates
     std::size_t block = part.first;
     return std::all_of(part.ends.begin(), part.ends.end(),
                        [&](std::size_t end)
@@ -134,7 +140,7 @@ bool SheetArrangement::isEmpty(const Part& part) const
                            double height = HEIGHT - getCapacity(part.first) - BLOCK_SPACE;
                            for (; block < end; ++block)
                                height += getHeight(_blocks[block], part);
-                           return height < HALF * HEIGHT;
+                           return height < LEAST_FILLING * HEIGHT;
                        });
 }
 
@@ -144,12 +150,13 @@ double SheetArrangement::getCapacity(std::size_t firstBlock) const
     return firstBlock == 0 && !_isHeaderAlone ? HEIGHT - _header : HEIGHT;
 }
 
-/** Pictures keep the scale of the usual columns if a sheet has fewer of them, unless they are enlarged. */
-double SheetArrangement::getPitch(const SheetBlock& block, const Part& part) const
+/** Pictures keep the scale of the usual columns if a sheet has fewer of them, unless they are enlarged, and unless a
+ * block would be higher than its column. */
+double SheetArrangement::getPitch(const SheetBlock& block, const Part& part, double capacity) const
 {
     const std::size_t numColumns = part.growth > 1.0 ? part.numColumns : _numColumns;
     const glm::dvec2 space(getColumnWidth(numColumns) - block.lostWidth,
-                           HEIGHT - block.heads[part.numColumns - 1] - PICTURE_SPACE);
+                           std::max(LEAST_PICTURE, capacity - block.heads[part.numColumns - 1] - PICTURE_SPACE));
     const double pitch = part.growth * std::min(block.hasScale ? _pitch : block.mostPitch,
                                                 (getColumnWidth(_numColumns) - block.lostWidth) / block.studs.x);
     return std::min({pitch, BIGGEST_PITCH, space.x / block.studs.x, space.y / block.studs.y});
@@ -158,8 +165,23 @@ double SheetArrangement::getPitch(const SheetBlock& block, const Part& part) con
 /** The height of a block, with the space below it. */
 double SheetArrangement::getHeight(const SheetBlock& block, const Part& part) const
 {
-    const double picture = block.studs.y > 0.0 ? PICTURE_SPACE + block.studs.y * getPitch(block, part) : 0.0;
+    const double picture =
+        block.studs.y > 0.0 ? PICTURE_SPACE + block.studs.y * getPitch(block, part, getCapacity(part.first)) : 0.0;
     return block.heads[part.numColumns - 1] + picture + BLOCK_SPACE;
+}
+
+/** The cost of pictures that are smaller below a header than elsewhere. */
+double SheetArrangement::rateReduction(const Part& part) const
+{
+    constexpr double COST_OF_REDUCTION = 3.0; // sheets, for a picture that disappears
+    if (part.first > 0 || _isHeaderAlone) return 0.0;
+    double cost = 0.0;
+    for (std::size_t block = 0; block < part.ends.back(); ++block)
+    {
+        const double wanted = getPitch(_blocks[block], part, HEIGHT);
+        cost += COST_OF_REDUCTION * (1.0 - getPitch(_blocks[block], part, HEIGHT - _header) / wanted);
+    }
+    return cost;
 }
 
 void SheetArrangement::createSheets(const std::vector<Plan>& plans)
@@ -194,10 +216,8 @@ SheetColumn SheetArrangement::createColumn(std::size_t first, std::size_t end, c
     for (std::size_t block = first; block < end; ++block)
     {
         const SheetBlock& own = _blocks[block];
-        // Under a high header, a single block may have a smaller picture.
-        const double highest = capacity - own.heads[part.numColumns - 1] - PICTURE_SPACE;
-        column.push_back({block, std::min(getHeight(own, part) - BLOCK_SPACE, capacity), 0.0,
-                          std::min(getPitch(own, part), highest / own.studs.y)});
+        column.push_back({block, getHeight(own, part) - BLOCK_SPACE, 0.0, getPitch(own, part, capacity),
+                          own.scales[part.numColumns - 1]});
     }
     for (std::size_t place = 0; place + 1 < column.size(); ++place)
         column[place].space = BLOCK_SPACE + spread;

@@ -17,9 +17,11 @@ struct SheetBlock
 {
     static constexpr std::size_t MOST_COLUMNS = 3;
 
-    /** The height of all but the picture, for sheets of one, two and three columns. */
+    /** The height of all but the picture, for sheets of one, two and three columns; SheetFilling::IMPOSSIBLE where the
+     * block can't be in so many. On a sheet of one column, at most SheetArrangement::MOST_HEAD. */
     std::array<double, MOST_COLUMNS> heads{};
-    glm::dvec2 studs{0.0};  //!< the size of the picture, in studs; 0 without one
+    std::array<double, MOST_COLUMNS> scales{1.0, 1.0, 1.0}; //!< of its texts and lists, likewise
+    glm::dvec2 studs{0.0};                                  //!< the size of the picture, in studs; 0 without one
     bool hasScale = true;   //!< whether the picture has the scale of the section, or its own one
     double mostPitch = 8.0; //!< the largest picture of a stud; 8 is true to life
     double lostWidth = 0.0; //!< of the column, which the picture can't use
@@ -32,6 +34,7 @@ struct PlacedBlock
     double height = 0.0;
     double space = 0.0; //!< below it
     double pitch = 0.0; //!< of a stud
+    double scale = 1.0; //!< of its texts and lists
 };
 
 /** Blocks below each other. */
@@ -45,7 +48,7 @@ struct Sheet
 };
 
 /** Arranges the blocks of a section on sheets: in columns, from top to bottom, so that all sheets are nearly equally
- * full. Pictures of the section's model have the same scale, unless a block would be higher than a sheet, or a sheet
+ * full. Pictures of the section's model have the same scale, unless a block would be higher than its column, or a sheet
  * not half full. Most sheets have the same number of columns; this and the scale make few sheets and large pictures.
  *
  *     for (const Sheet& sheet : SheetArrangement(blocks, header).getSheets()) ...
@@ -54,19 +57,22 @@ struct Sheet
 class SheetArrangement
 {
 public:
-    static constexpr double WIDTH = 128.0;       //!< of a sheet
-    static constexpr double HEIGHT = 177.0;      //!< likewise, above its last line
-    static constexpr double COLUMN_SPACE = 6.0;  //!< between columns
-    static constexpr double BLOCK_SPACE = 5.0;   //!< between blocks at least
-    static constexpr double PICTURE_SPACE = 2.0; //!< above a picture
+    static constexpr double WIDTH = 128.0;        //!< of a sheet
+    static constexpr double HEIGHT = 177.0;       //!< likewise, above its last line
+    static constexpr double COLUMN_SPACE = 6.0;   //!< between columns
+    static constexpr double BLOCK_SPACE = 5.0;    //!< between blocks at least
+    static constexpr double PICTURE_SPACE = 2.0;  //!< above a picture
+    static constexpr double LEAST_PICTURE = 25.0; //!< the height of pictures, which are smaller only at their scale
+    static constexpr double MOST_HEAD = HEIGHT - PICTURE_SPACE - LEAST_PICTURE;
 
     /** The width of a column. @param numColumns 1 to SheetBlock::MOST_COLUMNS. */
     static double getColumnWidth(std::size_t numColumns);
 
     /** @param blocks at least one; they must outlive this object.
-     * @param header the height of the header of the first sheet, which has nothing else if that is more than half of
-     * it.
-     * @param mostColumns 1 to SheetBlock::MOST_COLUMNS. */
+     * @param header the height of the header of the first sheet, up to HEIGHT. The sheet may have nothing else if that
+     * is more than half of it, or if no block fits below it.
+     * @param mostColumns 1 to SheetBlock::MOST_COLUMNS.
+     * @throws std::invalid_argument if a block is higher than a sheet. */
     SheetArrangement(std::span<const SheetBlock> blocks, double header,
                      std::size_t mostColumns = SheetBlock::MOST_COLUMNS);
 
@@ -104,8 +110,9 @@ private:
     void enlarge(Part& part) const;
     bool isEmpty(const Part& part) const;
     double getCapacity(std::size_t firstBlock) const;
-    double getPitch(const SheetBlock& block, const Part& part) const;
+    double getPitch(const SheetBlock& block, const Part& part, double capacity) const;
     double getHeight(const SheetBlock& block, const Part& part) const;
+    double rateReduction(const Part& part) const;
     void createSheets(const std::vector<Plan>& plans);
     SheetColumn createColumn(std::size_t first, std::size_t end, const Part& part) const;
 

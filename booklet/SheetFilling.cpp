@@ -8,6 +8,7 @@ namespace osgLego
 SheetFilling::SheetFilling(std::span<const double> heights, std::size_t numColumns, double capacity) :
     _costs(numColumns + 1), _firsts(numColumns + 1)
 {
+    constexpr double TOLERANCE = 1e-9;
     _costs[0] = {0.0};
     for (std::size_t column = 1; column <= numColumns; ++column)
         for (std::size_t first = 0; first < std::min(_costs[column - 1].size(), heights.size()); ++first)
@@ -18,13 +19,13 @@ SheetFilling::SheetFilling(std::span<const double> heights, std::size_t numColum
             {
                 height += heights[end - 1];
                 const double free = (capacity - height) / capacity;
-                if (free < 0.0 && end > first + 1) break;
+                if (free < -TOLERANCE) break;
                 if (end >= _costs[column].size())
                 {
                     _costs[column].resize(end + 1, IMPOSSIBLE);
                     _firsts[column].resize(end + 1, 0);
                 }
-                const double cost = _costs[column - 1][first] + free * free + (free < 0.0 ? TOO_HIGH : 0.0);
+                const double cost = _costs[column - 1][first] + free * free;
                 if (cost >= _costs[column][end]) continue;
                 _costs[column][end] = cost;
                 _firsts[column][end] = first;

@@ -17,7 +17,6 @@ class SheetFilling
 {
 public:
     static constexpr double IMPOSSIBLE = 1e18;
-    static constexpr double TOO_HIGH = 1e3; //!< the cost of a single block that is higher than its column
 
     /** @param heights of the blocks, with the space below each.
      * @param numColumns each of which gets a block.

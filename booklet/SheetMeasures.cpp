@@ -35,6 +35,7 @@ constexpr double NOTE_CHARACTER = 1.75;
 constexpr double NOTE_CHARACTERS = 70;
 constexpr double CONTENTS_SCALE = 1.5; // of pictures of submodels of many parts, compared with parts
 constexpr double HEADING = 14.0;
+constexpr double LEAST_POSSIBLE_SCALE = 0.01;
 
 /** The size of items in rows of some width. */
 glm::dvec2 flow(const std::vector<glm::dvec2>& items, double width, const glm::dvec2& space)
@@ -53,6 +54,16 @@ glm::dvec2 flow(const std::vector<glm::dvec2>& items, double width, const glm::d
     }
     if (row.x > 0.0) end();
     return size;
+}
+
+/** The largest scale at which something is low enough, down to a least one. */
+double findScale(const std::function<double(double)>& measure, double width, double most, double least)
+{
+    constexpr double STEP = 0.95;
+    double scale = 1.0;
+    while (scale * measure(width / scale) > most && STEP * scale >= least)
+        scale *= STEP;
+    return scale;
 }
 
 void append(std::vector<glm::dvec2>& sizes, const std::vector<glm::dvec2>& others)
@@ -149,19 +160,23 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
         block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
     }
     if (chapter > 0) block.lostWidth = BAR;
-    const double number = std::max(NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(own.name.size()));
-    for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
-    {
-        const double width = SheetArrangement::getColumnWidth(numColumns) - block.lostWidth;
-        const double callout = measureCallout(own, width - number - SPACE - (own.isTurned ? TURN + SPACE : 0.0));
-        double head = std::max(callout, NUMBER_HEIGHT);
-        if (const Sizes boxes = measureBoxes(own, width); !boxes.empty())
-            head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
-        if (own.numUnheld > 0 || own.falls())
-            head += NOTE_PADDING + NOTE_LINE * std::ceil(NOTE_CHARACTERS * NOTE_CHARACTER / (width - NOTE_PADDING));
-        block.heads[numColumns - 1] = head;
-    }
+    constexpr double MOST_SHARE = 0.6; // of a sheet
+    findScales([&](double width) { return measureHead(own, width - block.lostWidth); },
+               MOST_SHARE * SheetArrangement::HEIGHT, block);
     return block;
+}
+
+/** The height of all but the picture of a step. */
+double SheetMeasures::measureHead(const BookletStep& step, double width) const
+{
+    const double number = std::max(NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(step.name.size()));
+    const double callout = measureCallout(step, width - number - SPACE - (step.isTurned ? TURN + SPACE : 0.0));
+    double head = std::max(callout, NUMBER_HEIGHT);
+    if (const Sizes boxes = measureBoxes(step, width); !boxes.empty())
+        head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
+    if (step.numUnheld > 0 || step.falls())
+        head += NOTE_PADDING + NOTE_LINE * std::ceil(NOTE_CHARACTERS * NOTE_CHARACTER / (width - NOTE_PADDING));
+    return head;
 }
 
 glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
@@ -173,30 +188,74 @@ glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
 
 SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
 {
+    SheetBlock block;
+    block.hasScale = false;
+    findScales([&](double width) { return measureSubmodel(chapter, width - BAR - SPACE); }, SheetArrangement::MOST_HEAD,
+               block);
+    return block;
+}
+
+/** The height of the contents of a submodel. */
+double SheetMeasures::measureSubmodel(std::size_t chapter, double width) const
+{
     const BookletChapter& own = _model.getChapters()[chapter];
     const Sizes items = own.isListed() ? measureItems(own.items) : Sizes();
     const glm::dvec2 picture = measureContents(chapter);
     const double letter = LETTER + SPACE + (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
     constexpr double UNLIMITED = 1e9;
     const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
-    SheetBlock block;
-    block.hasScale = false;
-    for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
-    {
-        const double width = SheetArrangement::getColumnWidth(numColumns) - BAR - SPACE;
-        const double list = items.empty() ? LETTER
-                                          : flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y +
-                                                2.0 * CALLOUT_PADDING.y;
-        const bool isBeside = natural + SPACE + picture.x <= width;
-        block.heads[numColumns - 1] = (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
-    }
-    return block;
+    const double list =
+        items.empty() ? LETTER
+                      : flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+    const bool isBeside = natural + SPACE + picture.x <= width;
+    return (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
 }
 
-double SheetMeasures::measureHeader(const std::vector<BookletItem>& items) const
+SheetHeader SheetMeasures::measureHeader(const std::vector<BookletItem>& items) const
 {
-    return HEADING + flow(measureItems(items), SheetArrangement::WIDTH - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y +
-           2.0 * CALLOUT_PADDING.y + SheetArrangement::BLOCK_SPACE;
+    const Sizes sizes = measureItems(items);
+    const auto measure = [&sizes](double width)
+    {
+        return HEADING + flow(sizes, width - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y +
+               SheetArrangement::BLOCK_SPACE;
+    };
+    SheetHeader header;
+    header.scale = findScale(measure, SheetArrangement::WIDTH, SheetArrangement::HEIGHT, LEAST_POSSIBLE_SCALE);
+    header.height = header.scale * measure(SheetArrangement::WIDTH / header.scale);
+    return header;
+}
+
+double SheetMeasures::findScaleOfColors(const std::vector<std::string>& names)
+{
+    constexpr double HEIGHT = 5.0;
+    constexpr double WIDTH = SheetArrangement::WIDTH - 35.0; // without the number of parts
+    constexpr double SWATCH = 3.6;
+    constexpr double CHARACTER = 1.45;
+    constexpr double LINE = 2.5;
+    constexpr double COLOR_SPACE = 2.5;
+    Sizes sizes;
+    for (const std::string& name : names)
+        sizes.push_back({SWATCH + CHARACTER * static_cast<double>(name.size()), LINE});
+    return findScale(
+        [&sizes](double width) {
+            return flow(sizes, width, {COLOR_SPACE, 0.0}).y;
+        },
+        WIDTH, HEIGHT, LEAST_POSSIBLE_SCALE);
+}
+
+/** Find the heads of a block, and the scales at which they are low enough. In a narrow column, no text is too small to
+ * read; without columns, any list fits. */
+void SheetMeasures::findScales(const HeightFunction& measure, double most, SheetBlock& block)
+{
+    constexpr double LEAST_SCALE = 0.75;
+    for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
+    {
+        const double width = SheetArrangement::getColumnWidth(numColumns);
+        const double scale = findScale(measure, width, most, numColumns == 1 ? LEAST_POSSIBLE_SCALE : LEAST_SCALE);
+        const double head = scale * measure(width / scale);
+        block.scales[numColumns - 1] = scale;
+        block.heads[numColumns - 1] = head <= most ? head : SheetFilling::IMPOSSIBLE;
+    }
 }
 
 } // namespace osgLego

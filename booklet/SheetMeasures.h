@@ -6,6 +6,8 @@
 #include "SheetArrangement.h"
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -13,8 +15,16 @@
 namespace osgLego
 {
 
+/** The header of a sheet. */
+struct SheetHeader
+{
+    double height = 0.0; //!< in millimetres on A5, up to SheetArrangement::HEIGHT
+    double scale = 1.0;  //!< of its texts and lists
+};
+
 /** Measures the blocks of sheets before they are written, as Booklet.css prints them: in millimetres on A5. Blocks
- * whose texts turn out higher have smaller pictures.
+ * whose texts turn out higher have smaller pictures. Long lists are printed smaller, so that they and a picture fit on
+ * a sheet.
  *
  * One thread. */
 class SheetMeasures
@@ -30,7 +40,9 @@ public:
     /** The contents of a submodel of many parts. */
     SheetBlock measureSubmodel(std::size_t chapter) const;
     /** A heading and a list of parts across a sheet. */
-    double measureHeader(const std::vector<BookletItem>& items) const;
+    SheetHeader measureHeader(const std::vector<BookletItem>& items) const;
+    /** The scale at which names of colours fit into the last line of a sheet. */
+    static double findScaleOfColors(const std::vector<std::string>& names);
     /** The size of a picture in the box of a submodel. */
     static glm::dvec2 toBox(const glm::dvec2& studs);
     /** The size of the picture of a finished submodel of many parts. */
@@ -38,7 +50,12 @@ public:
 
 private:
     using Sizes = std::vector<glm::dvec2>;
+    /** The height of something by its width. */
+    using HeightFunction = std::function<double(double)>;
 
+    static void findScales(const HeightFunction& measure, double most, SheetBlock& block);
+    double measureHead(const BookletStep& step, double width) const;
+    double measureSubmodel(std::size_t chapter, double width) const;
     glm::dvec2 measureItem(const BookletItem& item) const;
     glm::dvec2 measureUse(std::size_t chapter) const;
     Sizes measureItems(const std::vector<BookletItem>& items) const;

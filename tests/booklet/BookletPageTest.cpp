@@ -290,6 +290,31 @@ TEST(BookletPage, ListsThePartsOfBags)
     EXPECT_EQ(write(createTower()).find("id=\"bag-1\""), std::string::npos);
 }
 
+TEST(BookletPage, LongListsAreSmaller)
+{
+    // A brick on which a submodel of 60 kinds is attached: as many colours, one above another.
+    std::vector<Part> parts{{{0, 0, 0}, {2, 2, 1}, {180, 0, 0}, 4}};
+    Submodel submodel;
+    for (std::uint32_t part = 1; part <= 60; ++part)
+    {
+        const auto shade = static_cast<std::uint8_t>(4 * part);
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, {shade, 0, 0}, Part::NO_CODE});
+        if (part % 5 == 1) submodel.steps.emplace_back();
+        submodel.steps.back().parts.push_back(part);
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 61}, 1.2), parts);
+    const auto plan = BuildingPlan::create(61, {createStep({0}), createStep({}, {0})}, {submodel});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    const auto scaleOf = [&html](const std::string& id)
+    {
+        const std::string tag = html.substr(html.find("id=\"" + id + "\""), 200);
+        return std::stod(tag.substr(tag.find("--scale:") + 8));
+    };
+    EXPECT_EQ(scaleOf("step-1"), 1.0);
+    EXPECT_LT(scaleOf("submodel-a"), 0.8) << "20 rows of three, each a seventh of the sheet's height";
+    EXPECT_GT(scaleOf("submodel-a"), 0.3);
+}
+
 TEST(BookletPage, SubmodelsOfMoreThan200PartsHaveNoListButThoseOfBags)
 {
     std::vector<Part> parts;

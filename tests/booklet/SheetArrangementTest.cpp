@@ -74,6 +74,82 @@ TEST(SheetArrangementTest, EveryBlockIsOnOneSheetInItsOrderAndNoneIsCut)
     }
 }
 
+TEST(SheetArrangementTest, BelowHeadersOfAnyHeightNothingIsCut)
+{
+    for (int tenths = 0; tenths <= 10; ++tenths)
+        for (const double head : {11.0, 60.0, SheetArrangement::MOST_HEAD})
+        {
+            std::vector<SheetBlock> blocks = createSteps(8, 30.0, 1);
+            blocks.front().heads = {head, head, head};
+            const double header = 0.1 * tenths * SheetArrangement::HEIGHT;
+            const SheetArrangement arrangement(blocks, header);
+            const std::vector<Sheet>& sheets = arrangement.getSheets();
+            std::size_t number = 0;
+            for (const Sheet& sheet : sheets)
+                for (const SheetColumn& column : sheet.columns)
+                {
+                    const double space = SheetArrangement::HEIGHT - (&sheet == &sheets.front() ? header : 0.0);
+                    EXPECT_LE(measure(column), space + 1e-6) << header << " " << head;
+                    number += column.size();
+                    for (const PlacedBlock& place : column)
+                    {
+                        const SheetBlock& block = blocks[place.block];
+                        const double picture = place.height - block.heads[sheet.numColumns - 1];
+                        EXPECT_GE(picture + 1e-6, block.studs.y * place.pitch) << header << " " << head;
+                        EXPECT_GT(place.pitch, 1.0) << header << " " << head;
+                    }
+                }
+            EXPECT_EQ(number, blocks.size()) << header << " " << head;
+        }
+}
+
+TEST(SheetArrangementTest, PicturesAreSmallerToFillTheSheetOfAHeader)
+{
+    // Below the header, a list leaves less space than a picture needs at its scale.
+    const std::vector<SheetBlock> blocks(2, createBlock(70.0, {30.0, 30.0}));
+    const std::vector<Sheet> sheets = SheetArrangement(blocks, 0.35 * SheetArrangement::HEIGHT, 1).getSheets();
+    ASSERT_EQ(sheets.size(), 2u);
+    ASSERT_FALSE(sheets.front().columns.empty());
+    const double pitch = sheets.front().columns[0][0].pitch;
+    EXPECT_GE(30.0 * pitch, SheetArrangement::LEAST_PICTURE);
+    EXPECT_LT(pitch, sheets.back().columns[0][0].pitch);
+}
+
+TEST(SheetArrangementTest, NoPictureIsMuchSmallerBelowAHeader)
+{
+    const std::vector<SheetBlock> blocks(5, createBlock(20.0, {42.0, 36.0}));
+    // Lower headers are never alone if a picture fits below them, since their sheets would not be half full.
+    for (int percent = 54; percent <= 100; ++percent)
+    {
+        const SheetArrangement arrangement(blocks, 0.01 * percent * SheetArrangement::HEIGHT, 1);
+        const std::vector<Sheet>& sheets = arrangement.getSheets();
+        if (sheets.front().columns.empty()) continue;
+        EXPECT_GT(sheets.front().columns[0][0].pitch, 0.6 * sheets.back().columns[0][0].pitch) << percent;
+    }
+}
+
+TEST(SheetArrangementTest, ABlockThatIsTooHighForColumnsHasASheetWithoutThem)
+{
+    std::vector<SheetBlock> blocks(20, createBlock(20.0, {10.0, 6.0}));
+    blocks[9].heads = {100.0, SheetFilling::IMPOSSIBLE, SheetFilling::IMPOSSIBLE};
+    blocks[9].scales = {0.9, 0.7, 0.7};
+    const SheetArrangement arrangement(blocks, 0.0);
+    for (const Sheet& sheet : arrangement.getSheets())
+        for (const SheetColumn& column : sheet.columns)
+            for (const PlacedBlock& place : column)
+            {
+                EXPECT_TRUE(place.block != 9 || sheet.numColumns == 1);
+                EXPECT_EQ(place.scale, place.block == 9 ? 0.9 : 1.0);
+            }
+}
+
+TEST(SheetArrangementTest, BlocksThatAreHigherThanASheetAreRejected)
+{
+    std::vector<SheetBlock> blocks(3, createBlock(20.0, {30.0, 20.0}));
+    blocks[1].heads[0] = SheetArrangement::HEIGHT + 1.0;
+    EXPECT_THROW(SheetArrangement(blocks, 0.0, 1), std::invalid_argument);
+}
+
 TEST(SheetArrangementTest, SheetsAreHalfFull)
 {
     for (unsigned seed = 0; seed < 30; ++seed)

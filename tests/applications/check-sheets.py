@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
+things overlap, and pictures have nearly the size that was planned.
+
+Usage: check-sheets.py FILE.html
+"""
+import sys
+
+from browser import Browser
+
+PAPERS = {"A5": (484, 692), "A4": (1047, 692)}  # pixels of CSS, without margins
+
+# Each failure as a text. Things that are within each other in the document may overlap.
+FIND_FAILURES = """(() => {
+    const BLOCKS = ".section header, .parts, .true-size, .bag, .step, .submodel, .last-line";
+    const THINGS = BLOCKS + ", .parts li, .bag h2, .bag p, .number, .callout, .box, li > svg, .quantity, .letter, .multiplier, " +
+        ".box h4, .small-step h5, .turn, .note, .frame, figure > svg, .sheet-parts, .colors, .colors li";
+    const TOLERANCE = 1; // pixels
+    const failures = [];
+    const name = own => own.closest("[data-stop]")?.dataset.stop + ": ." + (own.className.baseVal ?? own.className) + " " +
+        own.tagName + " " + own.textContent.trim().replace(/\\s+/g, " ").slice(0, 20);
+    const isIn = (own, outer) => own.left > outer.left - TOLERANCE && own.right < outer.right + TOLERANCE &&
+        own.top > outer.top - TOLERANCE && own.bottom < outer.bottom + TOLERANCE;
+    const overlap = (own, other) => own.left < other.right - TOLERANCE && other.left < own.right - TOLERANCE &&
+        own.top < other.bottom - TOLERANCE && other.top < own.bottom - TOLERANCE;
+    document.querySelectorAll(".sheet").forEach((sheet, index) => {
+        const fail = text => failures.push(`sheet ${index + 1}: ${text}`);
+        const limits = sheet.getBoundingClientRect();
+        const things = [...sheet.querySelectorAll(THINGS)].map(own => ({own, size: own.getBoundingClientRect()}));
+        for (const {own, size} of things) {
+            if (!size.width || !size.height) fail(`${name(own)} has no size`);
+            if (!isIn(size, limits)) fail(`${name(own)} leaves the sheet`);
+            const outer = own.parentElement.closest(".box, .callout, .column, " + BLOCKS);
+            if (outer && !isIn(size, outer.getBoundingClientRect())) fail(`${name(own)} leaves ${name(outer)}`);
+        }
+        things.forEach(({own, size}, first) => things.slice(first + 1).forEach(({own: other, size: others}) => {
+            if (overlap(size, others) && !own.contains(other)) fail(`${name(own)} overlaps ${name(other)}`);
+        }));
+        for (const own of [sheet, ...sheet.querySelectorAll(".column, .number, .callout, .box, .last-line")])
+            if (own.scrollHeight > own.clientHeight + 3 || own.scrollWidth > own.clientWidth + 3)
+                fail(`${name(own)} has too much content`);
+        for (const own of sheet.querySelectorAll(".model .frame")) {
+            const planned = own.getBoundingClientRect().width / parseFloat(getComputedStyle(own).getPropertyValue("--print"));
+            const unit = limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
+            if (planned < 0.8 * unit) fail(`${name(own)} has ${(planned / unit).toFixed(2)} of the planned size`);
+        }
+    });
+    return failures;
+})()"""
+
+failures = []
+for paper, size in PAPERS.items():
+    with Browser(*size) as browser:
+        browser.emulate_media("print")
+        browser.open(sys.argv[1])
+        failures += [f"{paper}, {failure}" for failure in browser.evaluate(FIND_FAILURES)]
+        # In true size, a sheet is 128 mm wide.
+        width = browser.evaluate("document.querySelector('.sheet')?.getBoundingClientRect().width ?? 0")
+        if abs(width - 484) > 3:
+            failures.append(f"{paper}: a sheet is {width:.0f} pixels wide instead of 484")
+for failure in failures:
+    print(failure)
+sys.exit(1 if failures else 0)
