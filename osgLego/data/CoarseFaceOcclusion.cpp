@@ -141,7 +141,8 @@ public:
     }
 
 private:
-    /** In voxels: steps of a surface of voxels must not occlude each other. */
+    /** The distance, in voxels, up to which rays meet bricks: nearer voxels are too coarse for the surface beside a
+     * face. */
     static constexpr double NEAREST = AmbientOcclusionSettings::RADIUS_IN_BRICKS;
 
     glm::ivec3 getVoxel(const glm::ivec3& cell) const
