@@ -228,7 +228,7 @@ SheetHeader SheetMeasures::measureHeader(const std::vector<BookletItem>& items) 
 double SheetMeasures::findScaleOfColors(const std::vector<std::string>& names)
 {
     constexpr double HEIGHT = 5.0;
-    constexpr double WIDTH = SheetArrangement::WIDTH - 35.0; // without the number of parts
+    constexpr double WIDTH_OF_COLORS = SheetArrangement::WIDTH - 35.0; // without the number of parts
     constexpr double SWATCH = 3.6;
     constexpr double CHARACTER = 1.45;
     constexpr double LINE = 2.5;
@@ -240,7 +240,7 @@ double SheetMeasures::findScaleOfColors(const std::vector<std::string>& names)
         [&sizes](double width) {
             return flow(sizes, width, {COLOR_SPACE, 0.0}).y;
         },
-        WIDTH, HEIGHT, LEAST_POSSIBLE_SCALE);
+        WIDTH_OF_COLORS, HEIGHT, LEAST_POSSIBLE_SCALE);
 }
 
 /** Find the heads of a block, and the scales at which they are low enough. In a narrow column, no text is too small to
