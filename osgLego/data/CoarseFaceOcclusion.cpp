@@ -29,14 +29,9 @@ public:
         _margin(margin), _cells(dimensions + 2 * margin)
     {
         for (const BrickPoint& point : points)
-        {
-            const Brick brick = unpackBrick(point);
-            _cells.edit(brick.getCell() + _margin) |= COVERED;
-            for (int side = 0; side < NUM_SIDES; ++side)
-                if (brick.openSides & 1 << side)
-                    _cells.edit(brick.getCell() + getSideNormal(side) + _margin) |=
-                        static_cast<std::uint8_t>(1 << side);
-        }
+            _cells.edit(unpackBrick(point).getCell() + _margin) |= COVERED;
+        forEachOpenFace(points, [this](const glm::ivec3& cell, int side)
+                        { _cells.edit(cell + _margin) |= static_cast<std::uint8_t>(1 << side); });
     }
 
     bool isCovered(const glm::ivec3& cell) const { return (_cells.get(cell + _margin) & COVERED) != 0; }
@@ -107,14 +102,8 @@ public:
         for (std::size_t side = 0; side < NUM_SIDES; ++side)
             for (const FaceRay& ray : _rays[side])
                 _farRays[side].emplace_back(voxels, ray, reach);
-        for (const BrickPoint& point : points)
-        {
-            const Brick brick = unpackBrick(point);
-            for (int side = 0; side < NUM_SIDES; ++side)
-                if (brick.openSides & 1 << side)
-                    _sides[voxels.getPlace(getVoxel(brick.getCell() + getSideNormal(side)))] |=
-                        static_cast<std::uint8_t>(1 << side);
-        }
+        forEachOpenFace(points, [this](const glm::ivec3& cell, int side)
+                        { _sides[_voxels.getPlace(getVoxel(cell))] |= static_cast<std::uint8_t>(1 << side); });
     }
 
     bool hasFaces(const glm::ivec3& voxel) const { return _sides[_voxels.getPlace(voxel)] != 0; }

@@ -22,14 +22,8 @@ namespace
 std::vector<std::uint8_t> findFaces(const VoxelGrid& grid, std::span<const BrickPoint> points)
 {
     std::vector<std::uint8_t> faces(grid.getNumVoxels(), 0);
-    for (const BrickPoint& point : points)
-    {
-        const Brick brick = unpackBrick(point);
-        for (int side = 0; side < NUM_SIDES; ++side)
-            if (brick.openSides & 1 << side)
-                faces[grid.getPlace(brick.getCell() + VoxelGrid::BORDER + getSideNormal(side))] |=
-                    static_cast<std::uint8_t>(1 << side);
-    }
+    forEachOpenFace(points, [&](const glm::ivec3& cell, int side)
+                    { faces[grid.getPlace(cell + VoxelGrid::BORDER)] |= static_cast<std::uint8_t>(1 << side); });
     return faces;
 }
 

@@ -30,13 +30,6 @@ glm::dvec3 getMiddle(const VoxelGrid& cells, int side)
 
 } // namespace
 
-glm::ivec3 getSideNormal(int side)
-{
-    glm::ivec3 normal(0);
-    normal[side / 2] = side % 2 == 0 ? -1 : 1;
-    return normal;
-}
-
 FaceRay::FaceRay(const VoxelGrid& cells, const glm::dvec3& direction, int side, double reach, double length) :
     _path(cells, getMiddle(cells, side), direction, length)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/data/OcclusionPath.h>
+#include <osgLego/data/OpenFaces.h>
 #include <osgLego/data/VoxelGrid.h>
 
 #include <array>
@@ -14,15 +15,11 @@
 namespace osgLego
 {
 
-constexpr int NUM_SIDES = 6; //!< of a brick, in the order of BrickSide
 constexpr int NUM_FACE_RAYS = 48;
 /** Hidden rays, as a vector in which each has the length of its hidden fraction, times this are `bend` of
  * OcclusionVolume::Light. Bent normals move by the part 0.5625 of it (shaders/light/distant_light.glsl), and the mean
  * open direction of an open hemisphere is two thirds as long as its normal. */
 constexpr float BEND_OF_FACE_RAY = 1.0f / (0.5625f * (2.0f / 3.0f) * static_cast<float>(NUM_FACE_RAYS));
-
-/** The step from a brick to the cell in front of a side. */
-glm::ivec3 getSideNormal(int side);
 
 /** A ray from the middle of a face of a brick: the cells that it passes, and the light that each may hide from the
  * face. Immutable; every function may be called from any thread. */

@@ -43,6 +43,17 @@ public:
         return step;
     }
 
+    /** Steps, one that attaches a submodel, and more steps. */
+    Steps createStepsAround(const std::vector<std::size_t>& before, const std::vector<std::size_t>& submodel,
+                            const std::vector<std::size_t>& after)
+    {
+        Steps steps = createSteps(before);
+        steps.push_back(createAttachment({submodel}));
+        const Steps last = createSteps(after);
+        steps.insert(steps.end(), last.begin(), last.end());
+        return steps;
+    }
+
     std::vector<BookletBlock> createBlocks(Steps steps) const
     {
         std::vector<Part> parts;
@@ -115,10 +126,7 @@ TEST(BookletBagsTest, AStepIsInOneBagHoweverManyPartsItHas)
 TEST(BookletBagsTest, ALargeSubmodelIsDividedAtItsSteps)
 {
     Row row;
-    Steps steps = row.createSteps({8, 8});
-    steps.push_back(row.createAttachment({std::vector<std::size_t>(50, 8)}));
-    const Steps last = row.createSteps({8, 8, 8});
-    steps.insert(steps.end(), last.begin(), last.end());
+    Steps steps = row.createStepsAround({8, 8}, std::vector<std::size_t>(50, 8), {8, 8, 8});
     const std::vector<BookletBlock> blocks = row.createBlocks(std::move(steps));
     const std::vector<BookletBag> bags = createBags(blocks);
     EXPECT_EQ(bags.size(), 3u);
@@ -134,10 +142,8 @@ TEST(BookletBagsTest, ASmallSubmodelIsNotDivided)
 {
     // Equal bags would divide it; a bag may end when it is built, before it is attached.
     Row row;
-    Steps steps = row.createSteps(std::vector<std::size_t>(16, 8));
-    steps.push_back(row.createAttachment({std::vector<std::size_t>(6, 8)}));
-    const Steps last = row.createSteps(std::vector<std::size_t>(16, 8));
-    steps.insert(steps.end(), last.begin(), last.end());
+    Steps steps = row.createStepsAround(std::vector<std::size_t>(16, 8), std::vector<std::size_t>(6, 8),
+                                        std::vector<std::size_t>(16, 8));
     EXPECT_EQ(countParts(createBags(row.createBlocks(std::move(steps)))), (std::vector<std::size_t>{128, 176}));
 }
 
@@ -145,10 +151,8 @@ TEST(BookletBagsTest, ASubmodelIsNotDividedForAFewParts)
 {
     // 96 parts, a submodel of 48, and 64 parts: the limits would be kept by a bag that begins within the submodel.
     Row row;
-    Steps steps = row.createSteps(std::vector<std::size_t>(12, 8));
-    steps.push_back(row.createAttachment({std::vector<std::size_t>(6, 8)}));
-    const Steps last = row.createSteps(std::vector<std::size_t>(8, 8));
-    steps.insert(steps.end(), last.begin(), last.end());
+    Steps steps = row.createStepsAround(std::vector<std::size_t>(12, 8), std::vector<std::size_t>(6, 8),
+                                        std::vector<std::size_t>(8, 8));
     EXPECT_EQ(countParts(createBags(row.createBlocks(std::move(steps)))), (std::vector<std::size_t>{96, 112}));
 }
 
