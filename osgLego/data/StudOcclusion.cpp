@@ -97,7 +97,7 @@ glm::dvec4 findHidden(int column, int line, double height, double radius)
     if (line >= 3 * BAND)
     {
         const glm::dvec4 sum =
-            sumHidden(upward, glm::dvec3(0.0), {glm::mix(STUD_RADIUS, FARTHEST, across), 0.0}, radius);
+            sumHidden(upward, glm::dvec3(0.0), {glm::mix(STUD_RADIUS, FARTHEST, across * across), 0.0}, radius);
         return {sum.x, 0.0, sum.y, sum.w};
     }
     if (line < BAND) return sumHidden(ahead, {0.0, 0.0, up * height}, {0.5, FARTHEST * across}, radius);

@@ -21,8 +21,9 @@ namespace osgLego
  * - Lines 8 to 15: the wall of another stud, one pitch away on the same level. Columns are cosines of the angle between
  *   its normal and the direction from stud to stud, from 1 to -1; lines are heights, from 0 to that of a stud.
  * - Lines 16 to 23: likewise, at the distance of a diagonal neighbour.
- * - Lines 24 to 31, which are equal: a surface on the level of the stud, whose normal is up. Columns are distances from
- *   the axis, from the radius of a stud to 1.5 pitches.
+ * - Lines 24 to 31, which are equal: a surface on the level of the stud, whose normal is up. Columns are square roots
+ * of distances from the wall, whose square is 0 to 1 between the radius of a stud and 1.5 pitches from the axis: most
+ *   changes near the wall.
  *
  * May be called from any thread.
  * @param height of a cell, in pitches. @param radius the greatest distance of occluders, in pitches. */

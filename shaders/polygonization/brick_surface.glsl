@@ -30,6 +30,9 @@ struct Surface
 {
     vec3 color;
     vec3 normal;    // the geometric normal of the face or stud
+    vec3 u;         // the axes along the face or below the stud, in eye coordinates
+    vec3 v;
+    vec3 outward;   // likewise, from the face or upwards
     vec3 shading;   // the normal used for shading, with edges, relief and tilt
     float openness; // 1; less in the gap of a joint
     float agreement; // length of the pixel's mean normal; 1: all normals are equal
@@ -195,8 +198,9 @@ Surface surfaceHere(vec3 toEye)
     ivec2 axes = axesOf(axis, isUpper);
     float side = isOutside ? 1.0 : -1.0;
     vec3 normal = normalize(side * eyeNormal);
-    vec3 u = side * axisOf(axes.x);
-    vec3 v = side * axisOf(axes.y);
+    vec3 u = axisOf(axes.x);
+    vec3 v = axisOf(axes.y);
+    vec3 outward = axisOf(axis);
     vec2 size = vec2(cellProportions[axes.x], cellProportions[axes.y]);
     vec2 place = coordinate * size;
     vec4 slopes = coordinateSlopes;
@@ -205,6 +209,10 @@ Surface surfaceHere(vec3 toEye)
     float wide = min(length(extent * slopes.xz), length(extent * slopes.yw));
     vec3 own = variation * ownNumbers() * clamp(2.0 - 2.0 * max(width.x, width.y), 0.0, 1.0);
 
+    Surface surface;
+    surface.u = u;
+    surface.v = v;
+    surface.outward = isUpper ? outward : -outward;
     Bend bend;
     if (part == FACE)
         bend = bendFace(place, size, width, ~sidesBeside(detail >> 5, axes), detail >> 12,
@@ -212,7 +220,7 @@ Surface surfaceHere(vec3 toEye)
     else if (part == STUD_WALL)
     {
         bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));
-        v = side * axisOf(upAxis);
+        v = outward;
     }
     else
     {
@@ -222,10 +230,9 @@ Surface surfaceHere(vec3 toEye)
     if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
     if (part != STUD_WALL) bend.slope += TILT * own.xy;
 
-    Surface surface;
     surface.color = clamp(unpackUnorm4x8(color).rgb * (1.0 + SHADE * own.z), 0.0, 1.0);
     surface.normal = normal;
-    surface.shading = normal + bend.slope.x * u + bend.slope.y * v;
+    surface.shading = normal + side * (bend.slope.x * u + bend.slope.y * v);
     surface.openness = bend.openness;
     // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;

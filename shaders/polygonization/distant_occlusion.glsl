@@ -44,8 +44,8 @@ float decodeOcclusion(float code)
 }
 
 // The fraction of the sky that is hidden from a surface with normal n, as a + dot(b, n), which holds for the given normal and
-// similar ones: b in eye coordinates, and a. `shift` is a step from the surface, in voxels along the model's axes; `lift`, the
-// direction of voxels without bricks; `isWhole`, whether near occlusion is included.
+// similar ones: b in eye coordinates, and a. `shift` is a step from the surface, in voxels; `lift`, the direction of voxels without
+// bricks; `isWhole`, whether near occlusion is included.
 vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 shift, vec3 lift, vec3 toEye, bool isWhole)
 {
     mat3 modelToEye = mat3(axisOf(0), axisOf(1), axisOf(2)); // a rotation or reflection, unless the model is sheared
@@ -54,8 +54,8 @@ vec4 distantOcclusionAt(vec3 eyePosition, vec3 eyeNormal, vec3 shift, vec3 lift,
     // The normals of bricks as small as pixels are noise.
     float averaged = clamp(smallness - 1.0, 0.0, 1.0);
     vec3 normal = normalize(mix(eyeNormal, toEye, averaged) * modelToEye);
-    vec3 away = (hasFaceOcclusion ? FACE_LIFT : LIFT) * normalize(mix(lift, toEye, averaged) * modelToEye);
-    vec3 place = placeInVoxels + voxel * (shift + exp2(level) * away);
+    vec3 away = exp2(level) * (hasFaceOcclusion ? FACE_LIFT : LIFT) * normalize(mix(lift, toEye, averaged));
+    vec3 place = placeInVoxels + voxel * ((shift + away) * modelToEye);
     vec4 mean = textureLod(hiddenMean, place, level);
     vec3 towards = textureLod(hiddenBend, place, level).rgb - 128.0 / 255.0;
     float hidden = !hasFaceOcclusion ? dot(normal * normal, mean.rgb + sign(normal) * towards)

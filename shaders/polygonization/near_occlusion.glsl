@@ -85,40 +85,48 @@ vec4 hiddenByStuds(uint studs, Receiver to, vec4 visibility)
             direction = to.isWall ? step : 0.5 - to.place + step;
             float distance = max(length(direction), STUD_RADIUS);
             place = to.isWall ? vec3((number & 1) == 0 ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
-                              : vec3(3.0, (distance - STUD_RADIUS) / (1.5 - STUD_RADIUS), 0.5);
+                              : vec3(3.0, sqrt((distance - STUD_RADIUS) / (1.5 - STUD_RADIUS)), 0.5);
             along = vec3(to.isWall ? sign(dot(direction, across)) * across : direction / distance, 0.0);
         }
         vec4 hidden = studEntry(place.x, place.y, place.z);
         float share = to.isWall ? 1.0 : dot(quadrantsTowards(direction), visibility);
+        // Cells hide more of the light from near the horizon, where farther studs are.
+        share *= mix(1.0, share, min(2.0 * place.y, 1.0));
         sum += share * vec4(hidden.x, hidden.y * along + hidden.z * up + hidden.w * normal);
     }
     return sum;
 }
 
-// The wall of a stud sees half of the sky, in the quadrants that it faces, and some of the light from below where the brick
-// ends. `outward` is the horizontal normal; `height` that of the point on the wall, 0 to 1.
-const float OPEN_BELOW = 0.6;                // of an infinitely high wall, if no brick is beside its own; fitted to rays
+// The wall of a stud sees half of the sky, in the quadrants that it faces, and some of the light from below: that of a ledge, where
+// cells beside its own are open, and, without distant occlusion, that along the tops of bricks from beyond the reach of occlusion.
 const float LEDGE = 0.5 - STUD_RADIUS; // from the wall to the end of the brick
+const float ALONG_TOPS = 0.15;         // of the light that an infinitely long ledge would let in; fitted to rays
+// The share of a ledge that is by an open side, by an open corner, and by one next to an open side; fitted to rays.
+const vec3 LEDGE_SHARES = vec3(0.41, 0.2, 0.35);
 
 // `beside` are the cells on the brick's level.
 vec4 wallOcclusion(Receiver to, uint beside, Quadrants light, vec4 weights)
 {
     vec4 sides = vec4(max(-to.outward, 0.0), max(to.outward, 0.0));
-    vec4 open = 1.0 - vec4(beside >> 3 & 1u, beside >> 1 & 1u, beside >> 5 & 1u, beside >> 7 & 1u);
+    vec4 openSides = sides * sides * (1.0 - vec4(uvec4(beside) >> uvec4(3u, 1u, 5u, 7u) & 1u));
+    vec4 openCorners = 0.5 * weights * (1.0 - vec4(uvec4(beside) >> uvec4(0u, 2u, 6u, 8u) & 1u));
+    float share = LEDGE_SHARES.x * dot(openSides, vec4(1.0)) +
+                  dot(openCorners, LEDGE_SHARES.y + LEDGE_SHARES.z * (openSides.xzxz + openSides.yyww));
     float above = to.height * STUD_HEIGHT;
-    float below = OPEN_BELOW * above * inversesqrt(above * above + LEDGE * LEDGE) * dot(sides * sides, open);
-    // An open quadrant has a sum of directions of 1 / 6 outward, and 1 / (3 pi) up and to the side.
+    float slope = above * inversesqrt(above * above + LEDGE * LEDGE);
+    float below = 0.5 * slope * (includesNear ? share : mix(ALONG_TOPS, 1.0, share));
+    // An open quadrant has a sum of directions of 1 / 6 outward, and 1 / (3 pi) up and to the side; a ledge, 2 / (3 pi) down.
     vec4 seen = weights * light.visibility;
     vec2 towards = vec2(seen.y + seen.w - seen.x - seen.z, seen.z + seen.w - seen.x - seen.y);
     vec2 across = towards - dot(towards, to.outward) * to.outward;
     float all = dot(seen, vec4(1.0));
     vec2 bent = (all / 6.0 + 0.8 * below) * to.outward + 0.106 * across;
-    return vec4(light.sum.x + below, bent, 0.106 * all - 0.5 * below);
+    return vec4(light.sum.x + below, bent, 0.106 * all - 0.212 * slope * slope * share);
 }
 
-// The mean open direction in eye coordinates, and the visible fraction of the sky; or, if distant occlusion includes near one, what is
-// to be added to it, plus 1. `shift` is the step from the surface to the place of this distant occlusion, in cells along the model's
-// axes.
+// The mean open direction in eye coordinates, and the visible fraction of the sky; or, if distant occlusion includes near one, what
+// is to be added to it, plus 1. `shift` is the step from the surface to the place of this distant occlusion, in cells, in eye
+// coordinates.
 vec4 nearOcclusion(Surface surface, out vec3 shift)
 {
     shift = vec3(0.0);
@@ -128,27 +136,24 @@ vec4 nearOcclusion(Surface surface, out vec3 shift)
     uint open = detail >> 5 & 63u;
     int axis = int(detail >> 2 & 3u);
     int upper = int(detail >> 4 & 1u);
-    ivec2 axes = axesOf(axis, true);
     bool isLevel = axis == upAxis;
-    bool isExchanged = axes.x == upAxis;
     int word = isKnown ? 3 * brickNumber : 0;
     uvec3 words = uvec3(texelFetch(neighbors, word).x, texelFetch(neighbors, word + 1).x, texelFetch(neighbors, word + 2).x);
     uint cells = isKnown ? cellsInFront(words, open, axis, upper) : 0u;
-    if (isExchanged)
-    {
-        cells = exchangeAxes(cells);
-        axes = axes.yx;
-    }
-    vec3 first = axisOf(axes.x);
-    vec3 second = axisOf(axes.y);
+    // The first of both axes that follow that of the face is the up axis.
+    bool isExchanged = axesOf(axis, true).x == upAxis;
+    if (isExchanged) cells = exchangeAxes(cells);
+    // The axes and coordinates along lower faces are in the opposite order.
+    bool isInOrder = (upper != 0) != isExchanged;
+    vec3 first = isInOrder ? surface.u : surface.v;
+    vec3 second = isInOrder ? surface.v : surface.u;
     Receiver to;
     to.isWall = part == STUD_WALL;
     to.isTop = part == FACE && isLevel && upper != 0;
     to.isSide = !isLevel;
     to.outward = to.isWall ? normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))) : vec2(0.0);
     to.height = coordinate.y;
-    // The coordinates along lower faces are in the opposite order.
-    vec2 place = (upper != 0) != isExchanged ? coordinate : coordinate.yx;
+    vec2 place = isInOrder ? coordinate : coordinate.yx;
     to.place = part == FACE ? place : 0.5 + STUD_RADIUS * (to.isWall ? to.outward : 2.0 * place - 1.0);
     vec4 weights = to.isWall ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
     Quadrants light = findQuadrants(cells, to.place, weights, isLevel);
@@ -157,11 +162,10 @@ vec4 nearOcclusion(Surface surface, out vec3 shift)
     if (includesNear && !to.isWall)
     {
         sky.x = 1.0 + light.difference;
-        shift[axes.x] = light.shift.x;
-        shift[axes.y] = light.shift.y;
+        shift = light.shift.x * first + light.shift.y * second;
     }
     sky -= hiddenByStuds(isKnown ? studsAround(to, cells, beside) : 0u, to, light.visibility);
-    vec3 bent = sky.y * first + sky.z * second + (upper != 0 ? sky.w : -sky.w) * axisOf(axis);
+    vec3 bent = sky.y * first + sky.z * second + sky.w * surface.outward;
     if (brickNumber >= numNeighbors) return vec4(surface.normal, 1.0);
     return vec4(normalize(mix(bent, surface.normal, small) + 1e-4 * surface.normal),
                 mix(max(sky.x, 0.0), includesNear ? 1.0 : MEAN_VISIBILITY, small));

@@ -81,12 +81,12 @@ vec3 unlitColor()
 
 #if defined(DISTANT_OCCLUSION)
 
-// `shift` is a step from the surface to the place of the occlusion, in cells along the model's axes. The wall of a stud sees the
+// `shift` is a step from the surface to the place of the occlusion, in cells. The wall of a stud sees the
 // upper half of its sky. Both cases share the look-ups: software renderers run both branches for every pixel.
 vec4 distantOcclusionOf(Surface surface, vec3 shift)
 {
     bool isWall = (detail & 3u) == STUD_WALL;
-    vec3 lift = isWall ? axisOf(upAxis) : surface.normal;
+    vec3 lift = isWall ? surface.outward : surface.normal;
     vec3 middle = isWall ? normalize(surface.normal + lift) : surface.normal;
     vec4 hidden = distantOcclusionAt(eyePosition, middle, shift, lift, towardsEye(eyePosition), includesNear && !isWall);
     return (isWall ? 0.5 : 1.0) * vec4(hidden.xyz, hidden.w + dot(hidden.xyz, middle - surface.normal));
