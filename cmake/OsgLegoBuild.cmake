@@ -37,7 +37,10 @@ target_compile_options(osgLegoOptions INTERFACE
 if(OSGLEGO_SCALAR)
     target_compile_definitions(osgLegoOptions INTERFACE OSGLEGO_SCALAR)
 endif()
-if(OSGLEGO_SANITIZE)
+if(OSGLEGO_SANITIZE STREQUAL "thread")
+    target_compile_options(osgLegoOptions INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+    target_link_options(osgLegoOptions INTERFACE -fsanitize=thread)
+elseif(OSGLEGO_SANITIZE)
     target_compile_options(osgLegoOptions INTERFACE
         -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow
         -fno-omit-frame-pointer

@@ -23,6 +23,12 @@ struct LayoutRegion
     /** For each cell, whether a part that begins there may change; null or empty: all may. */
     const std::vector<bool>* activeCells = nullptr;
 
+    /** Whether a cell of the region's layers is in its rows. Threads may change the others at the same time. */
+    bool hasRowOf(const CellLattice& lattice, CellLattice::Index cell) const
+    {
+        const int y = lattice.getY(cell);
+        return y >= yBegin && y < yEnd;
+    }
     /** Whether a part lies inside. */
     bool contains(const PartMap& map, CellLattice::Index anchor) const
     {

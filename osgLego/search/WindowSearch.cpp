@@ -135,7 +135,9 @@ void WindowSearch::improve(const LayoutRegion& region, int seamCost, const Limit
     const CellLattice& lattice = _map.getLattice();
     std::vector<Index> seeds;
     for (Index cell = lattice.getLayerStart(region.zBegin); cell < lattice.getLayerStart(region.zEnd); ++cell)
-        if (_map.isAnchor(cell) && region.isActive(cell) && region.contains(_map, cell)) seeds.push_back(cell);
+        if (region.hasRowOf(lattice, cell) && _map.isAnchor(cell) && region.isActive(cell) &&
+            region.contains(_map, cell))
+            seeds.push_back(cell);
     LayoutWindow& window = _windows.local();
     for (std::size_t i = 0; i * limits.partsPerWindow < seeds.size(); ++i)
     {

@@ -35,12 +35,13 @@ vec4 studEntry(float band, float column, float line)
     return 0.5 * vec4(entry.xy, 2.0 * entry.z - 1.0, entry.w);
 }
 
-// A point on a face, or on a stud.
+// A point on a face, or on a stud. The members are integers since drivers that translate GLSL to SPIR-V, such as Mesa's zink,
+// make invalid types of booleans in structures.
 struct Receiver
 {
-    bool isWall;  // of a stud, with a horizontal normal
-    bool isTop;   // of a brick
-    bool isSide;  // of a brick
+    int isWall;   // of a stud, with a horizontal normal; 1 or 0
+    int isTop;    // of a brick
+    int isSide;   // of a brick
     vec2 place;   // along the axes of the face, 0 to 1; for a side of a brick, the first axis is horizontal
     vec2 outward; // the normal of a wall
     float height; // on a wall, 0 to 1
@@ -50,11 +51,11 @@ struct Receiver
 // beside it; for the wall of a stud, five beside it; for a side, three at its foot. `beside` are the cells on the brick's level.
 uint studsAround(Receiver to, uint cells, uint beside)
 {
-    if (to.isSide) return cells & 7u & ~(cells >> 3);
+    if (to.isSide != 0) return cells & 7u & ~(cells >> 3);
     uint studs = beside & ~cells;
-    ivec2 sides = ivec2(greaterThan(to.isWall ? to.outward : to.place - 0.5, vec2(0.0)));
-    if (to.isWall) return studs & ~(QUADRANT << (4 - sides.x - 3 * sides.y));
-    return to.isTop ? studs & QUADRANT << (sides.x + 3 * sides.y) : 0u;
+    ivec2 sides = ivec2(greaterThan(to.isWall != 0 ? to.outward : to.place - 0.5, vec2(0.0)));
+    if (to.isWall != 0) return studs & ~(QUADRANT << (4 - sides.x - 3 * sides.y));
+    return to.isTop != 0 ? studs & QUADRANT << (sides.x + 3 * sides.y) : 0u;
 }
 
 // The light that studs hide: its fraction, and the vector along both axes of a face and its normal; less where cells already hide
@@ -63,8 +64,8 @@ uint studsAround(Receiver to, uint cells, uint beside)
 vec4 hiddenByStuds(uint studs, Receiver to, vec4 visibility)
 {
     vec2 across = vec2(-to.outward.y, to.outward.x);
-    vec3 up = to.isSide ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-    vec3 normal = to.isSide ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
+    vec3 up = to.isSide != 0 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    vec3 normal = to.isSide != 0 ? vec3(0.0, 0.0, 1.0) : vec3(to.outward, 0.0);
     vec4 sum = vec4(0.0);
     for (uint left = studs; left != 0u; left &= left - 1u)
     {
@@ -74,7 +75,7 @@ vec4 hiddenByStuds(uint studs, Receiver to, vec4 visibility)
         vec2 direction; // to the stud, along the axes
         vec3 place;     // in the table
         vec3 along;
-        if (to.isSide)
+        if (to.isSide != 0)
         {
             direction = vec2(0.5 - to.place.x + step.x, 1.0);
             place = vec3(0.0, abs(direction.x) / 1.5, to.place.y);
@@ -82,14 +83,15 @@ vec4 hiddenByStuds(uint studs, Receiver to, vec4 visibility)
         }
         else
         {
-            direction = to.isWall ? step : 0.5 - to.place + step;
+            direction = to.isWall != 0 ? step : 0.5 - to.place + step;
             float distance = max(length(direction), STUD_RADIUS);
-            place = to.isWall ? vec3((number & 1) == 0 ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
-                              : vec3(3.0, sqrt((distance - STUD_RADIUS) / (1.5 - STUD_RADIUS)), 0.5);
-            along = vec3(to.isWall ? sign(dot(direction, across)) * across : direction / distance, 0.0);
+            place = to.isWall != 0
+                        ? vec3((number & 1) == 0 ? 2.0 : 1.0, 0.5 - 0.5 * dot(direction, to.outward) / distance, to.height)
+                        : vec3(3.0, sqrt((distance - STUD_RADIUS) / (1.5 - STUD_RADIUS)), 0.5);
+            along = vec3(to.isWall != 0 ? sign(dot(direction, across)) * across : direction / distance, 0.0);
         }
         vec4 hidden = studEntry(place.x, place.y, place.z);
-        float share = to.isWall ? 1.0 : dot(quadrantsTowards(direction), visibility);
+        float share = to.isWall != 0 ? 1.0 : dot(quadrantsTowards(direction), visibility);
         // Cells hide more of the light from near the horizon, where farther studs are.
         share *= mix(1.0, share, min(2.0 * place.y, 1.0));
         sum += share * vec4(hidden.x, hidden.y * along + hidden.z * up + hidden.w * normal);
@@ -148,18 +150,18 @@ vec4 nearOcclusion(Surface surface, out vec3 shift)
     vec3 first = isInOrder ? surface.u : surface.v;
     vec3 second = isInOrder ? surface.v : surface.u;
     Receiver to;
-    to.isWall = part == STUD_WALL;
-    to.isTop = part == FACE && isLevel && upper != 0;
-    to.isSide = !isLevel;
-    to.outward = to.isWall ? normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))) : vec2(0.0);
+    to.isWall = int(part == STUD_WALL);
+    to.isTop = int(part == FACE && isLevel && upper != 0);
+    to.isSide = int(!isLevel);
+    to.outward = to.isWall != 0 ? normalize(vec2(dot(eyeNormal, first), dot(eyeNormal, second))) : vec2(0.0);
     to.height = coordinate.y;
     vec2 place = isInOrder ? coordinate : coordinate.yx;
-    to.place = part == FACE ? place : 0.5 + STUD_RADIUS * (to.isWall ? to.outward : 2.0 * place - 1.0);
-    vec4 weights = to.isWall ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
+    to.place = part == FACE ? place : 0.5 + STUD_RADIUS * (to.isWall != 0 ? to.outward : 2.0 * place - 1.0);
+    vec4 weights = to.isWall != 0 ? 2.0 * quadrantsTowards(to.outward) : vec4(1.0);
     Quadrants light = findQuadrants(cells, to.place, weights, isLevel);
     uint beside = cellsBeside(words.x, open, axis);
-    vec4 sky = to.isWall ? wallOcclusion(to, beside, light, weights) : light.sum;
-    if (includesNear && !to.isWall)
+    vec4 sky = to.isWall != 0 ? wallOcclusion(to, beside, light, weights) : light.sum;
+    if (includesNear && to.isWall == 0)
     {
         sky.x = 1.0 + light.difference;
         shift = light.shift.x * first + light.shift.y * second;

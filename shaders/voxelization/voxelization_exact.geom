@@ -19,14 +19,15 @@ flat out uvec2 packedCell;    // x | y << 16, z; computing the cell from the tex
 #include "voxelization/area_in_cell.glsl"
 
 // A separating axis in a coordinate plane: it separates a cell from the triangle if the projection of the cell's corner
-// on the axis is outside the bounds, or equal to an open bound.
+// on the axis is outside the bounds, or equal to an open bound. The last members are 1 or 0: drivers that translate GLSL to
+// SPIR-V, such as Mesa's zink, make invalid types of booleans in structures.
 struct PlaneAxis
 {
     vec2 direction;
     float lower;
     float upper;
-    bool lowerIsOpen;
-    bool upperIsOpen;
+    int lowerIsOpen;
+    int upperIsOpen;
 };
 
 PlaneAxis planeAxis(vec2 edge, vec2 a, vec2 b, vec2 c)
@@ -37,14 +38,14 @@ PlaneAxis planeAxis(vec2 edge, vec2 a, vec2 b, vec2 c)
     vec2 downward = min(direction, 0.0);
     return PlaneAxis(direction, min(places.x, min(places.y, places.z)) - (upward.x + upward.y),
                      max(places.x, max(places.y, places.z)) - (downward.x + downward.y),
-                     any(greaterThan(direction, vec2(0.0))), any(lessThan(direction, vec2(0.0))));
+                     int(any(greaterThan(direction, vec2(0.0)))), int(any(lessThan(direction, vec2(0.0)))));
 }
 
 bool isApart(PlaneAxis axis, vec2 corner)
 {
     float place = dot(axis.direction, corner);
-    return place < axis.lower || place > axis.upper || (place == axis.lower && axis.lowerIsOpen) ||
-           (place == axis.upper && axis.upperIsOpen);
+    return place < axis.lower || place > axis.upper || (place == axis.lower && axis.lowerIsOpen != 0) ||
+           (place == axis.upper && axis.upperIsOpen != 0);
 }
 
 bool planeIsApart(vec3 normal, float offset, vec3 corner)

@@ -218,7 +218,7 @@ TEST_P(SharedLook, NodesOfDifferentLooksKeepTheirOwnPictures)
 TEST_P(SharedLookWithoutOcclusion, NodesOfOneLookHaveTheTexturesOfOneNode)
 {
     const osg::ref_ptr<LightProbe> probe = createHalvedProbe({1, 1, 1}, {0, 0, 0});
-    const NodeMaker make = makeWith("4,drawing=" + getDrawing(),
+    const NodeMaker make = makeWith("4,device=cpu,drawing=" + getDrawing(),
                                     [=](LegoNode& lego)
                                     {
                                         lego.setLightProbe(probe);

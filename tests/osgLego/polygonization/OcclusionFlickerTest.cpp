@@ -49,8 +49,9 @@ protected:
             const osg::Vec3d target(0.5 * SIDE + right, 0.5 * SIDE, 0);
             return draw(*lego, {target + osg::Vec3d(0, -200, 200), target, {0, 0, 1}, PIXEL * HEIGHT});
         };
-        const osg::ref_ptr<osg::Image> first = drawFrom(0.0);
-        return meanDifference(*first, *drawFrom(0.3 * PIXEL));
+        // From the middle of one cell into the next: pixels whose centres are on borders of cells might show either.
+        const osg::ref_ptr<osg::Image> first = drawFrom(0.25 * PIXEL);
+        return meanDifference(*first, *drawFrom(0.55 * PIXEL));
     }
 };
 
@@ -59,8 +60,8 @@ TEST_F(OcclusionFlicker, OfBricksAsSmallAsPixelsIsHardlyMoreThanWithoutOcclusion
     const double open = findChange(BrickOcclusion::OFF, false);
     EXPECT_GT(open, 0.0);
     for (const bool isDistant : {false, true})
-        // 1.1 and 1.2 times as much; 3.3 and 1.9 times without MEAN_VISIBILITY in near_occlusion.glsl.
-        EXPECT_LT(findChange(BrickOcclusion::GRID, isDistant), 1.4 * open) << isDistant;
+        // 0.9 and 1.02 times as much; 2.1 and 1.13 times without MEAN_VISIBILITY in near_occlusion.glsl.
+        EXPECT_LT(findChange(BrickOcclusion::GRID, isDistant), 1.1 * open) << isDistant;
 }
 
 } // namespace
