@@ -24,6 +24,7 @@ int run(int argc, char** argv)
     addBuildingCommand(commands);
     addConnectCommand(commands);
     addLiveCommand(commands);
+    addNodesCommand(commands);
     return commands.run(argc, argv);
 }
 
