@@ -25,7 +25,7 @@ void runNodesCommand(const NodesCommandOptions& options)
 {
     const unsigned int numNodes = options.isQuick ? QUICK_NUM_NODES : options.numNodes;
     JsonValue document = createDocument("nodes-memory");
-    for (const SmallSource source : {SmallSource::STORED, SmallSource::MESH})
+    for (const SmallSource source : {SmallSource::STORED, SmallSource::MESH, SmallSource::SAMPLE})
     {
         fmt::print(stderr, "measuring {} nodes\n", numNodes);
         document["rows"].append(

@@ -7,12 +7,13 @@
 namespace osgLego
 {
 
-/** The sources of nodes whose memory is measured. Each node has five bricks and its own colours, so that nodes share
- * nothing by equal bricks. */
+/** The sources of nodes whose memory is measured. Stored bricks and meshes are five bricks, in other colours for each
+ * node, so that nodes share nothing by equal bricks. */
 enum class SmallSource
 {
     STORED, //!< stored bricks, read from a file in memory
-    MESH    //!< a box of its own
+    MESH,   //!< a box of its own
+    SAMPLE  //!< the racing car, read by the pseudo-loader
 };
 
 /** Measure the memory of many small nodes: after they have been made, and after all have been drawn in one viewer.

@@ -199,6 +199,11 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
     if (result->_grid.getNumCells() == 0) return result;
     const GridFrame frame(result->_grid, triangles.getBounds(), !settings.grid.cellPitch);
     result->_firstCell = frame.getFirstCell();
+    // In advance, since a vector that grows copies batches: osg::ref_ptr has no move constructor that can't throw.
+    std::size_t numBatches = 0;
+    for (const SceneBatch& batch : triangles.getBatches())
+        numBatches += batch.vertices.size() / 3 / GridBatch::MAXIMUM_TRIANGLES + 1;
+    result->_batches.reserve(numBatches);
     for (const SceneBatch& batch : triangles.getBatches())
         appendBatches(frame, batch, settings.getEdgeLimit(), result->_batches);
     return result;
