@@ -30,5 +30,7 @@ void addConnectCommand(BenchCommandLine& commands);
 void addLiveCommand(BenchCommandLine& commands);
 /** Memory of many small nodes, each. Prints a table unless JSON goes to a file. */
 void addNodesCommand(BenchCommandLine& commands);
+/** Memory over hours of random changes. Prints the growth unless JSON goes to a file. */
+void addSoakCommand(BenchCommandLine& commands);
 
 } // namespace osgLego

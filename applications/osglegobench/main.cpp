@@ -25,6 +25,7 @@ int run(int argc, char** argv)
     addConnectCommand(commands);
     addLiveCommand(commands);
     addNodesCommand(commands);
+    addSoakCommand(commands);
     return commands.run(argc, argv);
 }
 
