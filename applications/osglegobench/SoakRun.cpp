@@ -162,7 +162,10 @@ void SoakRun::draw()
     constexpr int NUM_FRAMES = 3;
     for (int frame = 0; frame < NUM_FRAMES; ++frame)
         for (const std::unique_ptr<FrameViewer>& viewer : _viewers)
+        {
+            viewer->getContext().makeCurrent(); // a viewer assumes that its context is, since it drew last
             viewer->drawFrame();
+        }
 }
 
 } // namespace osgLego

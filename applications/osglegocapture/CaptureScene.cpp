@@ -1,6 +1,7 @@
 #include "CaptureScene.h"
 
 #include "ExitCode.h"
+#include "ModelSize.h"
 #include "ReadingGuard.h"
 #include "SceneReach.h"
 
@@ -105,6 +106,7 @@ double elapsed(osg::Timer_t start)
 
 CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
 {
+    warnOfModelSize(options.mesh);
     const ReadingGuard guard(options.mesh); // also of the walk over the scene, which may contain itself
     try
     {

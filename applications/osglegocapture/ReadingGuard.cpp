@@ -1,17 +1,14 @@
 #include "ReadingGuard.h"
 
 #include "ExitCode.h"
+#include "ModelSize.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
-#include <osgDB/FileNameUtils>
-#include <osgDB/FileUtils>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -33,21 +30,6 @@ void endReading(int signal)
     // Nothing can be done if this fails.
     [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, message.data(), message.size());
     _exit(EXIT_BAD_INPUT);
-}
-
-/** The size in bytes of the file that a name begins with, which pseudo-loaders append to; 0 if there is none. */
-std::uintmax_t findSize(std::string fileName)
-{
-    while (!fileName.empty())
-    {
-        std::error_code error;
-        const std::uintmax_t size = std::filesystem::file_size(osgDB::findDataFile(fileName), error);
-        if (!error) return size;
-        const std::string shorter = osgDB::getNameLessExtension(fileName);
-        if (shorter == fileName) break;
-        fileName = shorter;
-    }
-    return 0;
 }
 
 /** The bytes of address space that this process uses. */
@@ -93,7 +75,7 @@ ReadingGuard::ReadingGuard(const std::string& fileName)
     constexpr time_t TIME_PER_MEGABYTE = 2;                  // texts take about 0.1
     constexpr std::uintmax_t LEAST_MEMORY = 4000 * MEGABYTE; // textures may be larger than the file of the mesh
     constexpr std::uintmax_t MEMORY_PER_BYTE = 64;
-    const std::uintmax_t size = findSize(fileName);
+    const std::uintmax_t size = findModelSize(fileName);
     const time_t time = LEAST_TIME + TIME_PER_MEGABYTE * static_cast<time_t>(size / MEGABYTE);
     crashMessage = fmt::format("osglegocapture: '{}': its reader has crashed; expected a file that is not damaged, and "
                                "a scene that does not contain itself\n",
