@@ -17,7 +17,7 @@ namespace osgLego
 namespace
 {
 
-constexpr unsigned int CHANGES_PER_REST = 40;
+constexpr unsigned int CHANGES_PER_REST = 10;
 constexpr double GROWTH_GOAL = 0.01; // of the memory at the end of the warm-up
 
 struct SoakOptions : BenchOptions
