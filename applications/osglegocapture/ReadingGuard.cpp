@@ -89,8 +89,8 @@ ReadingGuard::ReadingGuard(const std::string& fileName)
     };
     action.sa_handler = endReading;
     action.sa_flags = SA_ONSTACK;
-    for (std::size_t index = 0; index < SIGNALS.size(); ++index)
-        sigaction(SIGNALS[index], &action, &_former[index]);
+    for (std::size_t index = 0; index < CRASH_SIGNALS.size(); ++index)
+        sigaction(CRASH_SIGNALS[index], &action, &_former[index]);
     getrlimit(RLIMIT_AS, &_formerMemory);
     limitMemory(LEAST_MEMORY + MEMORY_PER_BYTE * size, _formerMemory);
     limitTime(time);
@@ -100,8 +100,8 @@ ReadingGuard::~ReadingGuard()
 {
     limitTime(0);
     setrlimit(RLIMIT_AS, &_formerMemory);
-    for (std::size_t index = 0; index < SIGNALS.size(); ++index)
-        sigaction(SIGNALS[index], &_former[index], nullptr);
+    for (std::size_t index = 0; index < CRASH_SIGNALS.size(); ++index)
+        sigaction(CRASH_SIGNALS[index], &_former[index], nullptr);
 }
 
 } // namespace osgLego

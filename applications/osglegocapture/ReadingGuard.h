@@ -28,9 +28,9 @@ public:
     ReadingGuard& operator=(const ReadingGuard&) = delete;
 
 private:
-    static constexpr std::array<int, 6> SIGNALS{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF};
+    static constexpr std::array<int, 6> CRASH_SIGNALS{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF};
 
-    std::array<struct sigaction, SIGNALS.size()> _former{};
+    std::array<struct sigaction, CRASH_SIGNALS.size()> _former{};
     struct rlimit _formerMemory
     {
     };
