@@ -175,7 +175,7 @@ osg::ref_ptr<osg::Node> createBody()
     for (const Section& section : sections)
         rings.push_back(ringOf(section, CORNERS));
     osg::ref_ptr<osg::Geometry> body = createLoft(rings, plain(osg::Vec4(1, 1, 1, 1)));
-    setTexture(*body, createRacingCarLivery(), osg::Vec3d(NOSE, -0.5, 0), osg::Vec3d(TAIL, 0.5, 0));
+    setTexture(*body, getRacingCarLivery(), osg::Vec3d(NOSE, -0.5, 0), osg::Vec3d(TAIL, 0.5, 0));
     smooth(*body);
 
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -341,7 +341,7 @@ osg::ref_ptr<osg::Node> createWings()
     const osg::Vec3d high(2.08, 0.66, 1.09);
     osg::ref_ptr<osg::Geometry> rear = createBox(low, high, white);
     // The flag runs across: its s is the car's y.
-    setTexture(*rear, createChequeredFlag(), low, high);
+    setTexture(*rear, getChequeredFlag(), low, high);
     for (osg::Vec2& coordinate : static_cast<osg::Vec2Array&>(*rear->getTexCoordArray(0)))
         coordinate.set(coordinate.y(), coordinate.x());
     smooth(*rear);

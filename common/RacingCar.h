@@ -12,7 +12,8 @@ namespace osgLego
  * The body has a texture, the tyres have vertex colours, and the rims, wings and pipes have Materials; the four wheels
  * share their subgraphs. `sample.legolize` shows it in bricks.
  *
- * May be called from any thread; the caller owns the result. */
+ * May be called from any thread; the caller owns the result, except for the images of its textures, which all cars
+ * share. */
 osg::ref_ptr<osg::Node> createRacingCar();
 
 } // namespace osgLego

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <string_view>
 
 #include <osg/Vec2d>
 #include <osg/Vec3ub>
+#include <osg/observer_ptr>
 
 namespace osgLego
 {
@@ -62,21 +64,42 @@ osg::Vec3ub liveryAt(double along, double across)
     return RED;
 }
 
-} // namespace
-
-osg::ref_ptr<osg::Image> createRacingCarLivery()
+osg::Vec3ub flagAt(double s, double t)
 {
-    return createImage(512, 256, liveryAt);
+    const int square = static_cast<int>(s * 8.0) + static_cast<int>(t * 2.0);
+    return square % 2 == 0 ? WHITE : BLACK;
 }
 
-osg::ref_ptr<osg::Image> createChequeredFlag()
+/** An image that exists once as long as it is used. */
+class SharedImage
 {
-    return createImage(64, 16,
-                       [](double s, double t)
-                       {
-                           const int square = static_cast<int>(s * 8.0) + static_cast<int>(t * 2.0);
-                           return square % 2 == 0 ? WHITE : BLACK;
-                       });
+public:
+    template <typename ColorAt>
+    osg::ref_ptr<osg::Image> findOrCreate(int width, int height, const ColorAt& colorAt)
+    {
+        const std::lock_guard lock(_mutex);
+        osg::ref_ptr<osg::Image> image;
+        if (!_image.lock(image)) _image = image = createImage(width, height, colorAt);
+        return image;
+    }
+
+private:
+    std::mutex _mutex;
+    osg::observer_ptr<osg::Image> _image;
+};
+
+} // namespace
+
+osg::ref_ptr<osg::Image> getRacingCarLivery()
+{
+    static SharedImage livery;
+    return livery.findOrCreate(512, 256, liveryAt);
+}
+
+osg::ref_ptr<osg::Image> getChequeredFlag()
+{
+    static SharedImage flag;
+    return flag.findOrCreate(64, 16, flagAt);
 }
 
 } // namespace osgLego

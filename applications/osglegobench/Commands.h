@@ -28,5 +28,9 @@ void addBuildingCommand(BenchCommandLine& commands);
 void addConnectCommand(BenchCommandLine& commands);
 /** Times to cancel legolizations, and on one and two threads. Prints a table unless JSON goes to a file. */
 void addLiveCommand(BenchCommandLine& commands);
+/** Memory of many small nodes, each. Prints a table unless JSON goes to a file. */
+void addNodesCommand(BenchCommandLine& commands);
+/** Memory over hours of random changes. Prints the growth unless JSON goes to a file. */
+void addSoakCommand(BenchCommandLine& commands);
 
 } // namespace osgLego

@@ -24,6 +24,8 @@ int run(int argc, char** argv)
     addBuildingCommand(commands);
     addConnectCommand(commands);
     addLiveCommand(commands);
+    addNodesCommand(commands);
+    addSoakCommand(commands);
     return commands.run(argc, argv);
 }
 

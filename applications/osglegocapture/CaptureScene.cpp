@@ -1,6 +1,8 @@
 #include "CaptureScene.h"
 
 #include "ExitCode.h"
+#include "ModelSize.h"
+#include "ReadingGuard.h"
 #include "SceneReach.h"
 
 #include <common/RacingCar.h>
@@ -9,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <vector>
 
 #include <fmt/format.h>
@@ -102,11 +106,31 @@ double elapsed(osg::Timer_t start)
 
 CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
 {
-    const osg::Timer_t start = osg::Timer::instance()->tick();
-    _source = readMesh(options);
-    _readingTime = elapsed(start);
-    _isRead = true;
-    prepare();
+    warnOfModelSize(options.mesh);
+    const ReadingGuard guard(options.mesh); // also of the walk over the scene, which may contain itself
+    try
+    {
+        const osg::Timer_t start = osg::Timer::instance()->tick();
+        _source = readMesh(options);
+        _readingTime = elapsed(start);
+        _isRead = true;
+        prepare();
+    }
+    catch (const CaptureError&)
+    {
+        throw;
+    }
+    catch (const std::bad_alloc&)
+    {
+        throw CaptureError(EXIT_BAD_INPUT,
+                           "'" + options.mesh +
+                               "': there is not enough memory to read it; expected a smaller mesh, or a "
+                               "file that is not damaged");
+    }
+    catch (const std::exception& error)
+    {
+        throw CaptureError(EXIT_BAD_INPUT, "'" + options.mesh + "': its reader has failed: " + error.what());
+    }
 }
 
 CaptureScene::CaptureScene(const CaptureOptions& options, const osg::ref_ptr<osg::Node>& node) :

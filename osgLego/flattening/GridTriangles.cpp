@@ -1,10 +1,13 @@
 #include <osgLego/flattening/GridTriangles.h>
 
+#include <osgLego/data/SharedObjects.h>
 #include <osgLego/flattening/GridFrame.h>
 #include <osgLego/flattening/SubdivisionPattern.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -159,6 +162,12 @@ double meanCellsMet(const GridVertex* corners, const glm::ivec3& dimensions)
     return projectedAreas.x + projectedAreas.y + projectedAreas.z + extent.x + extent.y + extent.z + 1.0;
 }
 
+/** The vertices, which have no padding. */
+std::string_view asBytes(const std::vector<GridVertex>& vertices)
+{
+    return {reinterpret_cast<const char*>(vertices.data()), vertices.size() * sizeof(GridVertex)};
+}
+
 } // namespace
 
 GridVertex midpoint(const GridVertex& a, const GridVertex& b)
@@ -177,6 +186,11 @@ float squaredLength(const GridVertex& a, const GridVertex& b)
 {
     const glm::vec3 edge = b.position - a.position;
     return glm::dot(edge, edge);
+}
+
+bool GridBatch::isEqualTo(const GridBatch& other) const
+{
+    return texture == other.texture && environment == other.environment && asBytes(vertices) == asBytes(other.vertices);
 }
 
 std::size_t GridBatch::estimateFineTriangles(double edgeLimit) const
@@ -199,9 +213,44 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
     if (result->_grid.getNumCells() == 0) return result;
     const GridFrame frame(result->_grid, triangles.getBounds(), !settings.grid.cellPitch);
     result->_firstCell = frame.getFirstCell();
+    // In advance, since a vector that grows copies batches: osg::ref_ptr has no move constructor that can't throw.
+    std::size_t numBatches = 0;
+    for (const SceneBatch& batch : triangles.getBatches())
+        numBatches += batch.vertices.size() / 3 / GridBatch::MAXIMUM_TRIANGLES + 1;
+    result->_batches.reserve(numBatches);
     for (const SceneBatch& batch : triangles.getBatches())
         appendBatches(frame, batch, settings.getEdgeLimit(), result->_batches);
     return result;
+}
+
+osg::ref_ptr<const GridTriangles> GridTriangles::share(const GridTriangles& triangles)
+{
+    static SharedObjects<std::uint64_t, const GridTriangles> shared;
+    osg::ref_ptr<const GridTriangles> found =
+        shared.findOrCreate(triangles.computeHash(), [&] { return osg::ref_ptr<const GridTriangles>(&triangles); });
+    return found->isEqualTo(triangles) ? found : osg::ref_ptr<const GridTriangles>(&triangles);
+}
+
+bool GridTriangles::isEqualTo(const GridTriangles& other) const
+{
+    return _grid == other._grid && _firstCell == other._firstCell &&
+           std::ranges::equal(_batches, other._batches,
+                              [](const GridBatch& a, const GridBatch& b) { return a.isEqualTo(b); });
+}
+
+std::uint64_t GridTriangles::computeHash() const
+{
+    std::uint64_t hash = 0;
+    const auto add = [&hash](std::uint64_t other)
+    {
+        constexpr std::uint64_t FACTOR = 0x9e3779b97f4a7c15; // so that the order counts
+        hash = FACTOR * hash + other;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        add(std::hash<double>()(_grid.origin[axis]));
+    for (const GridBatch& batch : _batches)
+        add(std::hash<std::string_view>()(asBytes(batch.vertices)));
+    return hash;
 }
 
 std::size_t GridTriangles::getNumTriangles() const

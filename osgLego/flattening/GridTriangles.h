@@ -54,6 +54,8 @@ struct GridBatch
     std::vector<GridVertex> vertices;
     float longestEdge = 0.0f; //!< in cells
 
+    /** Whether the bits of all values are equal, and the texture is the same object. */
+    bool isEqualTo(const GridBatch& other) const;
     std::size_t getNumTriangles() const { return vertices.size() / 3; }
     /** An estimate of the number of triangles after subdivision to edges of at most `edgeLimit` cells. */
     std::size_t estimateFineTriangles(double edgeLimit) const;
@@ -71,6 +73,11 @@ class GridTriangles : public osg::Referenced
 public:
     static osg::ref_ptr<const GridTriangles> create(const SceneTriangles& triangles, const LegoSettings& settings);
 
+    /** Triangles in use that are equal to others, such as those of another copy of a file; the others if there are
+     * none.
+     */
+    static osg::ref_ptr<const GridTriangles> share(const GridTriangles& triangles);
+
     const BrickGrid& getGrid() const { return _grid; }
     /** A position in cell (x, y, z) of the grid is in the unit cube at (x, y, z) plus this: (0, 0, 0) if the grid is
      * fitted to the mesh. Coordinates may be negative, and positions outside the grid. */
@@ -85,6 +92,9 @@ public:
 private:
     GridTriangles() = default;
     ~GridTriangles() override = default;
+
+    bool isEqualTo(const GridTriangles& other) const;
+    std::uint64_t computeHash() const;
 
     BrickGrid _grid;
     glm::ivec3 _firstCell{0};

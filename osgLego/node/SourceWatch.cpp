@@ -65,8 +65,13 @@ bool SourceWatch::look(const osg::Node& node, const Request& request, Need need)
     // The lattice of another anchor depends on earlier sources, or on the place of the node.
     const bool isFitted = settings.grid.anchor == Anchor::FIT;
     if (isFitted) _lattice = {};
+    const auto share = [&]
+    {
+        const osg::ref_ptr<const GridTriangles> created = create();
+        return created ? GridTriangles::share(*created) : created;
+    };
     const osg::ref_ptr<const GridTriangles> triangles =
-        _isUnique || !isFitted ? create() : getSharedTriangles().findOrCreate(key, create);
+        _isUnique || !isFitted ? create() : getSharedTriangles().findOrCreate(key, share);
     osg::ref_ptr<LegoSource> source;
     if (triangles) source = LegoSource::create(*triangles, settings, request.palette, _obstacle);
     if (source)

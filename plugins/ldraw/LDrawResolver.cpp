@@ -45,10 +45,17 @@ bool isTooFar(const LDrawTransform& transform)
     return !isWithin(transform.place) || !isWithin(axes[0]) || !isWithin(axes[1]) || !isWithin(axes[2]);
 }
 
+std::string describeTooManyLines()
+{
+    return "its submodels add up to more than " + std::to_string(LDrawResolver::MOST_LINES) + " lines; expected fewer";
+}
+
 } // namespace
 
 std::string LDrawResolver::resolve()
 {
+    // Before parts take memory: a few kilobytes of submodels within submodels can add up to any number of lines.
+    if (countAll(_document, _document.getMain()) > MOST_LINES) return describeTooManyLines();
     return visit({_document, _document.getMain(), {}, LDrawDocument::MAIN_COLOR});
 }
 
@@ -115,7 +122,30 @@ std::string LDrawResolver::countLines(std::size_t lines)
 {
     _numLines += lines;
     if (_numLines <= MOST_LINES) return {};
-    return "its submodels add up to more than " + std::to_string(MOST_LINES) + " lines; expected fewer";
+    return describeTooManyLines();
+}
+
+/** The lines of a file and of all that it includes, each as often as it is included; at least MOST_LINES + 1 if there
+ * are more. */
+std::size_t LDrawResolver::countAll(const LDrawDocument& document, const LDrawFile& file)
+{
+    const auto [place, isNew] = _counts.try_emplace(&file, 0); // which is also that of a file that includes itself
+    if (!isNew || _open.size() >= DEEPEST) return place->second;
+    _open.push_back(&file);
+    std::size_t count = file.triangles.size();
+    for (const LDrawReference& reference : file.references)
+        if (count <= MOST_LINES) count += 1 + countReferred(document, document.getName(reference));
+    _open.pop_back();
+    return _counts[&file] = count;
+}
+
+/** The result of countAll() for a name; 0 if there is no file to visit. */
+std::size_t LDrawResolver::countReferred(const LDrawDocument& document, const std::string& name)
+{
+    if (findTypeOf(name)) return 0;
+    if (const LDrawFile* file = document.find(name)) return countAll(document, *file);
+    const LDrawDocument* other = _library.find(name);
+    return other ? countAll(*other, other->getMain()) : 0;
 }
 
 } // namespace osgLego

@@ -5,6 +5,7 @@
 #include <osgLego/PartType.h>
 
 #include <map>
+#include <unordered_map>
 
 namespace osgLego
 {
@@ -58,6 +59,8 @@ private:
     std::string visitFile(const Visit& outer, const std::string& name);
     void addTriangles(const Visit& visit);
     std::string countLines(std::size_t lines);
+    std::size_t countAll(const LDrawDocument& document, const LDrawFile& file);
+    std::size_t countReferred(const LDrawDocument& document, const std::string& name);
 
     const LDrawDocument& _document;
     LDrawLibrary& _library;
@@ -66,6 +69,7 @@ private:
     std::map<std::string, std::size_t> _missing;
     std::vector<const LDrawFile*> _open; // the files that are being visited
     std::size_t _numLines = 0;
+    std::unordered_map<const LDrawFile*, std::size_t> _counts; // of countAll()
 };
 
 } // namespace osgLego

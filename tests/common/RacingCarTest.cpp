@@ -37,6 +37,15 @@ TEST(RacingCar, IsTheSameOnEveryCall)
     }
 }
 
+TEST(RacingCar, SharesItsTexturesWithOtherCars)
+{
+    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*createRacingCar());
+    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*createRacingCar());
+    ASSERT_EQ(first->getBatches().size(), second->getBatches().size());
+    for (std::size_t batch = 0; batch < first->getBatches().size(); ++batch)
+        EXPECT_EQ(first->getBatches()[batch].texture, second->getBatches()[batch].texture);
+}
+
 } // namespace
 
 } // namespace osgLego

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <osg/Group>
+#include <osg/MatrixTransform>
 
 namespace osgLego::test
 {
@@ -42,6 +43,24 @@ TEST(GridTriangles, PositionsAreTheSameInEveryGridOfALattice)
     for (const std::array<float, 3>& place : places)
         ASSERT_TRUE(expected.contains(place)) << place[0] << ' ' << place[1] << ' ' << place[2];
     EXPECT_EQ(part->getFirstCell() - whole->getFirstCell(), glm::ivec3(24, 36, 16));
+}
+
+TEST(GridTriangles, EqualOnesAreShared)
+{
+    const osg::ref_ptr<const GridTriangles> first = GridTriangles::share(*createTriangles(*createSphere(), "16"));
+    EXPECT_EQ(GridTriangles::share(*createTriangles(*createSphere(), "16")), first);
+    const osg::ref_ptr<const GridTriangles> finer = createTriangles(*createSphere(), "17");
+    EXPECT_EQ(GridTriangles::share(*finer), finer);
+}
+
+TEST(GridTriangles, ThoseAtAnotherPlaceAreNotShared)
+{
+    const osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(osg::Matrix::translate(1, 2, 3));
+    moved->addChild(createSphere());
+    const osg::ref_ptr<const GridTriangles> here = createTriangles(*createSphere(), "16");
+    const osg::ref_ptr<const GridTriangles> there = createTriangles(*moved, "16");
+    EXPECT_EQ(GridTriangles::share(*here), here);
+    EXPECT_EQ(GridTriangles::share(*there), there);
 }
 
 TEST(GridTriangles, AFittedGridContainsAllPositions)
