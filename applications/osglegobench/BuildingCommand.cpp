@@ -2,6 +2,7 @@
 #include "BenchMeshes.h"
 #include "BenchOptions.h"
 #include "Commands.h"
+#include "PlanFigures.h"
 #include "Spread.h"
 
 #include <osgLego/BuildingPlanner.h>
@@ -30,6 +31,7 @@ constexpr std::size_t LAYER_STEP_PARTS = 8;
 struct BuildingCommandOptions : BenchOptions
 {
     unsigned int numRuns = 3;
+    std::string settings = "32,parts=bricks";
 };
 
 /** A model to plan. */
@@ -173,6 +175,7 @@ JsonValue measure(const BuildingCase& buildingCase, unsigned int numRuns)
         numSubmodelSteps += submodel.steps.size();
         numFallingSubmodelSteps += countFalling(submodel.steps);
     }
+    const PlanFigures figures(*model, *checked);
     const FloatingSteps floating(*model);
     const std::vector<Parts> layerSteps = floating.findLayerSteps(unheld);
     return {{"mesh", buildingCase.mesh.name},
@@ -187,6 +190,10 @@ JsonValue measure(const BuildingCase& buildingCase, unsigned int numRuns)
             {"submodels", checked->getSubmodels().size()},
             {"submodelSteps", numSubmodelSteps},
             {"fallingSubmodelSteps", numFallingSubmodelSteps},
+            {"pairs", figures.numPairs},
+            {"deepestSubmodel", figures.deepestSubmodel},
+            {"largestSubmodel", figures.largestSubmodel},
+            {"fallingPieces", figures.numFallingPieces},
             {"uncheckedSteps", checked->getNumUnchecked()},
             {"milliseconds", createSpread(orderTimes)},
             {"stabilityMilliseconds", createSpread(stabilityTimes)}};
@@ -196,16 +203,19 @@ void printRows(const JsonValue& rows)
 {
     fmt::print(
         "| model | parts, not placeable | layer by layer: steps that float | planned: steps that float | that fall "
-        "| submodels | their steps that fall | unchecked | ms | with stability, ms |\n"
-        "|---|---|---|---|---|---|---|---|---|---|\n");
+        "| submodels, of two parts, nested, parts of the largest | their steps that fall | pieces that fall | "
+        "unchecked | ms | with stability, ms |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const JsonValue& row : rows.getElements())
-        fmt::print("| {} {} | {}, {} | {} of {} | {} of {} | {} | {} | {} of {} | {} | {:.0f} | {:.0f} |\n",
-                   row["mesh"].toText(), row["settings"].toText(), row["parts"].toInteger(), row["unheld"].toInteger(),
-                   row["floatingLayerSteps"].toInteger(), row["layerSteps"].toInteger(),
-                   row["floatingSteps"].toInteger(), row["steps"].toInteger(), row["fallingSteps"].toInteger(),
-                   row["submodels"].toInteger(), row["fallingSubmodelSteps"].toInteger(),
-                   row["submodelSteps"].toInteger(), row["uncheckedSteps"].toInteger(),
-                   row["milliseconds"]["median"].toNumber(), row["stabilityMilliseconds"]["median"].toNumber());
+        fmt::print(
+            "| {} {} | {}, {} | {} of {} | {} of {} | {} | {}, {}, {}, {} | {} of {} | {} | {} | {:.0f} | {:.0f} |\n",
+            row["mesh"].toText(), row["settings"].toText(), row["parts"].toInteger(), row["unheld"].toInteger(),
+            row["floatingLayerSteps"].toInteger(), row["layerSteps"].toInteger(), row["floatingSteps"].toInteger(),
+            row["steps"].toInteger(), row["fallingSteps"].toInteger(), row["submodels"].toInteger(),
+            row["pairs"].toInteger(), row["deepestSubmodel"].toInteger(), row["largestSubmodel"].toInteger(),
+            row["fallingSubmodelSteps"].toInteger(), row["submodelSteps"].toInteger(), row["fallingPieces"].toInteger(),
+            row["uncheckedSteps"].toInteger(), row["milliseconds"]["median"].toNumber(),
+            row["stabilityMilliseconds"]["median"].toNumber());
 }
 
 void runBuilding(const BuildingCommandOptions& options)
@@ -218,6 +228,9 @@ void runBuilding(const BuildingCommandOptions& options)
                                     {bunny, "32,parts=bricks,colors=1"},
                                     {bunny, "32,parts=bricks,proportions=plate,colors=1"}};
     if (options.isQuick) cases.resize(1);
+    if (!options.meshes.empty()) cases.clear();
+    for (const std::string& mesh : options.meshes)
+        cases.push_back({MeshSource::parse(mesh), options.settings});
     JsonValue document = createDocument("building");
     for (const BuildingCase& buildingCase : cases)
     {
@@ -237,6 +250,9 @@ void addBuildingCommand(BenchCommandLine& commands)
         "Building orders beside the order layer by layer: steps with floating parts, submodels, and the time");
     const auto options = std::make_shared<BuildingCommandOptions>();
     command.addFolder("--models", options->models, "Folder of bunny.ply (build/models)");
+    command.addTexts("--mesh", options->meshes, "PATH or NAME=PATH, followed by ',up=y' if y is up; or 'car'",
+                     "MESH...");
+    command.addText("--settings", options->settings, "Settings of the bricks of --mesh (32,parts=bricks)", "SETTINGS");
     command.addNumber("--runs", options->numRuns, "Timed runs (3)", 1u, 100u);
     command.addFlag("--quick", options->isQuick, "A short run that checks that everything works");
     command.addText("--json", options->jsonFile, "Write the figures there as JSON (a table on standard output)",

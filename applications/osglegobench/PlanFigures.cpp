@@ -1,0 +1,64 @@
+#include "PlanFigures.h"
+
+#include <osgLego/Stability.h>
+#include <osgLego/data/UnionFind.h>
+#include <osgLego/stability/ContactFinder.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace osgLego
+{
+
+namespace
+{
+
+/** The number of pieces with parts that fall if only some parts of a model are in place. */
+std::size_t countFallingPieces(const BrickModel& model, std::vector<std::uint32_t> placed)
+{
+    std::sort(placed.begin(), placed.end()); // parts of all models are sorted by their cells
+    std::vector<Part> parts;
+    for (const std::uint32_t part : placed)
+        parts.push_back(model.getParts()[part]);
+    const osg::ref_ptr<const BrickModel> partial = BrickModel::createOfParts(model.getGrid(), std::move(parts));
+    UnionFind sets;
+    sets.reset(placed.size());
+    for (const Contact& contact : findContacts(*partial))
+        if (contact.kind == Contact::STUDS)
+            sets.join(static_cast<std::int32_t>(contact.lower), static_cast<std::int32_t>(contact.upper));
+    std::set<std::int32_t> pieces;
+    const std::optional<StabilityReport> report = computeStability(*partial);
+    for (const std::uint32_t part : report->falling)
+        pieces.insert(sets.find(static_cast<std::int32_t>(part)));
+    return pieces.size();
+}
+
+} // namespace
+
+PlanFigures::PlanFigures(const BrickModel& model, const BuildingPlan& plan)
+{
+    addSteps(model, plan, plan.getSteps(), 0);
+}
+
+void PlanFigures::addSteps(const BrickModel& model, const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
+                           std::size_t depth)
+{
+    PartList placed;
+    const PartList& unheld = plan.getUnheldParts();
+    deepestSubmodel = std::max(deepestSubmodel, depth);
+    for (const BuildingStep& step : steps)
+    {
+        for (const std::uint32_t submodel : step.submodels)
+            addSteps(model, plan, plan.getSubmodels()[submodel].steps, depth + 1);
+        for (const std::uint32_t part : plan.getPlacedParts(step))
+            if (!std::binary_search(unheld.begin(), unheld.end(), part)) placed.push_back(part);
+        if (!step.stands && !step.isFromBelow && !placed.empty())
+            numFallingPieces = std::max(numFallingPieces, countFallingPieces(model, placed));
+    }
+    if (depth == 0) return;
+    if (placed.size() == 2) ++numPairs;
+    largestSubmodel = std::max(largestSubmodel, placed.size());
+}
+
+} // namespace osgLego

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace osgLego
+{
+
+/** How easily a plan can be followed. */
+struct PlanFigures
+{
+    std::size_t numPairs = 0;         //!< submodels of two parts
+    std::size_t largestSubmodel = 0;  //!< parts of the largest submodel
+    std::size_t deepestSubmodel = 0;  //!< 1 for a submodel of the model, 2 for one within such a submodel, and so on
+    std::size_t numFallingPieces = 0; //!< most pieces that joints connect, with parts that fall after a step
+
+    PlanFigures(const BrickModel& model, const BuildingPlan& plan);
+
+private:
+    using PartList = std::vector<std::uint32_t>;
+
+    void addSteps(const BrickModel& model, const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
+                  std::size_t depth);
+};
+
+} // namespace osgLego
