@@ -110,8 +110,10 @@ const vec3 LEDGE_SHARES = vec3(0.41, 0.2, 0.35);
 vec4 wallOcclusion(Receiver to, uint beside, Quadrants light, vec4 weights)
 {
     vec4 sides = vec4(max(-to.outward, 0.0), max(to.outward, 0.0));
-    vec4 openSides = sides * sides * (1.0 - vec4(uvec4(beside) >> uvec4(3u, 1u, 5u, 7u) & 1u));
-    vec4 openCorners = 0.5 * weights * (1.0 - vec4(uvec4(beside) >> uvec4(0u, 2u, 6u, 8u) & 1u));
+    vec4 open = 1.0 - vec4(uvec4(beside) >> uvec4(3u, 1u, 5u, 7u) & 1u);
+    vec4 openSides = sides * sides * open;
+    // Corners between two covered cells are not known (see BrickNeighbors).
+    vec4 openCorners = 0.5 * weights * max(open.xzxz, open.yyww) * (1.0 - vec4(uvec4(beside) >> uvec4(0u, 2u, 6u, 8u) & 1u));
     float share = LEDGE_SHARES.x * dot(openSides, vec4(1.0)) +
                   dot(openCorners, LEDGE_SHARES.y + LEDGE_SHARES.z * (openSides.xzxz + openSides.yyww));
     float above = to.height * STUD_HEIGHT;

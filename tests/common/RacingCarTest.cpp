@@ -24,8 +24,10 @@ TEST(RacingCar, StandsOnTheGroundAndIsPartlyTextured)
 
 TEST(RacingCar, IsTheSameOnEveryCall)
 {
-    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*createRacingCar());
-    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*createRacingCar());
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    const osg::ref_ptr<osg::Node> other = createRacingCar();
+    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*car);
+    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*other);
     ASSERT_EQ(first->getBatches().size(), second->getBatches().size());
     for (std::size_t batch = 0; batch < first->getBatches().size(); ++batch)
     {
@@ -39,8 +41,10 @@ TEST(RacingCar, IsTheSameOnEveryCall)
 
 TEST(RacingCar, SharesItsTexturesWithOtherCars)
 {
-    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*createRacingCar());
-    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*createRacingCar());
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    const osg::ref_ptr<osg::Node> other = createRacingCar();
+    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*car);
+    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*other);
     ASSERT_EQ(first->getBatches().size(), second->getBatches().size());
     for (std::size_t batch = 0; batch < first->getBatches().size(); ++batch)
         EXPECT_EQ(first->getBatches()[batch].texture, second->getBatches()[batch].texture);
