@@ -130,8 +130,10 @@ osg::ref_ptr<osg::Group> arrange(const std::vector<osg::ref_ptr<LegoNode>>& node
     osg::ref_ptr<osg::Group> root = new osg::Group;
     for (unsigned int place = 0; place < nodes.size(); ++place)
     {
-        const osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(
-            osg::Matrixd::translate(STEP_ACROSS * (place % numAcross), STEP_ALONG * (place / numAcross), 0.0));
+        const unsigned int column = place % numAcross;
+        const unsigned int row = place / numAcross;
+        const osg::ref_ptr<osg::MatrixTransform> transform =
+            new osg::MatrixTransform(osg::Matrixd::translate(STEP_ACROSS * column, STEP_ALONG * row, 0.0));
         transform->addChild(nodes[place]);
         root->addChild(transform);
     }

@@ -19,6 +19,7 @@ std::size_t countFallingPieces(const BrickModel& model, std::vector<std::uint32_
 {
     std::sort(placed.begin(), placed.end()); // parts of all models are sorted by their cells
     std::vector<Part> parts;
+    parts.reserve(placed.size());
     for (const std::uint32_t part : placed)
         parts.push_back(model.getParts()[part]);
     const osg::ref_ptr<const BrickModel> partial = BrickModel::createOfParts(model.getGrid(), std::move(parts));
