@@ -75,13 +75,21 @@ osg::ref_ptr<const Palette> readPalette(const LegoSettings& settings, bool hasPa
     return palette;
 }
 
-osg::ref_ptr<const BuildingPlan> createPlan(const LegoNode& node, const BrickModel& bricks)
+/** The plan of the node, or one made for it, with a warning if it is not known after which of its steps it stands. */
+osg::ref_ptr<const BuildingPlan> createPlan(const LegoNode& node, const BrickModel& bricks, LDrawScene& scene)
 {
-    const osg::ref_ptr<const BuildingPlan> plan = node.getBuildingPlan();
+    osg::ref_ptr<const BuildingPlan> plan = node.getBuildingPlan();
     if (plan && plan->getRanks().size() == bricks.getParts().size()) return plan;
     PlanningOptions options;
     options.checksStability = bricks.getParts().size() <= LDrawModel::MOST_CHECKED;
-    return planBuilding(bricks, options);
+    plan = planBuilding(bricks, options);
+    if (const std::size_t numUnchecked = plan->getNumUnchecked())
+        scene.warnings.push_back(
+            "it was not computed whether " + nameOf(node) + " stands after " + std::to_string(numUnchecked) +
+            (numUnchecked == 1 ? " step" : " steps") + " of building" +
+            (options.checksStability ? std::string()
+                                     : "; expected at most " + std::to_string(LDrawModel::MOST_CHECKED) + " parts"));
+    return plan;
 }
 
 bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
@@ -105,7 +113,7 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
         bricks = createOfCells(*bricks, model.palette);
     }
     model.bricks = bricks;
-    model.plan = createPlan(node, *bricks);
+    model.plan = createPlan(node, *bricks, scene);
     scene.models.push_back(model);
     return true;
 }

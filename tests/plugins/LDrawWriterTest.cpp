@@ -1,6 +1,7 @@
 #include "WrittenLDraw.h"
 
 #include <ldraw/LDrawParser.h>
+#include <ldraw/LDrawScene.h>
 #include <ldraw/LDrawWriter.h>
 
 #include <osgLego/BuildingPlanner.h>
@@ -343,6 +344,26 @@ TEST(LDrawWriter, ModelsThatPartsCannotRepresentAreRefused)
     const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)});
     EXPECT_EQ(errorOf(*createPair(node, osg::Matrixd::scale(1, 1, 0))),
               "the model is below a transform without an inverse; expected one that keeps volumes");
+}
+
+TEST(LDrawWriter, WarnsOfStepsOfWhichItDidNotComputeWhetherTheModelStands)
+{
+    const auto warningsOf = [](int numParts)
+    {
+        std::vector<Part> parts;
+        for (int index = 0; index < numParts; ++index)
+            parts.push_back(makePart(
+                {static_cast<std::uint16_t>(index % 100), static_cast<std::uint16_t>(index / 100), 0}, {1, 1, 1}, 4));
+        LDrawScene scene;
+        std::string error;
+        EXPECT_TRUE(LDrawScene::create(*createNode({100, 100, 1}, std::move(parts)), scene, error)) << error;
+        return scene.warnings;
+    };
+    EXPECT_TRUE(warningsOf(200).empty());
+    const std::vector<std::string> warnings = warningsOf(static_cast<int>(LDrawModel::MOST_CHECKED) + 1);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("it was not computed whether"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("expected at most 2000 parts"), std::string::npos) << warnings[0];
 }
 
 } // namespace
