@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,15 @@ std::vector<AddedWeight> findWeights(const std::vector<osg::ref_ptr<const BrickM
     return weights;
 }
 
+void warnOfTime(std::size_t numParts)
+{
+    constexpr std::size_t NOTABLE = 10'000; // take more than ten seconds; 50,000, more than ten minutes
+    if (numParts < NOTABLE) return;
+    fmt::print(stderr,
+               "osglegocapture: warning: computing whether {} parts stand may take minutes; Ctrl+C cancels it\n",
+               numParts);
+}
+
 } // namespace
 
 SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models,
@@ -76,6 +86,7 @@ SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
     {
+        warnOfTime(model->getParts().size());
         const std::optional<StabilityReport> report =
             computeStability(*model, {_base, Cancellation::isRequested, _weights, options.tilt});
         Cancellation::check();
