@@ -1,5 +1,6 @@
 #include <osgLegoBooklet/Booklet.h>
 
+#include "BasePlate.h"
 #include "BookletCover.h"
 #include "BookletDownloads.h"
 #include "BookletFailure.h"
@@ -262,6 +263,11 @@ std::string nameBooklet(const std::string& modelFileName)
         name = parsed.fileName;
     name = osgDB::getStrippedName(name);
     return name.empty() ? "model" : name;
+}
+
+osg::ref_ptr<const BrickModel> createBasePlate(const BrickModel& model)
+{
+    return BasePlate(model).createModel(false);
 }
 
 } // namespace osgLego

@@ -11,8 +11,10 @@ namespace osgLego
 namespace
 {
 
-std::string describeStability(const StabilityReport& stability)
+std::string describeStability(const DesignCandidate& candidate)
 {
+    const StabilityReport& stability = candidate.stability;
+    if (stability.stands && !candidate.isWhole()) return "apart";
     if (stability.stands) return stability.safe ? "safely" : "yes";
     return stability.falls() ? "no" : "unknown";
 }
@@ -29,7 +31,7 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
     for (const DesignCandidate& candidate : candidates)
         text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
              << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.layout.numComponents
-             << std::setw(8) << describeStability(candidate.stability) << std::setprecision(2) << std::setw(6)
+             << std::setw(8) << describeStability(candidate) << std::setprecision(2) << std::setw(6)
              << 100.0 * candidate.surfaceError << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError
              << std::setw(11) << std::setprecision(2) << candidate.getError() << '\n';
     return text.str();
@@ -45,13 +47,21 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
            (best.stability.safe ? " safely" : "");
 }
 
+/** Pieces may stand beside each other, and lean on each other, but not as one. */
+std::string explainStability(const DesignCandidate& best)
+{
+    if (best.isWhole() || !best.stability.stands) return best.stability.toString();
+    return "the model is " + std::to_string(best.layout.numComponents) +
+           " pieces that nothing joins: they stand beside each other, but not as one";
+}
+
 } // namespace
 
 std::string ModelDesign::toString() const
 {
     const DesignCandidate& best = getBest();
     return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size()) + "\n" +
-           best.layout.toString() + "\n" + best.stability.toString() + "\n\n" +
+           best.layout.toString() + "\n" + explainStability(best) + "\n\n" +
            "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
            "CIEDE2000; unlikeness: surface, and a tenth of colour; the first model is the chosen one\n" +
            listCandidates(candidates);

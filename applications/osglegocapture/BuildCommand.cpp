@@ -163,7 +163,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     const Cancellation cancellation;
     const ProgressBar progress;
     progress.show("reading");
-    const CaptureScene scene(options);
+    CaptureScene scene(options);
     LegoNode& lego = scene.getOnlyLegoNode();
     InputFiles::add(lego.getSettings().getPalette());
     files.checkReplaceNoInput();
@@ -178,6 +178,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     checkInstructionsSize(options, lego);
 
     writeInstructions(options, lego, best.stability, context, progress);
+    if (options.base == BuildingBase::PLATE) scene.addBasePlate(*createBasePlate(*best.model));
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
     const std::string report = describeGoals(options) + '\n' + choice.toString();

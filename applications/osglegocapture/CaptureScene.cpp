@@ -315,6 +315,25 @@ void CaptureScene::throwWithoutParts(const char* purpose) const
                        name + " has no parts " + purpose + "; expected parts=bricks among its settings");
 }
 
+void CaptureScene::addBasePlate(const BrickModel& plate)
+{
+    LegoSettings settings;
+    settings.view.look = _lego->getSettings().view.look;
+    _basePlate = new LegoNode(settings);
+    _basePlate->setWaiting(true);
+    _basePlate->setStoredBricks(&plate);
+    _basePlate->setAppearance(_lego->getAppearance());
+    _basePlate->setLightProbe(_lego->getLightProbe().get());
+    const std::vector<osg::Group*> parents = _lego->getParents();
+    for (osg::Group* parent : parents) // with its turns
+        parent->addChild(_basePlate);
+    if (!parents.empty()) return;
+    const osg::ref_ptr<osg::Group> both = new osg::Group;
+    both->addChild(_shown);
+    both->addChild(_basePlate);
+    _shown = both;
+}
+
 bool CaptureScene::isInSource() const
 {
     return _lego && Finder<LegoNode>(*_source).getFound() == _lego;
@@ -339,6 +358,7 @@ void CaptureScene::addTo(SceneReach& reach) const
         _source->accept(reach);
     else
         reach.addSource(*_source, getSettings());
+    if (_basePlate && !isInSource()) _basePlate->accept(reach);
 }
 
 UpAxis CaptureScene::getUpAxis() const

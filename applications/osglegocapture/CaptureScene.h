@@ -50,12 +50,15 @@ public:
     PartsList createPartsList() const;
     /** The models of the scene that have parts. Throws CaptureError if there are none. */
     std::vector<osg::ref_ptr<const BrickModel>> findPartModels() const;
+    /** Draw a base plate below the bricks of getLegoNode(), which there must be, with their light.
+     * @param plate in the coordinates of the bricks. Call at most once. */
+    void addBasePlate(const BrickModel& plate);
     /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
     /** The time that reading the mesh took, in milliseconds. */
     double getReadingTime() const { return _readingTime; }
     /** The sphere about the scene according to which cameras are placed: that of the mesh, if there is one, not its
-     * bricks, so that pictures of both match. */
+     * bricks, so that pictures of both match; without the base plate. */
     osg::BoundingSphere getBound() const;
     /** Add the scene, with all bricks that it may have. */
     void addTo(SceneReach& reach) const;
@@ -79,6 +82,7 @@ private:
     LegoSettings _sourceSettings; // settings of the LegoNode that a pseudo-loader put above the mesh
     osg::ref_ptr<osg::Node> _shown;
     osg::ref_ptr<LegoNode> _lego;
+    osg::ref_ptr<LegoNode> _basePlate; // null without one
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     bool _isRead = false;       // the source is from a file,
     bool _hasOwnBricks = false; // and is in bricks there

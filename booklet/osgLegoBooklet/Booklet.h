@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BrickModel.h>
 #include <osgLego/LegoNode.h>
 #include <osgLego/PlanningOptions.h>
 #include <osgLego/Stability.h>
@@ -11,6 +12,7 @@
 #include <string>
 
 #include <osg/GraphicsContext>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
@@ -108,5 +110,10 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> writeBooklet(const LegoNode& l
 /** The name of a booklet, without a folder and an extension, for the file name of a model, which may end with the
  * settings of a pseudo-loader: "bunny" for "models/bunny.ply.64.legolize". */
 OSGLEGOBOOKLET_EXPORT std::string nameBooklet(const std::string& modelFileName);
+
+/** The base plates below a model, as booklets of BuildingBase::PLATE show them: a model of one layer of green parts, in
+ * the coordinates of the given one. Uses no GL; may be called from any thread.
+ * @param model with at least one part. */
+OSGLEGOBOOKLET_EXPORT osg::ref_ptr<const BrickModel> createBasePlate(const BrickModel& model);
 
 } // namespace osgLego
