@@ -47,12 +47,12 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
            (best.stability.safe ? " safely" : "");
 }
 
-/** Pieces may stand beside each other, and lean on each other, but not as one. */
+/** Pieces may lean on each other, and a base plate may hold them. */
 std::string explainStability(const DesignCandidate& best)
 {
     if (best.isWhole() || !best.stability.stands) return best.stability.toString();
     return "the model is " + std::to_string(best.layout.numComponents) +
-           " pieces that nothing joins: they stand beside each other, but not as one";
+           " pieces that no part joins: they stand, but not as one";
 }
 
 } // namespace

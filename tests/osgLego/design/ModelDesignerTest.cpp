@@ -123,7 +123,7 @@ TEST(ModelDesigner, OfModelsInPiecesOneThatStandsIsChosen)
     EXPECT_TRUE(design->getBest().stability.stands);
     EXPECT_TRUE(design->candidates.back().stability.falls());
     const std::string text = design->toString();
-    EXPECT_NE(text.find("2 pieces that nothing joins"), std::string::npos) << text;
+    EXPECT_NE(text.find("2 pieces that no part joins"), std::string::npos) << text;
     EXPECT_EQ(text.find("the model stands safely"), std::string::npos) << text;
 }
 
