@@ -1,13 +1,13 @@
 #include <common/RacingCarLivery.h>
 
+#include <osgLego/data/SharedObjects.h>
+
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <string_view>
 
 #include <osg/Vec2d>
 #include <osg/Vec3ub>
-#include <osg/observer_ptr>
 
 namespace osgLego
 {
@@ -23,8 +23,9 @@ const osg::Vec3ub YELLOW(250, 200, 20);
 
 constexpr std::array<std::string_view, 7> SEVEN{"#####", "    #", "   # ", "   # ", "  #  ", "  #  ", "  #  "};
 
-template <typename ColorAt>
-osg::ref_ptr<osg::Image> createImage(int width, int height, const ColorAt& colorAt)
+using ColorAt = osg::Vec3ub(double, double);
+
+osg::ref_ptr<osg::Image> createImage(int width, int height, ColorAt* colorAt)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(width, height, 1, GL_RGB, GL_UNSIGNED_BYTE);
@@ -70,36 +71,23 @@ osg::Vec3ub flagAt(double s, double t)
     return square % 2 == 0 ? WHITE : BLACK;
 }
 
-/** An image that exists once as long as it is used. */
-class SharedImage
+/** The image of a function, which exists once as long as it is used. */
+osg::ref_ptr<osg::Image> shareImage(int width, int height, ColorAt* colorAt)
 {
-public:
-    template <typename ColorAt>
-    osg::ref_ptr<osg::Image> findOrCreate(int width, int height, const ColorAt& colorAt)
-    {
-        const std::lock_guard lock(_mutex);
-        osg::ref_ptr<osg::Image> image;
-        if (!_image.lock(image)) _image = image = createImage(width, height, colorAt);
-        return image;
-    }
-
-private:
-    std::mutex _mutex;
-    osg::observer_ptr<osg::Image> _image;
-};
+    static SharedObjects<ColorAt*, osg::Image> images;
+    return images.findOrCreate(colorAt, [=] { return createImage(width, height, colorAt); });
+}
 
 } // namespace
 
 osg::ref_ptr<osg::Image> getRacingCarLivery()
 {
-    static SharedImage livery;
-    return livery.findOrCreate(512, 256, liveryAt);
+    return shareImage(512, 256, liveryAt);
 }
 
 osg::ref_ptr<osg::Image> getChequeredFlag()
 {
-    static SharedImage flag;
-    return flag.findOrCreate(64, 16, flagAt);
+    return shareImage(64, 16, flagAt);
 }
 
 } // namespace osgLego

@@ -1,6 +1,8 @@
 #include <common/RacingCar.h>
 #include <osgLego/flattening/SceneTriangles.h>
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -8,6 +10,16 @@ namespace osgLego
 
 namespace
 {
+
+using Triangles = osg::ref_ptr<const SceneTriangles>;
+
+/** The triangles of two cars that exist at the same time. */
+std::pair<Triangles, Triangles> flattenTwoCars()
+{
+    const osg::ref_ptr<osg::Node> first = createRacingCar();
+    const osg::ref_ptr<osg::Node> second = createRacingCar();
+    return {SceneTriangles::create(*first), SceneTriangles::create(*second)};
+}
 
 TEST(RacingCar, StandsOnTheGroundAndIsPartlyTextured)
 {
@@ -24,10 +36,7 @@ TEST(RacingCar, StandsOnTheGroundAndIsPartlyTextured)
 
 TEST(RacingCar, IsTheSameOnEveryCall)
 {
-    const osg::ref_ptr<osg::Node> car = createRacingCar();
-    const osg::ref_ptr<osg::Node> other = createRacingCar();
-    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*car);
-    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*other);
+    const auto [first, second] = flattenTwoCars();
     ASSERT_EQ(first->getBatches().size(), second->getBatches().size());
     for (std::size_t batch = 0; batch < first->getBatches().size(); ++batch)
     {
@@ -41,10 +50,7 @@ TEST(RacingCar, IsTheSameOnEveryCall)
 
 TEST(RacingCar, SharesItsTexturesWithOtherCars)
 {
-    const osg::ref_ptr<osg::Node> car = createRacingCar();
-    const osg::ref_ptr<osg::Node> other = createRacingCar();
-    const osg::ref_ptr<const SceneTriangles> first = SceneTriangles::create(*car);
-    const osg::ref_ptr<const SceneTriangles> second = SceneTriangles::create(*other);
+    const auto [first, second] = flattenTwoCars();
     ASSERT_EQ(first->getBatches().size(), second->getBatches().size());
     for (std::size_t batch = 0; batch < first->getBatches().size(); ++batch)
         EXPECT_EQ(first->getBatches()[batch].texture, second->getBatches()[batch].texture);
