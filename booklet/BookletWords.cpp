@@ -204,6 +204,8 @@ void BookletWords::writePart(const std::vector<Place>& places, std::size_t part,
     }
     if (!below.empty()) *_stream << " On " << joinNames(below) << ".";
     if (!above.empty()) *_stream << " Below " << joinNames(above) << ".";
+    if (!above.empty() && !below.empty() && !isUpsideDown)
+        *_stream << " Join it with the part above before you place both.";
     if (nearest)
         *_stream << fmt::format(" Its left edge is {0} that of {2}, its front edge {1} that of {2}.",
                                 formatWay(own.first.x - nearest->first.x, "right of", "left of"),

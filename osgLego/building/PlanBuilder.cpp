@@ -19,6 +19,14 @@ namespace
 // Larger models are shown from one direction: the search for hidden parts would take longer than planning.
 constexpr std::size_t MOST_VIEWED = 20'000;
 
+constexpr std::size_t DEEPEST = 3; // of submodels within each other
+
+/** The most parts of submodels in a sequence within which others are, or of parts that are joined in one hand. */
+std::size_t getMostParts(std::size_t depth)
+{
+    return depth < DEEPEST ? BuildingUnits::MOST_PARTS : BuildingUnits::MOST_IN_HAND;
+}
+
 /** The area on which boxes stand, in studs. */
 int measureBase(const JointGraph& graph)
 {
@@ -31,15 +39,17 @@ int measureBase(const JointGraph& graph)
     return area;
 }
 
-/** The number of submodels within boxes. */
+/** The number of submodels within boxes, of two parts and more, and of parts that are pressed on from below. */
 std::size_t countSubmodels(const JointGraph& graph)
 {
     BuildingUnits units(graph);
     const std::vector<bool> none(graph.getNumParts(), false);
     units.group(none, none);
-    return static_cast<std::size_t>(std::count_if(units.getUnits().begin(), units.getUnits().end(),
-                                                  [](const BuildingUnits::Unit& unit)
-                                                  { return unit.parts.size() > 1; }));
+    auto count = std::count_if(units.getUnits().begin(), units.getUnits().end(),
+                               [](const BuildingUnits::Unit& unit) { return unit.parts.size() > 1; });
+    for (std::uint32_t part = 0; part < graph.getNumParts(); ++part)
+        count += units.isPressedOn(part) ? 1 : 0;
+    return static_cast<std::size_t>(count);
 }
 
 } // namespace
@@ -53,7 +63,7 @@ osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
 {
     const std::vector<PartList> pieces = findPieces();
     if (pieces.empty()) return BuildingPlan::create(0, {});
-    std::vector<BuildingStep> steps = planSteps(pieces.front(), {false, false, _options.base});
+    std::vector<BuildingStep> steps = planSequence(pieces.front(), {0, false, false, _options.base});
     const std::size_t numHeldSteps = steps.size();
     for (const PartList& piece : std::span(pieces).subspan(1))
     {
@@ -109,8 +119,92 @@ std::vector<BuildingBox> PlanBuilder::select(const PartList& parts, bool isUpsid
     return boxes;
 }
 
-std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Setting& setting)
+/** The steps with the fewest after which parts fall: the other way up, if it is a submodel, and with submodels that
+ * keep to the limits, even if no fewer fall. */
+std::vector<BuildingStep> PlanBuilder::planSequence(const PartList& parts, const Setting& setting)
 {
+    Setting best = setting;
+    Attempt chosen = attempt(parts, setting);
+    const auto tryInstead = [&](const Setting& other, std::size_t mostFalls)
+    {
+        _isTryingAgain = true;
+        _numFallsLeft = mostFalls;
+        Attempt next = attempt(parts, other);
+        _isTryingAgain = false;
+        _numFallsLeft = ANY;
+        if (std::exchange(_isGivenUp, false)) return;
+        chosen = std::move(next);
+        best = other;
+    };
+    Setting turned = setting;
+    turned.isUpsideDown = !setting.isUpsideDown;
+    if (setting.depth > 0 && chosen.numFalls > 0 && !_isTryingAgain) tryInstead(turned, chosen.numFalls - 1);
+    if (!setting.isLimited && !_isTryingAgain && chosen.largest > getMostParts(setting.depth))
+    {
+        Setting limited = best;
+        limited.isLimited = true;
+        tryInstead(limited, chosen.numFalls);
+    }
+    std::move(chosen.submodels.begin(), chosen.submodels.end(), std::back_inserter(_submodels));
+    return std::move(chosen.steps);
+}
+
+PlanBuilder::Attempt PlanBuilder::attempt(const PartList& parts, const Setting& setting)
+{
+    const auto first = static_cast<std::ptrdiff_t>(_submodels.size());
+    Attempt attempt;
+    planSteps(parts, setting, attempt);
+    attempt.submodels.assign(std::move_iterator(_submodels.begin() + first), std::move_iterator(_submodels.end()));
+    _submodels.resize(static_cast<std::size_t>(first));
+    const auto countFalls = [&attempt](const std::vector<BuildingStep>& steps)
+    {
+        attempt.numFalls += static_cast<std::size_t>(
+            std::count_if(steps.begin(), steps.end(), [](const BuildingStep& step) { return !step.stands; }));
+    };
+    countFalls(attempt.steps);
+    for (const Submodel& submodel : attempt.submodels)
+        countFalls(submodel.steps);
+    return attempt;
+}
+
+void PlanBuilder::planSteps(const PartList& parts, const Setting& setting, Attempt& attempt)
+{
+    const auto toParts = [&parts](const PartList& local)
+    {
+        PartList result;
+        for (const std::uint32_t index : local)
+            result.push_back(parts[index]);
+        return result;
+    };
+    for (const AssemblyStep& assembly : assemble(parts, setting))
+    {
+        BuildingStep& step = attempt.steps.emplace_back();
+        step.parts = toParts(assembly.parts);
+        for (const PartList& submodel : assembly.submodels)
+        {
+            step.submodels.push_back(planSubmodel(toParts(submodel), setting));
+            attempt.largest = std::max(attempt.largest, submodel.size());
+        }
+        step.stands = assembly.stands;
+        step.isChecked = assembly.isChecked;
+        step.isFromBelow = setting.isUpsideDown;
+        step.turns = assembly.turns;
+    }
+}
+
+/** The steps of parts, whose submodels are not planned yet. None if they were given up. */
+std::vector<AssemblyStep> PlanBuilder::assemble(const PartList& parts, const Setting& setting)
+{
+    if (_isCancelled || _isGivenUp) return {};
+    const std::size_t mostParts = setting.isLimited ? getMostParts(setting.depth) : parts.size();
+    const auto [known, isNew] = _assemblies.try_emplace({parts, setting.isUpsideDown, mostParts});
+    if (!isNew)
+    {
+        const std::vector<AssemblyStep>& steps = known->second;
+        const bool isComplete =
+            std::all_of(steps.begin(), steps.end(), [&](const AssemblyStep& step) { return proceed(0, step.stands); });
+        return isComplete ? steps : std::vector<AssemblyStep>();
+    }
     const JointGraph graph(select(parts, setting.isUpsideDown));
     PartialStability stability(
         _model, parts, graph,
@@ -121,27 +215,14 @@ std::vector<BuildingStep> PlanBuilder::planSteps(const PartList& parts, const Se
     StepViews views(graph.getBoxes(), getCellHeight(), _options.view, !setting.isUpsideDown);
     StepBuilder builder(
         graph, findFalling,
-        [this, &setting](std::size_t numPlaced) { return proceed(setting.isSubmodel ? 0 : numPlaced); },
-        parts.size() <= MOST_VIEWED ? &views : nullptr);
-    const auto toParts = [&parts](const PartList& local)
-    {
-        PartList result;
-        for (const std::uint32_t index : local)
-            result.push_back(parts[index]);
-        return result;
-    };
-    std::vector<BuildingStep> steps;
-    for (const AssemblyStep& assembly : builder.build())
-    {
-        BuildingStep& step = steps.emplace_back();
-        step.parts = toParts(assembly.parts);
-        for (const PartList& submodel : assembly.submodels)
-            step.submodels.push_back(planSubmodel(toParts(submodel)));
-        step.stands = assembly.stands;
-        step.isChecked = assembly.isChecked;
-        step.isFromBelow = setting.isUpsideDown;
-        step.turns = assembly.turns;
-    }
+        [this, &setting](std::size_t numPlaced, bool stands)
+        { return proceed(setting.depth > 0 ? 0 : numPlaced, stands); },
+        parts.size() <= MOST_VIEWED ? &views : nullptr, mostParts);
+    std::vector<AssemblyStep> steps = builder.build();
+    if (_isCancelled || _isGivenUp)
+        _assemblies.erase(known);
+    else
+        known->second = steps;
     return steps;
 }
 
@@ -152,39 +233,16 @@ double PlanBuilder::getCellHeight() const
     return grid.cellSize[grid.getUpIndex()] / grid.getPitch();
 }
 
-/** @return the index of the submodel. Those within it come before it. */
-std::uint32_t PlanBuilder::planSubmodel(const PartList& parts)
+/** @param setting of the model or submodel that contains this one.
+ * @return the index of the submodel. Those within it come before it. */
+std::uint32_t PlanBuilder::planSubmodel(const PartList& parts, Setting setting)
 {
-    const auto numBefore = static_cast<std::ptrdiff_t>(_submodels.size());
-    const bool isUpsideDown = isBetterUpsideDown(parts);
-    std::vector<BuildingStep> steps = planSteps(parts, {true, isUpsideDown, BuildingBase::TABLE});
-    if (const std::size_t numFalls = countFalls(steps, numBefore); numFalls > 0 && !_isTryingAgain)
-    {
-        _isTryingAgain = true;
-        std::vector<Submodel> inner(_submodels.begin() + numBefore, _submodels.end());
-        _submodels.resize(static_cast<std::size_t>(numBefore));
-        std::vector<BuildingStep> turned = planSteps(parts, {true, !isUpsideDown, BuildingBase::TABLE});
-        if (countFalls(turned, numBefore) < numFalls)
-            steps = std::move(turned);
-        else
-        {
-            _submodels.resize(static_cast<std::size_t>(numBefore));
-            std::move(inner.begin(), inner.end(), std::back_inserter(_submodels));
-        }
-        _isTryingAgain = false;
-    }
+    ++setting.depth;
+    setting.base = BuildingBase::TABLE;
+    setting.isUpsideDown = isBetterUpsideDown(parts);
+    std::vector<BuildingStep> steps = planSequence(parts, setting);
     _submodels.push_back({std::move(steps)});
     return static_cast<std::uint32_t>(_submodels.size() - 1);
-}
-
-/** The number of steps after which parts fall, also of submodels from an index on. */
-std::size_t PlanBuilder::countFalls(const std::vector<BuildingStep>& steps, std::ptrdiff_t firstSubmodel) const
-{
-    const auto falls = [](const BuildingStep& step) { return !step.stands; };
-    auto count = std::count_if(steps.begin(), steps.end(), falls);
-    for (auto submodel = _submodels.begin() + firstSubmodel; submodel != _submodels.end(); ++submodel)
-        count += std::count_if(submodel->steps.begin(), submodel->steps.end(), falls);
-    return static_cast<std::size_t>(count);
 }
 
 /** Whether fewer submodels are needed upside down, or parts stand on a far larger base. */
@@ -205,19 +263,25 @@ void PlanBuilder::addUnheld(const PartList& parts, BuildingStep& step)
     if (parts.size() == 1)
         step.parts.push_back(parts.front());
     else
-        step.submodels.push_back(planSubmodel(parts));
+        step.submodels.push_back(planSubmodel(parts, {}));
     step.stands = false;
     step.isChecked = true;
     _unheld.insert(_unheld.end(), parts.begin(), parts.end());
 }
 
-/** @param numPlaced the parts of the model in place; those of submodels are counted when they are attached. */
-bool PlanBuilder::proceed(std::size_t numPlaced)
+/** @param numPlaced the parts of the model in place; those of submodels are counted when they are attached.
+ * @param stands whether parts stand after the last step. */
+bool PlanBuilder::proceed(std::size_t numPlaced, bool stands)
 {
     _isCancelled = _isCancelled || (_options.isCancelled && _options.isCancelled());
+    if (!stands && _numFallsLeft == 0) _isGivenUp = true;
+    if (!stands && _numFallsLeft != ANY && !_isGivenUp) --_numFallsLeft;
     if (_options.progress && numPlaced > 0)
-        _options.progress(static_cast<double>(numPlaced) / static_cast<double>(_boxes.size()));
-    return !_isCancelled;
+    {
+        const double share = static_cast<double>(numPlaced) / static_cast<double>(_boxes.size());
+        _options.progress(0.5 * share + (_isTryingAgain ? 0.5 : 0.0));
+    }
+    return !_isCancelled && !_isGivenUp;
 }
 
 } // namespace osgLego

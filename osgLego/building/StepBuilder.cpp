@@ -6,10 +6,13 @@
 namespace osgLego
 {
 
-StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views) :
-    _graph(graph), _symmetry(graph.getBoxes()), _order(graph.getBoxes(), _symmetry),
-    _findFalling(std::move(findFalling)), _proceed(std::move(proceed)), _views(views), _units(graph),
-    _isPlaced(graph.getNumParts(), false), _isHung(graph.getNumParts(), false), _isLost(graph.getNumParts(), false)
+StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views,
+                         std::size_t mostParts) :
+    _graph(graph),
+    _symmetry(graph.getBoxes()), _order(graph.getBoxes(), _symmetry), _findFalling(std::move(findFalling)),
+    _proceed(std::move(proceed)), _views(views), _units(graph, mostParts),
+    _hasSubmodels(mostParts > BuildingUnits::MOST_IN_HAND), _isPlaced(graph.getNumParts(), false),
+    _isHung(graph.getNumParts(), false), _isLost(graph.getNumParts(), false), _isDeferred(graph.getNumParts(), false)
 {
 }
 
@@ -18,17 +21,18 @@ std::vector<AssemblyStep> StepBuilder::build()
     regroup();
     while (!_queue->isEmpty())
     {
+        const std::size_t numSteps = _steps.size();
         const UnitList units = proposeStep();
         const std::vector<std::uint32_t> falling = findFalling(units);
         if (falling.empty())
             place(units, true);
-        else if (!repair(units, falling))
+        else if (isLost(falling) || !(repair(units, falling) || defer(units, falling)))
         {
             for (const std::uint32_t part : falling)
                 _isLost[part] = true;
             place(units, false);
         }
-        if (!_proceed(_numPlaced)) return {};
+        if (!_proceed(_numPlaced, _steps.size() == numSteps || _steps.back().stands)) return {};
     }
     fillLastStep();
     return std::move(_steps);
@@ -50,6 +54,12 @@ void StepBuilder::fillLastStep()
         return;
     }
     const std::vector<std::uint32_t> parts(all.end() - 2, all.end());
+    const auto joints = _graph.getJointsAbove(parts.front());
+    const bool isInHand =
+        std::any_of(joints.begin(), joints.end(),
+                    [&before](const PartLink& joint)
+                    { return std::find(before.parts.begin(), before.parts.end(), joint.part) != before.parts.end(); });
+    if (isInHand) return; // with the part from which it hangs
     const std::size_t weight = before.parts.size() + UnitQueue::SUBMODEL_WEIGHT * before.submodels.size();
     if (weight <= UnitQueue::LEAST || !before.stands || isBelow(parts.front(), before.submodels) ||
         (_views && !_views->canShow(parts, false)))
@@ -91,14 +101,24 @@ void StepBuilder::regroup()
 /** The next step. It contains units that fell before only if no other unit can be placed. */
 UnitList StepBuilder::proposeStep()
 {
-    UnitList units = _queue->propose(_isDelayed);
+    UnitList units = propose(_isDelayed, _isDeferred);
     if (_queue->getWeight(units) < UnitQueue::LEAST)
     {
         _isDelayed.assign(_isDelayed.size(), false);
-        units = _queue->propose(_isDelayed);
+        units = propose(_isDelayed, _isDeferred);
     }
+    if (units.empty()) units = _queue->propose(_isDelayed);
     shorten(units);
     return units;
+}
+
+/** The units to be placed next. None if all that can be placed are avoided.
+ * @param isDeferred parts; units with one of these are avoided, too. */
+UnitList StepBuilder::propose(std::vector<bool> isAvoided, const std::vector<bool>& isDeferred)
+{
+    for (std::uint32_t part = 0; part < _graph.getNumParts(); ++part)
+        if (isDeferred[part] && !_isPlaced[part]) isAvoided[_units.getUnitOf(part)] = true;
+    return _queue->propose(isAvoided);
 }
 
 /** Whether no part of a step is hidden; parts of submodels may be, since they have steps of their own. */
@@ -107,7 +127,8 @@ bool StepBuilder::canShow(const UnitList& units, bool isTurning) const
     if (!_views) return true;
     std::vector<std::uint32_t> parts;
     for (const std::uint32_t unit : units)
-        if (!_queue->isSubmodel(unit)) parts.push_back(_units.getUnits()[unit].parts.front());
+        if (const std::vector<std::uint32_t>& own = _units.getUnits()[unit].parts; !_queue->isSubmodel(unit))
+            parts.insert(parts.end(), own.begin(), own.end());
     return _views->canShow(parts, isTurning);
 }
 
@@ -142,15 +163,25 @@ void StepBuilder::place(const UnitList& units, bool stands)
         const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
         _numPlaced += parts.size();
         shown.insert(shown.end(), parts.begin(), parts.end());
-        if (_queue->isSubmodel(unit))
+        if (_queue->isSubmodel(unit) || isBetterApart(unit, units))
             step.submodels.push_back(parts);
         else
-            step.parts.push_back(parts.front());
+            step.parts.insert(step.parts.end(), parts.begin(), parts.end());
     }
     if (_views) step.turns = _views->show(shown);
     _steps.push_back(std::move(step));
     mark(units, true);
     _queue->take(units);
+}
+
+/** Whether parts that are joined in a hand are better shown as a submodel: the step would hide some of them. */
+bool StepBuilder::isBetterApart(std::uint32_t unit, const UnitList& units) const
+{
+    const BuildingUnits::Unit& own = _units.getUnits()[unit];
+    if (!_hasSubmodels || own.parts.size() == 1 || canShow(units, true)) return false;
+    return std::none_of(units.begin(), units.end(),
+                        [&own](std::uint32_t other)
+                        { return std::binary_search(own.next.begin(), own.next.end(), other); });
 }
 
 /** The parts that fall if units are added; none if that is not known. */
@@ -164,14 +195,17 @@ std::vector<std::uint32_t> StepBuilder::findFalling(const UnitList& units)
     return falling.value_or(std::vector<std::uint32_t>());
 }
 
+/** Whether parts have fallen before. All parts above them fall, too. */
+bool StepBuilder::isLost(const std::vector<std::uint32_t>& falling) const
+{
+    return std::any_of(falling.begin(), falling.end(), [this](std::uint32_t part) { return _isLost[part]; });
+}
+
 /** Repair a step with units after which parts fall: place other units, or group the parts in another way.
  * @return whether the situation has changed. */
 bool StepBuilder::repair(const UnitList& units, const std::vector<std::uint32_t>& falling)
 {
-    // If parts fall, all parts above them fall, too.
-    const bool isKnown =
-        std::any_of(falling.begin(), falling.end(), [this](std::uint32_t part) { return _isLost[part]; });
-    return !isKnown && (clamp(units, falling) || postpone(units, falling) || hang(units, falling));
+    return clamp(units, falling) || postpone(units, falling) || hang(units, falling);
 }
 
 /** Place the falling parts in one step with parts above that hold them, if these stand. */
@@ -212,27 +246,56 @@ bool StepBuilder::postpone(const UnitList& units, const std::vector<std::uint32_
         hasChanged = true;
     }
     if (!hasChanged) return false;
-    UnitList others = _queue->propose(_isDelayed);
+    UnitList others = propose(_isDelayed, _isDeferred);
     shorten(others);
     if (_queue->getWeight(others) < UnitQueue::LEAST || !findFalling(others).empty()) return false;
     place(others, true);
     return true;
 }
 
+/** Place units after which parts fall, whatever is done, when no others can be placed: a person has to hold the parts
+ * from then on.
+ * @return whether the situation has changed. */
+bool StepBuilder::defer(const UnitList& units, const std::vector<std::uint32_t>& falling)
+{
+    std::vector<std::uint32_t> added;
+    for (const std::uint32_t unit : units)
+        added.insert(added.end(), _units.getUnits()[unit].parts.begin(), _units.getUnits()[unit].parts.end());
+    const auto firstStanding = std::partition(
+        added.begin(), added.end(),
+        [&](std::uint32_t part) { return std::find(falling.begin(), falling.end(), part) != falling.end(); });
+    if (firstStanding != added.begin()) added.erase(firstStanding, added.end()); // otherwise they let others fall
+    const bool hasChanged =
+        std::any_of(added.begin(), added.end(), [this](std::uint32_t part) { return !_isDeferred[part]; });
+    for (const std::uint32_t part : added)
+        _isDeferred[part] = true;
+    return hasChanged;
+}
+
 /** Let the falling parts hang from those above them. */
 bool StepBuilder::hang(const UnitList& units, const std::vector<std::uint32_t>& falling)
 {
-    bool hasChanged = false;
+    std::vector<std::uint32_t> hung;
     for (const std::uint32_t part : falling)
     {
         const std::uint32_t unit = _units.getUnitOf(part);
         const bool isNew = std::find(units.begin(), units.end(), unit) != units.end();
         if (!isNew || _isHung[part] || _graph.isOnBase(part) || _graph.getJointsAbove(part).empty()) continue;
         _isHung[part] = true;
-        hasChanged = true;
+        hung.push_back(part);
     }
-    if (hasChanged) regroup();
-    return hasChanged;
+    if (hung.empty()) return false;
+    BuildingUnits grouped = _units;
+    grouped.group(_isPlaced, _isHung);
+    // Parts that are pressed on would have to be pushed in between others.
+    if (std::any_of(hung.begin(), hung.end(), [&grouped](std::uint32_t part) { return grouped.isPressedOn(part); }))
+    {
+        for (const std::uint32_t part : hung)
+            _isHung[part] = false;
+        return false;
+    }
+    regroup();
+    return true;
 }
 
 } // namespace osgLego

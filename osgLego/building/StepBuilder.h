@@ -40,13 +40,16 @@ public:
     /** Finds the parts that fall if only some are in place. Returns none if these stand, and nothing if that is not
      * known. */
     using FindFalling = std::function<std::optional<std::vector<std::uint32_t>>(const std::vector<bool>& isPlaced)>;
-    /** Called with the number of parts in place after a step; build() ends if it returns false. */
-    using Proceed = std::function<bool(std::size_t numPlaced)>;
+    /** Called with the number of parts in place after a step, and whether they stand; build() ends if it returns
+     * false. */
+    using Proceed = std::function<bool(std::size_t numPlaced, bool stands)>;
 
     /** @param graph must outlive this object.
      * @param findFalling may be empty. Steps for which it returns nothing count as standing.
-     * @param views of the parts of `graph`, none of them in place; null if all steps have the same view. */
-    StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views = nullptr);
+     * @param views of the parts of `graph`, none of them in place; null if all steps have the same view.
+     * @param mostParts of a submodel. */
+    StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views = nullptr,
+                std::size_t mostParts = BuildingUnits::MOST_PARTS);
 
     /** @return nothing if it was given up. */
     std::vector<AssemblyStep> build();
@@ -56,15 +59,19 @@ private:
     void fillLastStep();
     bool isBelow(std::uint32_t part, const std::vector<std::vector<std::uint32_t>>& submodels) const;
     UnitList proposeStep();
+    UnitList propose(std::vector<bool> isAvoided, const std::vector<bool>& isDeferred);
     bool canShow(const UnitList& units, bool isTurning) const;
     void shorten(UnitList& units) const;
     void place(const UnitList& units, bool stands);
+    bool isBetterApart(std::uint32_t unit, const UnitList& units) const;
     void mark(const UnitList& units, bool isPlaced);
     std::vector<std::uint32_t> findFalling(const UnitList& units);
+    bool isLost(const std::vector<std::uint32_t>& falling) const;
     bool repair(const UnitList& units, const std::vector<std::uint32_t>& falling);
     bool postpone(const UnitList& units, const std::vector<std::uint32_t>& falling);
     bool clamp(const UnitList& units, const std::vector<std::uint32_t>& falling);
     bool hang(const UnitList& units, const std::vector<std::uint32_t>& falling);
+    bool defer(const UnitList& units, const std::vector<std::uint32_t>& falling);
 
     const JointGraph& _graph;
     Symmetry _symmetry;
@@ -73,12 +80,14 @@ private:
     Proceed _proceed;
     StepViews* _views;
     BuildingUnits _units;
+    bool _hasSubmodels;
     std::unique_ptr<UnitQueue> _queue;
     std::vector<bool> _isPlaced;
     std::vector<bool> _isHung;
-    std::vector<bool> _isLost;    // parts that fall after every repair
-    std::vector<bool> _isDelayed; // units
-    bool _isKnown = false;        // whether findFalling returned a result for the units considered last
+    std::vector<bool> _isLost;     // parts that fall after every repair
+    std::vector<bool> _isDeferred; // parts that fall, or let others fall, after every repair, until they are placed
+    std::vector<bool> _isDelayed;  // units
+    bool _isKnown = false;         // whether findFalling returned a result for the units considered last
     std::size_t _numPlaced = 0;
     std::vector<AssemblyStep> _steps;
 };

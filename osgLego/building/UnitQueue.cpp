@@ -35,7 +35,7 @@ std::size_t UnitQueue::getWeight(const UnitList& units) const
 {
     std::size_t weight = 0;
     for (const std::uint32_t unit : units)
-        weight += isSubmodel(unit) ? SUBMODEL_WEIGHT : 1;
+        weight += isSubmodel(unit) ? SUBMODEL_WEIGHT : _units.getUnits()[unit].parts.size();
     return weight;
 }
 

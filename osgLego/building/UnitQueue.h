@@ -43,7 +43,7 @@ public:
     bool isOneStep(const UnitList& units) const;
 
     std::size_t getWeight(const UnitList& units) const;
-    bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].parts.size() > 1; }
+    bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].isSubmodel(); }
 
 private:
     bool addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const;

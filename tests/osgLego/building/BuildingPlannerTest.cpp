@@ -87,23 +87,21 @@ TEST(BuildingPlanner, AWallIsBuiltInOrdinaryStepsWithoutSubmodels)
     EXPECT_LE(plan->getSteps().size(), model->getParts().size() / 7);
 }
 
-TEST(BuildingPlanner, AHangingBrickIsASubmodelWithTheBrickAboveIt)
+TEST(BuildingPlanner, AHangingBrickIsPlacedWithTheBrickAboveItInTheSameStep)
 {
     // A column with a beam on it, and a brick below the end of the beam.
     const auto model = createModel({makePart({0, 0, 0}, {2, 2, 1}), makePart({0, 0, 1}, {2, 2, 1}),
                                     makePart({0, 0, 2}, {8, 2, 1}), makePart({6, 0, 1}, {2, 2, 1})});
     const auto plan = expectGoodPlan(*model);
-    ASSERT_EQ(plan->getSubmodels().size(), 1u);
-    std::vector<std::uint32_t> parts;
-    for (const BuildingStep& step : plan->getSubmodels()[0].steps)
-        for (const std::uint32_t part : plan->getPlacedParts(step))
-            parts.push_back(part);
-    EXPECT_EQ(parts, (std::vector<std::uint32_t>{indexOf(*model, {0, 0, 2}), indexOf(*model, {6, 0, 1})}))
-        << "the beam is the base, upside down";
-    EXPECT_TRUE(plan->getSubmodels()[0].steps[0].isFromBelow);
+    EXPECT_TRUE(plan->getSubmodels().empty());
+    ASSERT_EQ(plan->getSteps().size(), 1u);
+    const std::vector<std::uint32_t>& parts = plan->getSteps()[0].parts;
+    ASSERT_EQ(parts.size(), 4u);
+    EXPECT_EQ(parts[2], indexOf(*model, {0, 0, 2}));
+    EXPECT_EQ(parts[3], indexOf(*model, {6, 0, 1})) << "it is pressed on the beam";
 }
 
-TEST(BuildingPlanner, BricksThatHangInAHookBecomeSubmodelsWithinEachOther)
+TEST(BuildingPlanner, BricksThatHangInAHookBecomeASubmodelWithIt)
 {
     // From a beam on a column hang a brick, on which nothing can stand, and a hook: posts, an arm, and a brick on the
     // arm that hangs if the beam is turned upside down.
@@ -117,11 +115,7 @@ TEST(BuildingPlanner, BricksThatHangInAHookBecomeSubmodelsWithinEachOther)
     parts.push_back(makePart({4, 0, 1}, {4, 2, 1}));
     parts.push_back(makePart({4, 0, 2}, {2, 2, 1}));
     const auto plan = expectGoodPlan(*createModel(std::move(parts)));
-    ASSERT_EQ(plan->getSubmodels().size(), 2u);
-    std::vector<std::uint32_t> attached;
-    for (const BuildingStep& step : plan->getSubmodels()[1].steps)
-        attached.insert(attached.end(), step.submodels.begin(), step.submodels.end());
-    EXPECT_EQ(attached, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(plan->getSubmodels().size(), 1u) << "few parts that hang in a submodel are placed with the part above";
 }
 
 TEST(BuildingPlanner, PartsThatTouchNothingAreListedAndComeLast)
@@ -157,10 +151,48 @@ TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
             EXPECT_TRUE(check.getUnheld().empty()) << check.toString();
             EXPECT_TRUE(check.getDisconnected().empty()) << check.toString();
             EXPECT_TRUE(check.getLong().empty()) << check.toString();
-            EXPECT_LE(check.getUnreachable().size(), 1u) << "interlocking hooks";
+            EXPECT_LE(check.getUnreachable().size(), 2u) << "interlocking hooks\n" << check.toString();
             numUnreachable += check.getUnreachable().size();
         }
-    EXPECT_LE(numUnreachable, 4u) << "in all 16 models";
+    EXPECT_LE(numUnreachable, 5u) << "in all 16 models";
+}
+
+/** The deepest nesting of submodels in steps. @param largest receives the most parts of a submodel. */
+std::size_t findDepth(const BuildingPlan& plan, const std::vector<BuildingStep>& steps, std::size_t& largest)
+{
+    std::size_t depth = 0;
+    for (const BuildingStep& step : steps)
+        for (const std::uint32_t submodel : step.submodels)
+        {
+            const std::vector<BuildingStep>& own = plan.getSubmodels()[submodel].steps;
+            depth = std::max(depth, 1 + findDepth(plan, own, largest));
+            std::size_t numParts = 0;
+            for (const BuildingStep& inner : own)
+                numParts += plan.getPlacedParts(inner).size();
+            largest = std::max(largest, numParts);
+        }
+    return depth;
+}
+
+TEST(BuildingPlanner, SubmodelsAreNestedAtMostThreeDeepAndHaveAtMost150Parts)
+{
+    std::size_t numPressedOn = 0;
+    for (const bool hasHoles : {false, true})
+        for (std::uint32_t seed = 1; seed < 4; ++seed)
+        {
+            PartFilling filling;
+            filling.heights = {1, 3};
+            filling.seed = seed;
+            filling.isCovered = [hasHoles](const glm::ivec3& cell)
+            { return (cell.x * 7 + cell.y * 5 + cell.z * 3) % 11 > (hasHoles ? 4 : 2); };
+            const auto model = createParts(createPartGrid({17, 14, 15}, 0.4, UpAxis::Z), filling);
+            const auto plan = planFast(*model);
+            std::size_t largest = 0;
+            EXPECT_LE(findDepth(*plan, plan->getSteps(), largest), 3u) << seed;
+            EXPECT_LE(largest, 150u) << seed;
+            numPressedOn += PlanCheck(*model, *plan).getNumPressedOn();
+        }
+    EXPECT_GT(numPressedOn, 0u) << "the limits matter";
 }
 
 osg::ref_ptr<const BrickModel> createBricks(const osg::Node& node, const std::string& text)

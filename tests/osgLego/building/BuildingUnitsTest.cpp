@@ -33,7 +33,7 @@ TEST(BuildingUnits, PartsThatHangFromSeveralPartsHangFromOneThatIsNotInPlace)
     BuildingUnits units(graph);
     units.group({true, true, false, false, false}, std::vector<bool>(5, false));
     ASSERT_EQ(units.getUnits().size(), 2u);
-    EXPECT_EQ(units.getUnits()[units.getUnitOf(2)].parts, (std::vector<std::uint32_t>{2, 3}));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(2)].parts, (std::vector<std::uint32_t>{3, 2}));
 }
 
 TEST(BuildingUnits, PartsHangFromTheNearestOfPartsWithEquallyManyStuds)
@@ -53,7 +53,7 @@ TEST(BuildingUnits, PartsHangFromTheNearestOfPartsWithEquallyManyStuds)
         const JointGraph graph(boxes);
         BuildingUnits units(graph);
         units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
-        EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 2}));
+        EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{2, 0}));
     }
 }
 
@@ -67,7 +67,7 @@ TEST(BuildingUnits, PartsHangFromThePartWithMoreStudsThoughItIsFarther)
                             {{0, 6, 0}, {2, 8, 2}}});
     BuildingUnits units(graph);
     units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
-    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{2, 0}));
 }
 
 TEST(BuildingUnits, PartsHangFromTheLowerOfPartsThatAreEquallyGood)
@@ -80,7 +80,7 @@ TEST(BuildingUnits, PartsHangFromTheLowerOfPartsThatAreEquallyGood)
                             {{8, 0, 0}, {10, 2, 2}}});
     BuildingUnits units(graph);
     units.group(std::vector<bool>(5, false), std::vector<bool>(5, false));
-    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(units.getUnits()[units.getUnitOf(0)].parts, (std::vector<std::uint32_t>{2, 0, 1}));
 }
 
 TEST(BuildingUnits, OnlyPartsThatMustBePlacedBeforeEachOtherBecomeOneUnit)

@@ -62,8 +62,12 @@ void PlanCheck::checkSequence(const std::vector<BuildingStep>& steps, const std:
             _short.push_back(place + ": " + std::to_string(size));
         if (size > 12 || size == 0) _long.push_back(place + ": " + std::to_string(size));
         if (step.isFromBelow != steps.front().isFromBelow) _unheld.push_back(place + " turns the model over");
-        for (const std::uint32_t part : step.parts)
-            this->place({part}, place + ", part " + std::to_string(part));
+        for (std::size_t first = 0; first < step.parts.size();)
+        {
+            const PartList inHand = findInHand(std::span(step.parts).subspan(first));
+            this->place(inHand, place + ", part " + std::to_string(inHand.front()));
+            first += inHand.size();
+        }
         for (const std::uint32_t submodel : step.submodels)
         {
             BuildingStep attached;
@@ -73,17 +77,50 @@ void PlanCheck::checkSequence(const std::vector<BuildingStep>& steps, const std:
     }
 }
 
+/** The first of some parts, and those that hang from it and are placed with it. */
+PlanCheck::PartList PlanCheck::findInHand(std::span<const std::uint32_t> parts)
+{
+    constexpr std::size_t MOST = 3;
+    glm::ivec3 above(0);
+    above[_up] = _way;
+    PartList inHand{parts.front()};
+    std::vector<glm::ivec3> cells;
+    std::vector<glm::ivec3> hanging;
+    visitCells(parts.front(), [&](const glm::ivec3& cell) { cells.push_back(cell); });
+    for (const std::uint32_t part : parts.subspan(1).first(std::min(parts.size(), MOST) - 1))
+    {
+        bool isJoined = false; // below a part in the hand, or on one that hangs
+        std::vector<glm::ivec3> own;
+        visitCells(part,
+                   [&](const glm::ivec3& cell)
+                   {
+                       isJoined = isJoined || std::find(cells.begin(), cells.end(), cell + above) != cells.end() ||
+                                  std::find(hanging.begin(), hanging.end(), cell - above) != hanging.end();
+                       own.push_back(cell);
+                   });
+        if (!isJoined) break;
+        inHand.push_back(part);
+        for (auto* list : {&cells, &hanging})
+            list->insert(list->end(), own.begin(), own.end());
+    }
+    return inHand;
+}
+
 void PlanCheck::place(const PartList& parts, const std::string& name)
 {
     glm::ivec3 below(0);
     below[_up] = -_way;
     bool isHeld = false;
     bool isReachable = true;
+    bool isPressedOn = false;
+    bool hasRoomBelow = true;
     for (const std::uint32_t part : parts)
         visitCells(part,
                    [&](const glm::ivec3& cell)
                    {
                        isHeld = isHeld || _way * cell[_up] == _baseLayer || isCovered(cell + below);
+                       isPressedOn = isPressedOn || isCovered(cell - below);
+                       hasRoomBelow = hasRoomBelow && !isCovered(cell + below);
                        for (glm::ivec3 above = cell - below;
                             above[_up] >= 0 && above[_up] < _model.getGrid().dimensions[_up]; above -= below)
                            isReachable = isReachable && !isCovered(above);
@@ -91,8 +128,10 @@ void PlanCheck::place(const PartList& parts, const std::string& name)
     const std::vector<std::uint32_t>& known = _plan.getUnheldParts();
     if (!std::binary_search(known.begin(), known.end(), parts.front()))
     {
-        if (!isHeld) _unheld.push_back(name + " is not held");
-        if (!isReachable) _unreachable.push_back(name + " is placed below other parts");
+        if (!isHeld && !isPressedOn) _unheld.push_back(name + " is not held");
+        if (!isHeld && isPressedOn) _numPressedOn += parts.size();
+        if (!isReachable && !(isPressedOn && hasRoomBelow))
+            _unreachable.push_back(name + " is placed below other parts");
     }
     if (!isConnected(parts)) _disconnected.push_back(name + " is in several pieces");
     for (const std::uint32_t part : parts)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,11 @@ public:
 
     /** Parts and submodels that nothing holds when they are placed, except those that the plan lists as such. */
     const std::vector<std::string>& getUnheld() const { return _unheld; }
-    /** Parts and submodels that are placed below others, where they can't be reached from above. */
+    /** Parts and submodels that are placed below others, where they can't be reached from above, nor
+     * from below. */
     const std::vector<std::string>& getUnreachable() const { return _unreachable; }
+    /** Parts that are pressed on from below: nothing below them holds them. */
+    std::size_t getNumPressedOn() const { return _numPressedOn; }
     /** Submodels that joints do not connect. */
     const std::vector<std::string>& getDisconnected() const { return _disconnected; }
     /** Steps of fewer than 5 parts, which neither attach a submodel nor are the last of their sequence. */
@@ -35,6 +39,7 @@ private:
     using PartList = std::vector<std::uint32_t>;
 
     void checkSequence(const std::vector<BuildingStep>& steps, const std::string& name);
+    PartList findInHand(std::span<const std::uint32_t> parts);
     void place(const PartList& parts, const std::string& name);
     bool isConnected(const PartList& parts) const;
     template <typename Visitor>
@@ -48,6 +53,7 @@ private:
     int _way = 1;       // of building: 1 upwards, -1 if the sequence is built upside down
     int _baseLayer = 0; // of the sequence
     std::vector<bool> _isPlaced;
+    std::size_t _numPressedOn = 0;
     std::vector<std::string> _unheld;
     std::vector<std::string> _unreachable;
     std::vector<std::string> _disconnected;

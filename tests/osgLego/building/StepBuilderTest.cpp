@@ -35,7 +35,7 @@ public:
                 if (isPlaced[part] && _falls(part, isPlaced)) falling.push_back(part);
             return falling;
         };
-        return StepBuilder(_graph, findFalling, [](std::size_t) { return true; }).build();
+        return StepBuilder(_graph, findFalling, [](std::size_t, bool) { return true; }).build();
     }
 
 private:
@@ -160,7 +160,7 @@ TEST(StepBuilder, StepsOfWhichNothingIsKnownStandUnchecked)
         return std::vector<std::uint32_t>();
     };
     std::size_t numPlaced = 0;
-    for (const AssemblyStep& step : StepBuilder(graph, findFalling, [](std::size_t) { return true; }).build())
+    for (const AssemblyStep& step : StepBuilder(graph, findFalling, [](std::size_t, bool) { return true; }).build())
     {
         numPlaced += step.parts.size();
         EXPECT_TRUE(step.stands);
@@ -173,7 +173,7 @@ TEST(StepBuilder, IsGivenUpAfterAStepIfItMayNotProceed)
 {
     const JointGraph graph(createColumns({{0, 32}}));
     std::vector<std::size_t> numPlaced;
-    const auto proceed = [&numPlaced](std::size_t number)
+    const auto proceed = [&numPlaced](std::size_t number, bool)
     {
         numPlaced.push_back(number);
         return numPlaced.size() < 2;
@@ -204,11 +204,32 @@ TEST(StepBuilder, StepsAreNotRepairedAfterAPartThatFallsWhateverIsDone)
                   {0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14, 15}, {16, 17, 18, 19, 20, 21, 22, 23}}));
 }
 
+TEST(StepBuilder, PartsThatFallWhateverIsDoneArePlacedWhenNoOthersCanBe)
+{
+    // Three columns; the second part of the first one falls, and the parts above it with it.
+    const std::vector<BuildingBox> boxes = createColumns({{0, 8}, {12, 8}, {24, 8}});
+    const auto steps =
+        Building(boxes, [](std::uint32_t part, const std::vector<bool>&) { return part > 0 && part < 8; }).build();
+    const std::vector<PartList> placed = toPlaced(steps);
+    std::size_t numPlaced = 0;
+    for (std::size_t index = 0; index < steps.size(); ++index)
+    {
+        const bool falls = numPlaced >= 17;
+        numPlaced += placed[index].size();
+        EXPECT_EQ(steps[index].stands, !falls) << numPlaced;
+        for (const std::uint32_t part : placed[index])
+            EXPECT_EQ(part > 0 && part < 8, falls) << part;
+    }
+    EXPECT_EQ(numPlaced, boxes.size());
+}
+
 TEST(StepBuilder, TheLastStepHasMoreThanOnePart)
 {
-    // Two columns, and on the first one a beam from which a brick hangs: a submodel. The brick on the beam comes after
-    // it.
+    // Two columns, and on the first one a beam from which three bricks hang: a submodel. The brick on the beam comes
+    // after it.
     std::vector<BuildingBox> boxes = createColumns({{0, 3}, {12, 4}});
+    boxes.push_back({{4, 0, 1}, {8, 2, 2}});
+    boxes.push_back({{6, 0, 2}, {8, 2, 3}});
     boxes.push_back({{4, 0, 2}, {6, 2, 3}});
     boxes.push_back({{0, 0, 3}, {6, 2, 4}});
     boxes.push_back({{2, 0, 4}, {4, 2, 5}});
@@ -229,13 +250,13 @@ TEST(StepBuilder, PartsOnTheBaseDoNotHang)
     const JointGraph graph(createColumns({{0, 16}}));
     const auto findFalling = [](const std::vector<bool>&) { return std::optional<PartList>(PartList{0}); };
     std::vector<std::size_t> numPlaced;
-    const auto proceed = [&numPlaced](std::size_t number)
+    const auto proceed = [&numPlaced](std::size_t number, bool)
     {
         numPlaced.push_back(number);
         return true;
     };
     EXPECT_EQ(StepBuilder(graph, findFalling, proceed).build().size(), 2u);
-    EXPECT_EQ(numPlaced, (std::vector<std::size_t>{8, 16})) << "the parts are not grouped again";
+    EXPECT_EQ(numPlaced, (std::vector<std::size_t>{0, 8, 16})) << "others are sought, but not grouped again";
 }
 
 } // namespace

@@ -125,9 +125,14 @@ TEST(UnitQueue, StepsHaveEightPartsOrEndWithAGroupOrLeaveEnoughForTheNextStep)
 
 TEST(UnitQueue, APartAboveASubmodelIsNotInTheSameStep)
 {
-    // A column, in place, with a beam on it, a brick below the end of the beam, and one on it.
-    Queue beam({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 2}, {8, 2, 3}}, {{6, 0, 1}, {8, 2, 2}}, {{4, 0, 3}, {6, 2, 4}}},
-               {true, false, false, false});
+    // A column, in place, with a beam on it, three bricks below the beam, and one on it.
+    Queue beam({{{0, 0, 0}, {2, 2, 2}},
+                {{0, 0, 2}, {8, 2, 3}},
+                {{6, 0, 1}, {8, 2, 2}},
+                {{4, 0, 3}, {6, 2, 4}},
+                {{2, 0, 1}, {4, 2, 2}},
+                {{4, 0, 1}, {6, 2, 2}}},
+               {true, false, false, false, false, false});
     const UnitQueue queue = beam.create();
     const std::uint32_t submodel = beam.units.getUnitOf(1);
     const std::uint32_t above = beam.units.getUnitOf(3);
@@ -135,6 +140,19 @@ TEST(UnitQueue, APartAboveASubmodelIsNotInTheSameStep)
     EXPECT_TRUE(queue.isOneStep({submodel}));
     EXPECT_TRUE(queue.isOneStep({above}));
     EXPECT_FALSE(queue.isOneStep({submodel, above}));
+}
+
+TEST(UnitQueue, APartAboveFewPartsInAHandIsInTheSameStep)
+{
+    // As above, with one brick below the beam.
+    Queue beam({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 2}, {8, 2, 3}}, {{6, 0, 1}, {8, 2, 2}}, {{4, 0, 3}, {6, 2, 4}}},
+               {true, false, false, false});
+    const UnitQueue queue = beam.create();
+    const std::uint32_t inHand = beam.units.getUnitOf(1);
+    ASSERT_EQ(beam.units.getUnitOf(2), inHand);
+    EXPECT_FALSE(queue.isSubmodel(inHand));
+    EXPECT_EQ(queue.getWeight({inHand}), 2u);
+    EXPECT_TRUE(queue.isOneStep({inHand, beam.units.getUnitOf(3)}));
 }
 
 TEST(UnitQueue, ASubmodelComesWhenItsLastPartWould)
