@@ -63,17 +63,20 @@ void BookletWords::writeIntroduction(const std::string& title)
     glm::ivec3 size(0);
     for (const Place& place : places)
         size = glm::max(size, place.last);
-    *_stream << title << "\nBuilding instructions in words\n\n"
-             << fmt::format("The model is {} wide, {} deep and {} high. It has {} in {}.\n",
-                            countOf(static_cast<std::size_t>(size.x), "stud"),
-                            countOf(static_cast<std::size_t>(size.y), "stud"),
-                            countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"),
-                            countOf(_model.getNumSteps(), "step"))
-             << "Columns count from left to right, rows from the front to the back, and layers from the bottom up.\n"
-             << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
-             << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
-             << "A submodel has a letter. Build it apart, and count its own columns, rows and layers from its left, "
-                "front and lowest end. Copies of a submodel are equal, but may be attached turned.\n\nParts\n";
+    *_stream
+        << title << "\nBuilding instructions in words\n\n"
+        << fmt::format("The model is {} wide, {} deep and {} high. It has {} in {}.\n",
+                       countOf(static_cast<std::size_t>(size.x), "stud"),
+                       countOf(static_cast<std::size_t>(size.y), "stud"),
+                       countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"),
+                       countOf(_model.getNumSteps(), "step"))
+        << "Columns count from left to right, rows from the front to the back, and layers from the bottom up.\n"
+        << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
+        << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
+        << "A part that is only below others hangs from them: press it on from below, or, if both are new, join them "
+           "before you place them.\n"
+        << "A submodel has a letter. Build it apart, and count its own columns, rows and layers from its left, "
+           "front and lowest end. Copies of a submodel are equal, but may be attached turned.\n\nParts\n";
     for (const PartsList::Row& row : _model.getKinds())
         *_stream << describeParts(row, row.quantity) << ".\n";
 }

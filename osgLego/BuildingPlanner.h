@@ -15,9 +15,9 @@ namespace osgLego
  * Steps go from bottom to top, region by region. No part is placed where nothing holds it, or below others: parts that
  * hang are placed together with a part above them. More than two of these become submodels, which are built apart, some
  * of them upside down, and attached from above; submodels of more than 150 parts, or nested more than three deep, are
- * avoided by pressing hanging parts on from below, unless more steps had to be held by hand. A step has 5 to 10
- * parts where possible, and at most 12, a submodel counting as two; a step with submodels may have fewer.
- * docs/building.md has the rules, and times.
+ * avoided by pressing hanging parts on from below, unless more steps had to be held by hand. Parts that no joints
+ * connect to the lowest layer can't be placed; they come last. A step has 5 to 10 parts where possible, and at most 12,
+ * a submodel counting as two; a step with submodels may have fewer. docs/building.md has the rules, and times.
  *
  * Preconditions:
  * 1. Every part is in getPartTypes(): findPartType() gives its type. legolizeOnCpu() and LegoNode make no other parts,

@@ -193,6 +193,7 @@ JsonValue measure(const BuildingCase& buildingCase, unsigned int numRuns)
             {"pairs", figures.numPairs},
             {"deepestSubmodel", figures.deepestSubmodel},
             {"largestSubmodel", figures.largestSubmodel},
+            {"looseParts", figures.mostLooseParts},
             {"fallingPieces", figures.numFallingPieces},
             {"uncheckedSteps", checked->getNumUnchecked()},
             {"milliseconds", createSpread(orderTimes)},
@@ -203,19 +204,20 @@ void printRows(const JsonValue& rows)
 {
     fmt::print(
         "| model | parts, not placeable | layer by layer: steps that float | planned: steps that float | that fall "
-        "| submodels, of two parts, nested, parts of the largest | their steps that fall | pieces that fall | "
-        "unchecked | ms | with stability, ms |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| submodels, of two parts, nested, parts of the largest | their steps that fall | most parts that lie "
+        "loose | pieces that fall | unchecked | ms | with stability, ms |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const JsonValue& row : rows.getElements())
-        fmt::print(
-            "| {} {} | {}, {} | {} of {} | {} of {} | {} | {}, {}, {}, {} | {} of {} | {} | {} | {:.0f} | {:.0f} |\n",
-            row["mesh"].toText(), row["settings"].toText(), row["parts"].toInteger(), row["unheld"].toInteger(),
-            row["floatingLayerSteps"].toInteger(), row["layerSteps"].toInteger(), row["floatingSteps"].toInteger(),
-            row["steps"].toInteger(), row["fallingSteps"].toInteger(), row["submodels"].toInteger(),
-            row["pairs"].toInteger(), row["deepestSubmodel"].toInteger(), row["largestSubmodel"].toInteger(),
-            row["fallingSubmodelSteps"].toInteger(), row["submodelSteps"].toInteger(), row["fallingPieces"].toInteger(),
-            row["uncheckedSteps"].toInteger(), row["milliseconds"]["median"].toNumber(),
-            row["stabilityMilliseconds"]["median"].toNumber());
+        fmt::print("| {} {} | {}, {} | {} of {} | {} of {} | {} | {}, {}, {}, {} | {} of {} | {} | {} | {} | {:.0f} | "
+                   "{:.0f} |\n",
+                   row["mesh"].toText(), row["settings"].toText(), row["parts"].toInteger(), row["unheld"].toInteger(),
+                   row["floatingLayerSteps"].toInteger(), row["layerSteps"].toInteger(),
+                   row["floatingSteps"].toInteger(), row["steps"].toInteger(), row["fallingSteps"].toInteger(),
+                   row["submodels"].toInteger(), row["pairs"].toInteger(), row["deepestSubmodel"].toInteger(),
+                   row["largestSubmodel"].toInteger(), row["fallingSubmodelSteps"].toInteger(),
+                   row["submodelSteps"].toInteger(), row["looseParts"].toInteger(), row["fallingPieces"].toInteger(),
+                   row["uncheckedSteps"].toInteger(), row["milliseconds"]["median"].toNumber(),
+                   row["stabilityMilliseconds"]["median"].toNumber());
 }
 
 void runBuilding(const BuildingCommandOptions& options)

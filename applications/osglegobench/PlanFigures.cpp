@@ -37,23 +37,43 @@ std::size_t countFallingPieces(const BrickModel& model, std::vector<std::uint32_
 
 } // namespace
 
-PlanFigures::PlanFigures(const BrickModel& model, const BuildingPlan& plan)
+PlanFigures::PlanFigures(const BrickModel& model, const BuildingPlan& plan) : _joints(model.getParts().size())
 {
+    for (const Contact& contact : findContacts(model))
+    {
+        if (contact.kind != Contact::STUDS) continue;
+        _joints[contact.lower].push_back(contact.upper);
+        _joints[contact.upper].push_back(contact.lower);
+    }
     addSteps(model, plan, plan.getSteps(), 0);
+}
+
+/** Whether a part will be joined to others, none of which is in place. */
+bool PlanFigures::isLoose(std::uint32_t part, const std::vector<bool>& isPlaced) const
+{
+    return !_joints[part].empty() && std::none_of(_joints[part].begin(), _joints[part].end(),
+                                                  [&isPlaced](std::uint32_t other) { return isPlaced[other]; });
 }
 
 void PlanFigures::addSteps(const BrickModel& model, const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
                            std::size_t depth)
 {
     PartList placed;
+    std::vector<bool> isPlaced(_joints.size(), false);
     const PartList& unheld = plan.getUnheldParts();
     deepestSubmodel = std::max(deepestSubmodel, depth);
     for (const BuildingStep& step : steps)
     {
         for (const std::uint32_t submodel : step.submodels)
             addSteps(model, plan, plan.getSubmodels()[submodel].steps, depth + 1);
-        for (const std::uint32_t part : plan.getPlacedParts(step))
+        const PartList added = plan.getPlacedParts(step);
+        for (const std::uint32_t part : added)
+            isPlaced[part] = true;
+        for (const std::uint32_t part : added)
             if (!std::binary_search(unheld.begin(), unheld.end(), part)) placed.push_back(part);
+        const auto numLoose =
+            std::count_if(placed.begin(), placed.end(), [&](std::uint32_t part) { return isLoose(part, isPlaced); });
+        mostLooseParts = std::max(mostLooseParts, static_cast<std::size_t>(numLoose));
         if (!step.stands && !step.isFromBelow && !placed.empty())
             numFallingPieces = std::max(numFallingPieces, countFallingPieces(model, placed));
     }

@@ -16,6 +16,7 @@ struct PlanFigures
     std::size_t numPairs = 0;         //!< submodels of two parts
     std::size_t largestSubmodel = 0;  //!< parts of the largest submodel
     std::size_t deepestSubmodel = 0;  //!< 1 for a submodel of the model, 2 for one within such a submodel, and so on
+    std::size_t mostLooseParts = 0;   //!< after a step, parts joined to no other, though one to come joins them
     std::size_t numFallingPieces = 0; //!< most pieces that joints connect, with parts that fall after a step
 
     PlanFigures(const BrickModel& model, const BuildingPlan& plan);
@@ -23,8 +24,11 @@ struct PlanFigures
 private:
     using PartList = std::vector<std::uint32_t>;
 
+    bool isLoose(std::uint32_t part, const std::vector<bool>& isPlaced) const;
     void addSteps(const BrickModel& model, const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
                   std::size_t depth);
+
+    std::vector<PartList> _joints; // for each part, the others
 };
 
 } // namespace osgLego

@@ -1,6 +1,7 @@
 #include <osgLego/building/PartOrder.h>
 
 #include <osgLego/building/BuildingRegions.h>
+#include <osgLego/building/EarlyJoints.h>
 
 #include <cstdlib>
 #include <map>
@@ -16,15 +17,15 @@ constexpr std::size_t LONGEST_WALK = 2000; // parts; the time of a walk grows wi
 
 } // namespace
 
-PartOrder::PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry) :
-    _boxes(boxes), _symmetry(symmetry), _ranks(boxes.size(), 0), _groups(boxes.size(), 0)
+PartOrder::PartOrder(const JointGraph& graph, const Symmetry& symmetry) :
+    _boxes(graph.getBoxes()), _symmetry(symmetry), _ranks(_boxes.size(), 0), _groups(_boxes.size(), 0)
 {
-    const BuildingRegions regions(boxes, symmetry);
+    const BuildingRegions regions(_boxes, symmetry);
     std::map<std::pair<std::uint32_t, int>, std::vector<std::uint32_t>> layers;
-    for (std::uint32_t part = 0; part < boxes.size(); ++part)
-        layers[{regions.getRank(part), boxes[part].lower.z}].push_back(part);
+    for (std::uint32_t part = 0; part < _boxes.size(); ++part)
+        layers[{regions.getRank(part), _boxes[part].lower.z}].push_back(part);
     glm::ivec3 place(0);
-    std::uint32_t rank = 0;
+    std::vector<std::uint32_t> order;
     std::uint32_t group = 0;
     for (auto& [key, parts] : layers)
     {
@@ -33,12 +34,13 @@ PartOrder::PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symm
         else
             sortByBands(parts);
         for (const std::uint32_t part : parts)
-        {
-            _ranks[part] = rank++;
             _groups[part] = group;
-        }
+        order.insert(order.end(), parts.begin(), parts.end());
         ++group;
     }
+    std::uint32_t rank = 0;
+    for (const std::uint32_t part : joinEarly(graph, symmetry, order))
+        _ranks[part] = rank++;
 }
 
 /** Sort parts along a walk, each time to the nearest part. @param place the start of the walk; receives its end. */

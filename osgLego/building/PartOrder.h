@@ -8,13 +8,15 @@ namespace osgLego
 {
 
 /** The preferred order of parts: region by region, in each of them layer by layer, and
- * in a layer along a walk from neighbour to neighbour, with parts that mirror each other together.
+ * in a layer along a walk from neighbour to neighbour, with parts that mirror each other together. Parts that join
+ * those on the base come as early as possible.
  *
  * Immutable once created; every function may be called from any thread. */
 class PartOrder
 {
 public:
-    PartOrder(const std::vector<BuildingBox>& boxes, const Symmetry& symmetry);
+    /** The arguments must outlive this object. */
+    PartOrder(const JointGraph& graph, const Symmetry& symmetry);
 
     std::uint32_t getRank(std::uint32_t part) const { return _ranks[part]; }
     /** The number of the part's layer of a region, in the order of building. */

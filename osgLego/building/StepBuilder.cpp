@@ -9,7 +9,7 @@ namespace osgLego
 StepBuilder::StepBuilder(const JointGraph& graph, FindFalling findFalling, Proceed proceed, StepViews* views,
                          std::size_t mostParts) :
     _graph(graph),
-    _symmetry(graph.getBoxes()), _order(graph.getBoxes(), _symmetry), _findFalling(std::move(findFalling)),
+    _symmetry(graph.getBoxes()), _order(graph, _symmetry), _findFalling(std::move(findFalling)),
     _proceed(std::move(proceed)), _views(views), _units(graph, mostParts),
     _hasSubmodels(mostParts > BuildingUnits::MOST_IN_HAND), _isPlaced(graph.getNumParts(), false),
     _isHung(graph.getNumParts(), false), _isLost(graph.getNumParts(), false), _isDeferred(graph.getNumParts(), false)

@@ -28,7 +28,8 @@ std::vector<BuildingBox> createBoxes(const std::vector<glm::ivec3>& places, bool
 std::vector<std::uint32_t> sortByRank(const std::vector<BuildingBox>& boxes)
 {
     const Symmetry symmetry(boxes);
-    const PartOrder order(boxes, symmetry);
+    const JointGraph graph(boxes);
+    const PartOrder order(graph, symmetry);
     std::vector<std::uint32_t> parts(boxes.size());
     std::iota(parts.begin(), parts.end(), 0u);
     std::sort(parts.begin(), parts.end(),
@@ -59,7 +60,8 @@ TEST(PartOrder, BuildsRegionsLayerByLayer)
     const std::vector<BuildingBox> boxes = createBoxes({{0, 0, 1}, {1, 0, 1}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}}, false);
     EXPECT_EQ(sortByRank(boxes), (std::vector<std::uint32_t>{4, 3, 2, 1, 0}));
     const Symmetry symmetry(boxes);
-    const PartOrder order(boxes, symmetry);
+    const JointGraph graph(boxes);
+    const PartOrder order(graph, symmetry);
     EXPECT_EQ(order.getGroup(2), order.getGroup(4));
     EXPECT_EQ(order.getGroup(0), order.getGroup(1));
     EXPECT_LT(order.getGroup(2), order.getGroup(0));

@@ -22,7 +22,7 @@ public:
 private:
     JointGraph _graph;
     Symmetry _symmetry{_graph.getBoxes()};
-    PartOrder _order{_graph.getBoxes(), _symmetry};
+    PartOrder _order{_graph, _symmetry};
 
 public:
     BuildingUnits units{_graph};
