@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BookletArrow.h"
 #include "BookletModel.h"
 
 #include <cstddef>
@@ -11,24 +12,17 @@
 namespace osgLego
 {
 
-/** An arrow in a picture, in pixels from the top left. */
-struct BookletArrow
-{
-    glm::dvec2 tail{0.0};
-    glm::dvec2 tip{0.0};
-    double width = 0.0; //!< of its shaft
-};
-
 /** A picture as it is embedded in a page. */
 struct BookletPicture
 {
-    std::string bytes;                //!< of the file
-    std::string mediaType;            //!< such as "image/webp"
-    int width = 0;                    //!< pixels
-    int height = 0;                   //!< pixels
-    double density = 1.0;             //!< pixels per pixel of CSS (1/96 inch)
-    double pitch = 1.0;               //!< pixels per stud
-    std::vector<BookletArrow> arrows; //!< one to each submodel, and then to each hidden part
+    std::string bytes;     //!< of the file
+    std::string mediaType; //!< such as "image/webp"
+    int width = 0;         //!< pixels
+    int height = 0;        //!< pixels
+    double density = 1.0;  //!< pixels per pixel of CSS (1/96 inch)
+    double pitch = 1.0;    //!< pixels per stud
+    std::vector<BookletArrow>
+        arrows; //!< in pixels from the top left: one to each submodel, and then to each hidden part
 };
 
 /** Draws the pictures of a booklet. One thread. */

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -32,31 +32,21 @@ constexpr double PART_PITCH = 20.0;      // pixels of CSS
 constexpr double LARGEST_PLATE = 333;    // pixels of the width of a base plate in lists
 constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
 constexpr double LARGEST_SUBMODEL = 600; // pixels along each side of a submodel in lists
-constexpr double ARROW_LENGTH = 3.0;     // pitches
-constexpr double ARROW_WIDTH = 0.45;     // pitches
-constexpr double LETTER_SPACE = 3.0;     // pitches between the tails of arrows with letters
+constexpr double ARROW_WIDTH = 0.45;     // pitches, of the shafts of arrows
+constexpr double ARROW_SHARE = 1.0 / 90; // likewise, at least, of the width of the picture: letters must be readable
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
-BookletFrame addMargin(BookletFrame frame)
+BookletFrame addMargin(const BookletFrame& frame)
 {
-    frame.lowest -= MARGIN;
-    frame.highest += MARGIN;
-    return frame;
+    return frame.addMargin(MARGIN);
 }
 
-BookletFrame unite(BookletFrame frame, const BookletFrame& other)
+/** Widen a frame to a width, about the middle of another one. */
+BookletFrame widen(BookletFrame frame, double width, const BookletFrame& other)
 {
-    frame.lowest = glm::min(frame.lowest, other.lowest);
-    frame.highest = glm::max(frame.highest, other.highest);
-    return frame;
-}
-
-/** Widen a frame about its middle. */
-BookletFrame widen(BookletFrame frame, double width)
-{
-    const double more = 0.5 * (width - frame.getSize().x);
-    frame.lowest.x -= more;
-    frame.highest.x += more;
+    const double middle = 0.5 * (other.lowest.x + other.highest.x);
+    frame.lowest.x = middle - 0.5 * width;
+    frame.highest.x = middle + 0.5 * width;
     return frame;
 }
 
@@ -66,28 +56,6 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     const glm::ivec2 size = glm::max(glm::ivec2(glm::ceil(frame.getSize() * pixels - 1e-6)), glm::ivec2(1));
     frame.highest = frame.lowest + glm::dvec2(size) / pixels;
     return size;
-}
-
-/** Move the tails of arrows apart, to one height, so that their letters are beside no other arrow. */
-void spread(std::vector<BookletArrow>& arrows)
-{
-    std::vector<std::size_t> order(arrows.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return arrows[a].tip.x < arrows[b].tip.x; });
-    double highest = std::numeric_limits<double>::lowest();
-    for (const BookletArrow& arrow : arrows)
-        highest = std::max(highest, arrow.tail.y);
-    double shift = 0.0;
-    for (std::size_t place = 0; place < order.size(); ++place)
-    {
-        BookletArrow& arrow = arrows[order[place]];
-        arrow.tail.y = highest;
-        if (place > 0) arrow.tail.x = std::max(arrow.tail.x, arrows[order[place - 1]].tail.x + LETTER_SPACE);
-        shift += (arrow.tail.x - arrow.tip.x) / static_cast<double>(arrows.size());
-    }
-    for (BookletArrow& arrow : arrows)
-        arrow.tail.x -= shift; // to both sides
 }
 
 /** A file format, and its quality for OpenImageIO. */
@@ -174,71 +142,75 @@ bool BookletPictures::isOnPlate(const BookletChapter& chapter) const
 BookletFrame BookletPictures::findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const
 {
     const BookletFrame frame = camera.findFrame(*chapter.model);
-    return isOnPlate(chapter) ? unite(frame, camera.findFrame(*_plate)) : frame;
+    return isOnPlate(chapter) ? frame.unite(camera.findFrame(*_plate)) : frame;
 }
 
-/** The part of the picture that a step needs: as high as the parts in place and the arrows, and as wide as the finished
- * model, so that the model stays where it is from step to step. */
-BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const BookletStep& step,
-                                        const BookletCamera& camera) const
+/** The part of the picture with the parts in place: as wide as the finished model, so that the model stays where it is
+ * from step to step. */
+BookletFrame BookletPictures::findPlacedFrame(const BookletChapter& chapter, const BookletStep& step,
+                                              const BookletCamera& camera) const
 {
     std::vector<Part> placed;
     for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
         placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
     const BookletFrame whole = findWholeFrame(chapter, camera);
     BookletFrame frame = camera.findFrame(placed);
-    if (isOnPlate(chapter)) frame = unite(frame, camera.findFrame(*_plate));
+    if (isOnPlate(chapter)) frame = frame.unite(camera.findFrame(*_plate));
     frame.lowest.x = whole.lowest.x;
     frame.highest.x = whole.highest.x;
-    for (const BookletArrow& arrow : findArrows(chapter, step, camera))
-    {
-        frame.lowest = glm::min(frame.lowest, arrow.tail);
-        const double letter = step.submodels.size() > 1 ? LETTER_SPACE : 0.0;
-        frame.highest = glm::max(frame.highest, arrow.tail + glm::dvec2(letter, 0.0));
-    }
-    return addMargin(frame);
+    return frame;
+}
+
+/** The part of the picture that a step needs, with its arrows, and with the model in its middle. */
+BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const BookletStep& step,
+                                        const BookletCamera& camera) const
+{
+    const BookletFrame placed = findPlacedFrame(chapter, step, camera);
+    const std::optional<BookletFrame>& arrows = findArrows(chapter, step, camera).getFrame();
+    if (!arrows) return addMargin(placed);
+    const BookletFrame frame = placed.unite(*arrows);
+    const double beside = std::max(placed.lowest.x - frame.lowest.x, frame.highest.x - placed.highest.x);
+    return addMargin(widen(frame, placed.getSize().x + 2.0 * beside, placed));
 }
 
 /** The new parts of a step that others hide, as indices into the parts of the chapter's model. */
-const std::vector<std::uint32_t>& BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
-                                                              const BookletCamera& camera) const
+std::vector<std::uint32_t> BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                       const BookletCamera& camera)
 {
-    const auto [known, isNew] = _hidden.try_emplace(&step);
-    if (!isNew) return known->second;
     const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
-    known->second =
-        findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
-    return known->second;
+    return findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
 }
 
 /** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the picture.
  */
-std::vector<BookletArrow> BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
-                                                      const BookletCamera& camera) const
+const ArrowPlacement& BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                                  const BookletCamera& camera) const
 {
-    std::vector<BookletArrow> arrows;
+    if (const auto known = _arrows.find(&step); known != _arrows.end()) return known->second;
+    const BookletFrame area = findPlacedFrame(chapter, step, camera);
+    const double width = std::max(ARROW_WIDTH, ARROW_SHARE * area.getSize().x);
+    const auto frameOf = [&camera](const Part& part) { return camera.findFrame(std::span(&part, 1)); };
+    std::vector<ArrowTarget> targets;
+    std::vector<BookletFrame> shown;
     for (const std::size_t submodel : step.submodels)
     {
-        const BookletFrame frame = camera.findFrame(_model.getChapters()[submodel].model->getParts());
-        BookletArrow arrow;
-        arrow.width = ARROW_WIDTH;
-        arrow.tip.x = arrow.tail.x = 0.5 * (frame.lowest.x + frame.highest.x);
-        arrow.tip.y = frame.highest.y + ARROW_WIDTH;
-        arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
-        arrows.push_back(arrow);
+        const BookletChapter& own = _model.getChapters()[submodel];
+        const BookletFrame frame = camera.findFrame(own.model->getParts());
+        targets.push_back({{0.5 * (frame.lowest.x + frame.highest.x), frame.highest.y + width},
+                           step.hasLetters() ? own.letter.size() : 0});
+        std::transform(own.model->getParts().begin(), own.model->getParts().end(), std::back_inserter(shown), frameOf);
     }
-    if (arrows.size() > 1) spread(arrows);
-    for (const std::uint32_t part : findHidden(chapter, step, camera))
+    const std::vector<std::uint32_t> hidden = findHidden(chapter, step, camera);
+    const auto placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
+    for (const std::uint32_t part : placed.last(step.numNew).first(step.numDirect))
     {
-        const Part& hidden = chapter.model->getParts()[part];
-        const BookletFrame frame = camera.findFrame(std::span(&hidden, 1));
-        BookletArrow arrow;
-        arrow.width = ARROW_WIDTH;
-        arrow.tip = 0.5 * (frame.lowest + frame.highest);
-        arrow.tail = arrow.tip + glm::dvec2(0.0, ARROW_LENGTH);
-        arrows.push_back(arrow);
+        const BookletFrame frame = frameOf(chapter.model->getParts()[part]);
+        if (std::find(hidden.begin(), hidden.end(), part) == hidden.end())
+            shown.push_back(frame);
+        else
+            targets.push_back({0.5 * (frame.lowest + frame.highest)});
     }
-    return arrows;
+    return _arrows.try_emplace(&step, targets, width, area, shown).first->second;
 }
 
 BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter) const
@@ -362,7 +334,8 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
 
     const BookletCamera camera = createCamera(own, shown);
     const double pixels = _scales[chapter].pixels;
-    BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
+    BookletFrame frame = findFrame(own, shown, camera);
+    frame = widen(frame, _scales[chapter].size.x, frame);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
@@ -371,8 +344,9 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
-    for (const BookletArrow& arrow : findArrows(own, shown, camera))
-        picture.arrows.push_back({toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels});
+    for (const BookletArrow& arrow : findArrows(own, shown, camera).getArrows())
+        picture.arrows.push_back(
+            {toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels, toPixels(arrow.letter)});
     return picture;
 }
 

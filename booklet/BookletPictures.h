@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ArrowPlacement.h"
 #include "BookletCamera.h"
 #include "BookletModel.h"
 #include "BookletPicture.h"
@@ -41,11 +42,13 @@ private:
 
     bool isOnPlate(const BookletChapter& chapter) const;
     BookletFrame findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const;
+    BookletFrame findPlacedFrame(const BookletChapter& chapter, const BookletStep& step,
+                                 const BookletCamera& camera) const;
     BookletFrame findFrame(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera) const;
-    std::vector<BookletArrow> findArrows(const BookletChapter& chapter, const BookletStep& step,
-                                         const BookletCamera& camera) const;
-    const std::vector<std::uint32_t>& findHidden(const BookletChapter& chapter, const BookletStep& step,
-                                                 const BookletCamera& camera) const;
+    const ArrowPlacement& findArrows(const BookletChapter& chapter, const BookletStep& step,
+                                     const BookletCamera& camera) const;
+    static std::vector<std::uint32_t> findHidden(const BookletChapter& chapter, const BookletStep& step,
+                                                 const BookletCamera& camera);
     Scale findScale(const BookletChapter& chapter) const;
     BookletCamera createCamera(const BookletChapter& chapter, const BookletStep& step) const;
     void show(std::size_t chapter);
@@ -64,9 +67,9 @@ private:
     const BookletModel& _model;
     BookletRenderer& _renderer;
     BuildingView _front;
-    osg::ref_ptr<const BrickModel> _plate;                                    // null without a base plate
-    osg::ref_ptr<const BrickModel> _fadedPlate;                               // likewise
-    mutable std::map<const BookletStep*, std::vector<std::uint32_t>> _hidden; // parts of steps that are known
+    osg::ref_ptr<const BrickModel> _plate;                        // null without a base plate
+    osg::ref_ptr<const BrickModel> _fadedPlate;                   // likewise
+    mutable std::map<const BookletStep*, ArrowPlacement> _arrows; // of steps that are known
     std::vector<Scale> _scales;
     std::size_t _shown;                      // the chapter that the renderer shows
     std::optional<BookletPicture> _finished; // the model

@@ -359,7 +359,7 @@ void BookletSteps::writeFrame(std::size_t chapter, const BookletStep& step, cons
         picture.width / picture.density, width);
     _markup.writeImage(picture, describeStep(_model.getChapters()[chapter], step));
     std::vector<std::string> letters;
-    if (step.submodels.size() > 1)
+    if (step.hasLetters())
         for (const std::size_t submodel : step.submodels)
             letters.push_back(_model.getChapters()[submodel].letter);
     _markup.writeArrows(picture, letters);

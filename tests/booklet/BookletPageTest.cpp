@@ -37,7 +37,7 @@ public:
         for (std::size_t index = 0; index < _model.getChapters()[chapter].steps[step].submodels.size(); ++index)
         {
             const double x = 100.0 * static_cast<double>(index + 1);
-            picture.arrows.push_back({{x, 10.0}, {x, 70.0}, 10.0});
+            picture.arrows.push_back({{x, 40.0}, {x, 100.0}, 10.0, {x, 35.0}});
         }
         return picture;
     }
@@ -134,8 +134,8 @@ TEST(BookletPage, ShowsEqualSubmodelsOfAStepOnceWithTheirNumber)
     EXPECT_NE(html.find("alt=\"Step 2 of 3: adds 2 submodels A\""), std::string::npos);
     EXPECT_EQ(html.find("id=\"submodel-c\""), std::string::npos);
     const std::string arrows = html.substr(html.find("adds 2 submodels A"));
-    EXPECT_NE(arrows.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
-    EXPECT_NE(arrows.find("<text x=\"210\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
+    EXPECT_NE(arrows.find("<text x=\"100\" y=\"35\" font-size=\"30\">A</text>"), std::string::npos);
+    EXPECT_NE(arrows.find("<text x=\"200\" y=\"35\" font-size=\"30\">A</text>"), std::string::npos);
 }
 
 TEST(BookletPage, ShowsTheStepsOfSubmodelsOfManyPartsBeforeTheStepThatAttachesThem)
@@ -362,11 +362,11 @@ TEST(BookletPage, DrawsAnArrowToEachSubmodelWithItsLetterIfThereAreSeveral)
     const auto arrowsOf = [](const std::string& html) { return html.substr(html.find("alt=\"Step 2 of 3")); };
     const std::string one = arrowsOf(write(createTower()));
     // A shaft as wide as the arrow and a head of three widths: from the tail at the top to the tip below.
-    EXPECT_NE(one.find("<path d=\"M95 10L95 50L85 50L100 70L115 50L105 50L105 10Z\"/></svg>"), std::string::npos)
+    EXPECT_NE(one.find("<path d=\"M95 40L95 80L85 80L100 100L115 80L105 80L105 40Z\"/></svg>"), std::string::npos)
         << one;
     const std::string two = arrowsOf(write(createTower({.hasTwoSubmodels = true})));
-    const auto first = two.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>");
-    const auto second = two.find("<text x=\"210\" y=\"30\" font-size=\"30\">B</text>");
+    const auto first = two.find("<text x=\"100\" y=\"35\" font-size=\"30\">A</text>");
+    const auto second = two.find("<text x=\"200\" y=\"35\" font-size=\"30\">B</text>");
     EXPECT_LT(first, second) << two;
     EXPECT_NE(second, std::string::npos) << two;
 }

@@ -128,10 +128,16 @@ TEST_F(BookletPicturesTest, ArrowsAndTheirLettersAreApart)
         tails.push_back(arrow.tail.x);
     std::sort(tails.begin(), tails.end());
     const double width = picture.arrows[0].width;
-    // A letter is as wide as three shafts at most, beside the shaft of its arrow, whose head is as wide.
+    // A letter is as wide as three shafts at most, and so is the head of an arrow.
     for (const std::size_t tail : {1, 2})
-        EXPECT_GT(tails[tail] - tails[tail - 1], 5.0 * width);
-    EXPECT_LT(tails.back() + 4.0 * width, picture.width) << "the last letter is in the picture";
+        EXPECT_GT(tails[tail] - tails[tail - 1], 3.0 * width);
+    for (const BookletArrow& arrow : picture.arrows)
+    {
+        EXPECT_LT(arrow.letter.y, arrow.tail.y) << "above the arrow";
+        EXPECT_GT(arrow.letter.y - 2.25 * width, 0.0) << "a capital letter is three quarters of its font high";
+        EXPECT_GT(arrow.letter.x - 1.5 * width, 0.0);
+        EXPECT_LT(arrow.letter.x + 1.5 * width, picture.width);
+    }
 }
 
 TEST_F(BookletPicturesTest, StepsOfAChapterAreAsWideAsItsWidestView)
