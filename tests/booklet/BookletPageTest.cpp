@@ -315,6 +315,69 @@ TEST(BookletPage, LongListsAreSmaller)
     EXPECT_GT(scaleOf("submodel-a"), 0.3);
 }
 
+TEST(BookletPage, ListsThatDoNotFitOnASheetAreDividedAndKeepTheirScale)
+{
+    // A brick on which a submodel of 180 kinds is attached, and 60 other kinds.
+    std::vector<Part> parts;
+    std::vector<BuildingStep> steps;
+    Submodel submodel;
+    for (std::uint32_t part = 0; part < 240; ++part)
+    {
+        const auto shade = static_cast<std::uint8_t>(part);
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, {shade, 0, 0}, Part::NO_CODE});
+        std::vector<BuildingStep>& own = part < 60 ? steps : submodel.steps;
+        if (part % 6 == 0) own.emplace_back();
+        own.back().parts.push_back(part);
+    }
+    steps.push_back(createStep({}, {0}));
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 240}, 1.2), parts);
+    const auto plan = BuildingPlan::create(240, steps, {submodel});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    const auto countItems = [&html](const std::string& begin, const std::string& end)
+    {
+        std::size_t number = 0;
+        std::size_t numLists = 0;
+        for (std::size_t place = 0; (place = html.find(begin, place)) != std::string::npos; ++numLists)
+        {
+            const std::size_t last = html.find(end, place);
+            EXPECT_GE(std::stod(html.substr(html.find("--scale:", place) + 8)), 0.75) << "letters of 2 mm";
+            for (; (place = html.find("<li>", place)) < last; ++place)
+                ++number;
+            place = last;
+        }
+        EXPECT_GT(numLists, 2u) << begin;
+        return number;
+    };
+    EXPECT_EQ(countItems("<section class=\"submodel", "</section>"), 180u);
+    EXPECT_EQ(countItems("<header class=\"bag", "</header>"), 240u);
+    EXPECT_NE(toVisibleText(html).find("More parts of A"), std::string::npos);
+}
+
+TEST(BookletPage, ManyNamesOfColoursAreHigherAndStillLarge)
+{
+    // Fifty similar colours in one step, and a red and a blue part in another one.
+    std::vector<Part> parts;
+    std::vector<BuildingStep> steps(2);
+    for (std::uint32_t part = 0; part < 52; ++part)
+    {
+        const auto shade = static_cast<std::uint8_t>(part);
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, {shade, shade, 90}, Part::NO_CODE});
+        if (part >= 50) parts.back().color = {255, static_cast<std::uint8_t>(255 * (part % 2)), 0};
+        steps[part < 50 ? 0 : 1].parts.push_back(part);
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 52}, 1.2), parts);
+    const std::string html = write({*bricks, *BuildingPlan::create(52, steps), Palette::getKnownColors()});
+    const auto findNumber = [&html](const std::string& name, std::size_t place)
+    { return std::stod(html.substr(html.find(name, place) + name.size())); };
+    const std::size_t first = html.find("class=\"last-line\"");
+    const std::size_t second = html.find("class=\"last-line\"", first + 1);
+    // Each "#00005a" and its swatch take 14 mm, so that six are in a line of 93 mm, which is 2.1 mm high.
+    EXPECT_GT(findNumber("--more:", first), 2.1 * 8 - 5.0);
+    EXPECT_LT(findNumber("--more:", first), 2.5 * 10 - 5.0);
+    EXPECT_GE(2.4 * findNumber("--scale:", first), 2.0);
+    EXPECT_EQ(findNumber("--more:", second), 0.0);
+}
+
 TEST(BookletPage, SubmodelsOfMoreThan200PartsHaveNoListButThoseOfBags)
 {
     std::vector<Part> parts;
