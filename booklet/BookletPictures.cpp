@@ -23,31 +23,22 @@ namespace osgLego
 namespace
 {
 
-constexpr double DENSITY = 1.5;          // pixels of pictures per pixel of CSS
-constexpr double LARGEST_WIDTH = 1200;   // pixels
-constexpr double LARGEST_HEIGHT = 1050;  // pixels
-constexpr double LARGEST_PITCH = 90;     // pixels; larger bricks would look odd beside those of the parts lists
-constexpr double PART_DENSITY = 2.0;     // pictures of parts are small, and printed as large
-constexpr double PART_PITCH = 20.0;      // pixels of CSS
-constexpr double LARGEST_PLATE = 333;    // pixels of the width of a base plate in lists
-constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
-constexpr double LARGEST_SUBMODEL = 600; // pixels along each side of a submodel in lists
-constexpr double ARROW_WIDTH = 0.45;     // pitches, of the shafts of arrows
-constexpr double ARROW_SHARE = 1.0 / 90; // likewise, at least, of the width of the picture: letters must be readable
+constexpr double DENSITY = 1.5;               // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1200;        // pixels
+constexpr double LARGEST_HEIGHT = 1050;       // pixels
+constexpr double LARGEST_PITCH = 90;          // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 2.0;          // pictures of parts are small, and printed as large
+constexpr double PART_PITCH = 20.0;           // pixels of CSS
+constexpr double LARGEST_PLATE = 333;         // pixels of the width of a base plate in lists
+constexpr double MARGIN = 0.15;               // pitches around a model, for outlines and rounding
+constexpr double LARGEST_SUBMODEL = 600;      // pixels along each side of a submodel in lists
+constexpr double FADING = 2.5;                // pitches at the lower edge of pictures that are cut there
+constexpr glm::dvec2 LARGEST_PLACE{360, 210}; // pixels of the model in headers
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
 BookletFrame addMargin(const BookletFrame& frame)
 {
     return frame.addMargin(MARGIN);
-}
-
-/** Widen a frame to a width, about the middle of another one. */
-BookletFrame widen(BookletFrame frame, double width, const BookletFrame& other)
-{
-    const double middle = 0.5 * (other.lowest.x + other.highest.x);
-    frame.lowest.x = middle - 0.5 * width;
-    frame.highest.x = middle + 0.5 * width;
-    return frame;
 }
 
 /** Round the size of a frame up to whole pixels. */
@@ -104,6 +95,21 @@ osg::ref_ptr<const BuildingPlan> createPlanOfOnePart()
     return BuildingPlan::create(1, std::move(steps));
 }
 
+/** Let the lowest rows of a picture become white, to show that it goes on there. */
+void fadeBottom(osg::Image& image, int numRows)
+{
+    constexpr int WHITE = 255;
+    for (int row = 0; row < std::min(numRows, image.t()); ++row)
+        for (unsigned char* byte = image.data(0, row); byte != image.data(0, row) + 3 * image.s(); ++byte)
+            *byte = static_cast<unsigned char>(WHITE - (WHITE - *byte) * row / numRows);
+}
+
+/** @return null without a base plate. */
+osg::ref_ptr<const BrickModel> createPlate(const BookletModel& model, bool isFaded)
+{
+    return model.getBasePlate() ? model.getBasePlate()->createModel(isFaded) : nullptr;
+}
+
 /** A part of a kind, with its long side to the right, in a separate grid. */
 osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 {
@@ -122,112 +128,14 @@ osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 } // namespace
 
 BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front) :
-    _model(model), _renderer(renderer), _front(front), _shown(NONE)
+    _model(model), _renderer(renderer), _front(front), _plate(createPlate(model, false)),
+    _fadedPlate(createPlate(model, true)), _frames(model, _plate.get(), front), _shown(NONE)
 {
-    if (model.getBasePlate())
-    {
-        _plate = model.getBasePlate()->createModel(false);
-        _fadedPlate = model.getBasePlate()->createModel(true);
-    }
-    for (const BookletChapter& chapter : model.getChapters())
-        _scales.push_back(findScale(chapter));
 }
 
-/** Whether the base plate, if there is one, is below the parts of a chapter: submodels are built beside it. */
-bool BookletPictures::isOnPlate(const BookletChapter& chapter) const
+void BookletPictures::setSection(std::size_t chapter, std::span<const BookletBlock> blocks)
 {
-    return _plate && &chapter == &_model.getMainChapter();
-}
-
-BookletFrame BookletPictures::findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const
-{
-    const BookletFrame frame = camera.findFrame(*chapter.model);
-    return isOnPlate(chapter) ? frame.unite(camera.findFrame(*_plate)) : frame;
-}
-
-/** The part of the picture with the parts in place: as wide as the finished model, so that the model stays where it is
- * from step to step. */
-BookletFrame BookletPictures::findPlacedFrame(const BookletChapter& chapter, const BookletStep& step,
-                                              const BookletCamera& camera) const
-{
-    std::vector<Part> placed;
-    for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
-        placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
-    const BookletFrame whole = findWholeFrame(chapter, camera);
-    BookletFrame frame = camera.findFrame(placed);
-    if (isOnPlate(chapter)) frame = frame.unite(camera.findFrame(*_plate));
-    frame.lowest.x = whole.lowest.x;
-    frame.highest.x = whole.highest.x;
-    return frame;
-}
-
-/** The part of the picture that a step needs, with its arrows, and with the model in its middle. */
-BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const BookletStep& step,
-                                        const BookletCamera& camera) const
-{
-    const BookletFrame placed = findPlacedFrame(chapter, step, camera);
-    const std::optional<BookletFrame>& arrows = findArrows(chapter, step, camera).getFrame();
-    if (!arrows) return addMargin(placed);
-    const BookletFrame frame = placed.unite(*arrows);
-    const double beside = std::max(placed.lowest.x - frame.lowest.x, frame.highest.x - placed.highest.x);
-    return addMargin(widen(frame, placed.getSize().x + 2.0 * beside, placed));
-}
-
-/** The new parts of a step that others hide, as indices into the parts of the chapter's model. */
-std::vector<std::uint32_t> BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
-                                                       const BookletCamera& camera)
-{
-    const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
-    return findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
-}
-
-/** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the picture.
- */
-const ArrowPlacement& BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
-                                                  const BookletCamera& camera) const
-{
-    if (const auto known = _arrows.find(&step); known != _arrows.end()) return known->second;
-    const BookletFrame area = findPlacedFrame(chapter, step, camera);
-    const double width = std::max(ARROW_WIDTH, ARROW_SHARE * area.getSize().x);
-    const auto frameOf = [&camera](const Part& part) { return camera.findFrame(std::span(&part, 1)); };
-    std::vector<ArrowTarget> targets;
-    std::vector<BookletFrame> shown;
-    for (const std::size_t submodel : step.submodels)
-    {
-        const BookletChapter& own = _model.getChapters()[submodel];
-        const BookletFrame frame = camera.findFrame(own.model->getParts());
-        targets.push_back({{0.5 * (frame.lowest.x + frame.highest.x), frame.highest.y + width},
-                           step.hasLetters() ? own.letter.size() : 0});
-        std::transform(own.model->getParts().begin(), own.model->getParts().end(), std::back_inserter(shown), frameOf);
-    }
-    const std::vector<std::uint32_t> hidden = findHidden(chapter, step, camera);
-    const auto placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
-    for (const std::uint32_t part : placed.last(step.numNew).first(step.numDirect))
-    {
-        const BookletFrame frame = frameOf(chapter.model->getParts()[part]);
-        if (std::find(hidden.begin(), hidden.end(), part) == hidden.end())
-            shown.push_back(frame);
-        else
-            targets.push_back({0.5 * (frame.lowest + frame.highest)});
-    }
-    return _arrows.try_emplace(&step, targets, width, area, shown).first->second;
-}
-
-BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter) const
-{
-    Scale scale;
-    for (const BookletStep& step : chapter.steps)
-    {
-        const BookletCamera camera = createCamera(chapter, step);
-        scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
-    }
-    scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
-    return scale;
-}
-
-BookletCamera BookletPictures::createCamera(const BookletChapter& chapter, const BookletStep& step) const
-{
-    return {chapter.model->getGrid(), {step.turns, step.isUpsideDown, _front}};
+    _frames.setSection(chapter, blocks);
 }
 
 void BookletPictures::show(std::size_t chapter)
@@ -277,12 +185,42 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     return *_finished;
 }
 
+BookletPicture BookletPictures::drawPlace(std::size_t chapter, std::span<const BookletBlock> blocks)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    // The parts of the section come last, so that all others are faded.
+    std::vector<BuildingStep> steps(2);
+    std::vector<bool> isMarked(own.model->getParts().size(), false);
+    for (const BookletBlock& block : blocks)
+    {
+        if (block.chapter != chapter || block.isContents) continue;
+        const BookletStep& step = own.steps[block.step];
+        for (const std::uint32_t part : std::span(own.plan->getOrder()).first(step.numPlaced).last(step.numNew))
+            isMarked[part] = true;
+    }
+    for (std::uint32_t part = 0; part < isMarked.size(); ++part)
+        steps[isMarked[part] ? 1 : 0].parts.push_back(part);
+    const std::size_t numMarked = steps[1].parts.size();
+    std::erase_if(steps, [](const BuildingStep& step) { return step.parts.empty(); });
+    _renderer.setModel(*own.model, *BuildingPlan::create(own.model->getParts().size(), std::move(steps)));
+    _shown = NONE;
+    _renderer.setPlaced(own.model->getParts().size(), numMarked);
+    _renderer.setBase(nullptr);
+    _renderer.setFullLook(false);
+    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
+    BookletFrame frame = addMargin(camera.findFrame(*own.model));
+    const glm::dvec2 fitting = LARGEST_PLACE / frame.getSize();
+    const double pixels = std::min(fitting.x, fitting.y);
+    const glm::ivec2 size = roundToPixels(frame, pixels);
+    return encode(*_renderer.drawTransparent(camera, frame, size), DENSITY, pixels);
+}
+
 BookletPictures::Whole BookletPictures::findWhole(std::size_t chapter) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const bool isSubmodel = chapter > 0;
     Whole whole{BookletCamera(own.model->getGrid(), {0, false, _front}), {}};
-    whole.frame = addMargin(findWholeFrame(own, whole.camera));
+    whole.frame = addMargin(_frames.findWhole(own, whole.camera));
     const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
     const glm::dvec2 fitting = largest / whole.frame.getSize();
     whole.pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
@@ -295,7 +233,7 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
+    _renderer.setBase(_frames.isOnPlate(own) ? _plate.get() : nullptr);
     _renderer.setFullLook(chapter == 0);
     const Whole whole = findWhole(chapter);
     return encode(*_renderer.drawTransparent(whole.camera, whole.frame, whole.size),
@@ -309,9 +247,7 @@ glm::dvec2 BookletPictures::measureFinished(std::size_t chapter) const
 
 glm::dvec2 BookletPictures::measureStep(std::size_t chapter, std::size_t step) const
 {
-    const BookletChapter& own = _model.getChapters()[chapter];
-    const BookletStep& shown = own.steps[step];
-    return {_scales[chapter].size.x, findFrame(own, shown, createCamera(own, shown)).getSize().y};
+    return _frames.findFrame(chapter, step).getSize();
 }
 
 bool BookletPictures::showsAllParts(std::size_t chapter)
@@ -329,22 +265,22 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
-    _renderer.setBase(isOnPlate(own) ? _fadedPlate.get() : nullptr);
+    _renderer.setBase(_frames.isOnPlate(own) ? _fadedPlate.get() : nullptr);
     _renderer.setFullLook(false);
 
-    const BookletCamera camera = createCamera(own, shown);
-    const double pixels = _scales[chapter].pixels;
-    BookletFrame frame = findFrame(own, shown, camera);
-    frame = widen(frame, _scales[chapter].size.x, frame);
+    const BookletCamera camera = _frames.createCamera(own, shown);
+    const double pixels = _frames.getScale(chapter).pixels;
+    BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
     NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
         .draw(*image);
+    if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
-    for (const BookletArrow& arrow : findArrows(own, shown, camera).getArrows())
+    for (const BookletArrow& arrow : _frames.findArrows(chapter, step).getArrows())
         picture.arrows.push_back(
             {toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels, toPixels(arrow.letter)});
     return picture;
@@ -352,7 +288,8 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
 
 double BookletPictures::getAspect(std::size_t chapter) const
 {
-    return _scales[chapter].size.x / _scales[chapter].size.y;
+    const glm::dvec2& size = _frames.getScale(chapter).size;
+    return size.x / size.y;
 }
 
 } // namespace osgLego

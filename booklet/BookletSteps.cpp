@@ -32,8 +32,9 @@ std::size_t findMainChapter(std::span<const BookletBlock> blocks)
 BookletSteps::BookletSteps(const BookletModel& model, BookletPictureSource& pictures,
                            const std::function<void(const std::string&)>& progress, BookletMarkup& markup) :
     _model(model),
-    _pictures(pictures), _markup(markup), _similarColors(model), _isWhole(findWhole()), _blocks(model, _isWhole),
-    _bags(createBags(_blocks.getBlocks())), _blockMarkup(model, pictures, progress, markup, _isWhole)
+    _pictures(pictures), _progress(progress), _markup(markup), _similarColors(model), _isWhole(findWhole()),
+    _blocks(model, _isWhole), _bags(createBags(_blocks.getBlocks())),
+    _blockMarkup(model, pictures, progress, markup, _isWhole)
 {
 }
 
@@ -87,6 +88,7 @@ std::vector<BookletBlock> BookletSteps::divide(std::span<const BookletBlock> blo
 /** Write blocks on sheets of their own. @param bag null without one. */
 void BookletSteps::writeSection(std::span<const BookletBlock> undivided, const BookletBag* bag)
 {
+    if (bag) _pictures.setSection(findMainChapter(undivided), undivided);
     const SheetMeasures measures(_model, _pictures, _markup, _isWhole);
     const std::vector<BookletBlock> blocks = divide(undivided, measures);
     std::vector<SheetBlock> sizes;
@@ -99,7 +101,7 @@ void BookletSteps::writeSection(std::span<const BookletBlock> undivided, const B
     for (std::size_t header = 0; header + 1 < headers.size(); ++header)
     {
         _markup.getStream() << "<div class=\"sheet\">\n";
-        writeBag(*bag, headers[header], header > 0);
+        writeBag(*bag, headers[header], header > 0 ? std::span<const BookletBlock>() : undivided);
         _markup.getStream() << "</div>\n";
     }
     const SheetArrangement arrangement(
@@ -109,7 +111,8 @@ void BookletSteps::writeSection(std::span<const BookletBlock> undivided, const B
     for (const Sheet& sheet : arrangement.getSheets())
     {
         _markup.getStream() << "<div class=\"sheet\">\n";
-        if (bag && &sheet == &arrangement.getSheets().front()) writeBag(*bag, headers.back(), headers.size() > 1);
+        if (bag && &sheet == &arrangement.getSheets().front())
+            writeBag(*bag, headers.back(), headers.size() > 1 ? std::span<const BookletBlock>() : undivided);
         writeSheet(blocks, sheet);
         _markup.getStream() << "</div>\n";
     }
@@ -188,10 +191,12 @@ void BookletSteps::addKinds(const BookletBlock& block, std::set<std::size_t>& ki
         if (_model.getChapters()[submodel].isCallout()) add(_model.getChapters()[submodel].items);
 }
 
-/** Write the header of a bag, or the rest of one whose list is too long for one sheet. */
-void BookletSteps::writeBag(const BookletBag& bag, const SheetHeader& header, bool isContinued)
+/** Write the header of a bag, or the rest of one whose list is too long for one sheet.
+ * @param blocks of the bag, to show where they are; none in the rest. */
+void BookletSteps::writeBag(const BookletBag& bag, const SheetHeader& header, std::span<const BookletBlock> blocks)
 {
     const auto number = &bag - _bags.data() + 1;
+    const bool isContinued = blocks.empty();
     const std::string names = isContinued
                                   ? fmt::format(R"( continued" data-of="bag-{}")", number)
                                   : fmt::format(R"(" id="bag-{0}" data-stop="Bag {0} of {1}")", number, _bags.size());
@@ -199,15 +204,26 @@ void BookletSteps::writeBag(const BookletBag& bag, const SheetHeader& header, bo
         isContinued ? "more parts" : countOf(bag.countParts(), "part") + " of " + countOf(bag.items.size(), "kind");
     _markup.getStream() << fmt::format(
         "<header class=\"bag{} style=\"--scale:{:.3f}\">\n<h2>Bag {} <span>of {}</span></h2>"
-        "\n<p>{}</p>\n<ul class=\"callout\">\n",
+        "\n<p>{}</p>\n",
         names, header.scale, number, _bags.size(), count);
+    if (!isContinued)
+    {
+        _progress(fmt::format("bag {} of {}", number, _bags.size()));
+        _markup.getStream() << "<figure class=\"place\">";
+        _markup.writeImage(_pictures.drawPlace(findMainChapter(blocks), blocks), "Where the parts of this bag are");
+        _markup.getStream() << "</figure>\n";
+    }
+    _markup.getStream() << "<ul class=\"callout\">\n";
     _markup.writeItems(header.items);
     _markup.getStream() << "</ul>\n</header>\n";
 }
 
 std::size_t BookletSteps::countPictures(std::size_t first, std::size_t end) const
 {
-    return countPictures(_model.getMainChapter(), first, end);
+    const auto isWritten = [&](const BookletBag& bag)
+    { return !_blocks.select(bag.firstBlock, bag.endBlock, first, end).empty(); };
+    const auto numBags = static_cast<std::size_t>(std::count_if(_bags.begin(), _bags.end(), isWritten));
+    return numBags + countPictures(_model.getMainChapter(), first, end);
 }
 
 std::size_t BookletSteps::countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const

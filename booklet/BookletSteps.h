@@ -42,7 +42,7 @@ private:
     std::vector<BookletBlock> divide(std::span<const BookletBlock> blocks, const SheetMeasures& measures) const;
     void writeSection(std::span<const BookletBlock> undivided, const BookletBag* bag);
     void writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet);
-    void writeBag(const BookletBag& bag, const SheetHeader& header, bool isContinued);
+    void writeBag(const BookletBag& bag, const SheetHeader& header, std::span<const BookletBlock> blocks);
     void addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const;
     std::vector<std::size_t> chooseKinds(std::span<const BookletBlock> blocks) const;
     std::vector<std::string> nameColors(std::span<const BookletBlock> blocks) const;
@@ -50,6 +50,7 @@ private:
 
     const BookletModel& _model;
     BookletPictureSource& _pictures;
+    const std::function<void(const std::string&)>& _progress;
     BookletMarkup& _markup;
     SimilarColors _similarColors;
     std::vector<bool> _isWhole; // whether the finished picture of a chapter shows all its steps

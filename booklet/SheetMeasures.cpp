@@ -37,8 +37,8 @@ constexpr double NOTE_LINE = 4.0;
 constexpr double NOTE_PADDING = 4.0;
 constexpr double NOTE_CHARACTER = 1.6;
 constexpr double CONTENTS_SCALE = 1.5; // of pictures of submodels of many parts, compared with parts
-constexpr double HEADING = 14.0;
-constexpr double LEAST_SCALE = 0.75; // at which the smallest text of a block has 2 mm
+constexpr double HEADING = 17.0;       // of a bag, with the picture of its place
+constexpr double LEAST_SCALE = 0.75;   // at which the smallest text of a block has 2 mm
 constexpr double LEAST_POSSIBLE_SCALE = 0.01;
 
 /** The size of items in rows of some width. */

@@ -72,8 +72,9 @@ def check_policy(text):
 
 
 def check_pictures(page):
-    widths = collections.defaultdict(set)
+    widths, bag = collections.defaultdict(set), ""
     for own in page.elements:
+        bag = own["id"] if own.has_class("bag") and "id" in own else bag
         if own.tag not in ("img", "image"):
             continue
         width, height = size_of(decode(own.get("src") or own["href"]))
@@ -82,10 +83,10 @@ def check_pictures(page):
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
         if own.find_ancestor(lambda other: other.has_class("frame")):
             step = own.find_ancestor(lambda other: other.get("id", "").startswith("step-"))
-            widths[step["id"].rstrip("0123456789")].add(width)
+            widths[step["id"].rstrip("0123456789"), bag].add(width)
     for chapter, found in widths.items():
         if len(found) > 1:
-            fail(f"steps of {chapter} have pictures of different widths: {sorted(found)}")
+            fail(f"steps of {' of '.join(chapter)} have pictures of different widths: {sorted(found)}")
 
 
 def read_quantity(text, where):

@@ -25,6 +25,8 @@ class FakePictures : public BookletPictureSource
 public:
     explicit FakePictures(const BookletModel& model) : _model(model) {}
 
+    void setSection(std::size_t, std::span<const BookletBlock>) override {}
+    BookletPicture drawPlace(std::size_t, std::span<const BookletBlock>) override { return create("place"); }
     BookletPicture drawKind(std::size_t kind) override { return create("kind " + std::to_string(kind)); }
     BookletPicture drawBasePlate() override { return create("plate"); }
     BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
@@ -288,6 +290,9 @@ TEST(BookletPage, ListsThePartsOfBags)
     EXPECT_LT(html.find("id=\"step-10\""), html.find("id=\"bag-2\""));
     EXPECT_LT(html.find("id=\"bag-2\""), html.find("id=\"step-11\""));
     EXPECT_EQ(write(createTower()).find("id=\"bag-1\""), std::string::npos);
+    // "place" in base64: the picture of the model in the header of each bag.
+    EXPECT_NE(html.find("cGxhY2U=", html.find("id=\"bag-1\"")), std::string::npos);
+    EXPECT_NE(html.find("cGxhY2U=", html.find("id=\"bag-2\"")), std::string::npos);
 }
 
 TEST(BookletPage, LongListsAreSmaller)
