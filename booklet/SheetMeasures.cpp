@@ -30,6 +30,7 @@ constexpr glm::dvec2 ITEM_SPACE{2.5, 1.0};
 constexpr glm::dvec2 CALLOUT_PADDING{2.3, 1.9}; // on each side, with the border
 constexpr double BAR = 3.5;                     // beside submodels of many parts
 constexpr double LETTER = 6.0;
+constexpr double LETTER_PADDING = 3.4;    // beside the letters of a box, on both sides
 constexpr double HEADING_CHARACTER = 5.0; // of the letters of a submodel of many parts
 constexpr double MORE_PARTS = 5.0;        // the height of a line above the rest of a list
 constexpr double MULTIPLIER = 7.0;
@@ -129,7 +130,7 @@ glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const double inner = width - 2.0 * CALLOUT_PADDING.x;
-    Sizes sizes{{LETTER, LETTER}};
+    Sizes sizes{{LETTER_PADDING + QUANTITY_WIDTH * static_cast<double>(own.letter.size()), LETTER}};
     if (own.quantity > 1) sizes.push_back({MULTIPLIER, LETTER});
     append(sizes, measureItems(own.items));
     for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)

@@ -3,6 +3,7 @@
 #include "HiddenParts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -53,6 +54,10 @@ void StepFrames::setSection(std::size_t chapter, std::span<const BookletBlock> b
     if (steps.empty()) return;
     _cuts[chapter] = findCuts(chapter, steps);
     _scales[chapter] = findScale(chapter, steps);
+    // Pictures have no more pixels than without a section.
+    const Scale& whole = _scalesOfChapters[chapter];
+    double& pixels = _scales[chapter].pixels;
+    pixels = std::min(pixels, whole.pixels * std::sqrt(whole.size.y / _scales[chapter].size.y));
 }
 
 bool StepFrames::isOnPlate(const BookletChapter& chapter) const
