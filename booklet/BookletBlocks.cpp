@@ -58,6 +58,7 @@ void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<boo
     contents.step = 0;
     contents.quantity *= own.quantity;
     BookletBlock inner = contents;
+    if (own.isListed()) contents.items = own.items;
     if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
     _blocks.push_back(std::move(contents));
     inner.isContents = false;

@@ -18,6 +18,8 @@ struct BookletBlock
     std::size_t mainStep = 0;        //!< the step of the main model that it belongs to
     std::size_t numOpen = 0;         //!< the submodels that have begun, but are not finished, before it
     bool isDivisible = true;         //!< whether a bag may begin with it
+    std::vector<BookletItem> items;  //!< that contents list; none if they are too many
+    bool isContinued = false;        //!< whether the list is the rest of one that is too long for a sheet
     std::vector<BookletItem> placed; //!< the parts that a builder places by it, in all copies
 };
 

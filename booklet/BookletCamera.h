@@ -1,5 +1,7 @@
 #pragma once
 
+#include "BookletFrame.h"
+
 #include <osgLego/BrickGrid.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/Part.h>
@@ -14,15 +16,6 @@
 
 namespace osgLego
 {
-
-/** A rectangle in the plane of a picture, in pitches: x to the right, y upwards. */
-struct BookletFrame
-{
-    glm::dvec2 lowest{0.0};
-    glm::dvec2 highest{0.0};
-
-    glm::dvec2 getSize() const { return highest - lowest; }
-};
 
 /** A direction in which a model is seen, without perspective. */
 struct BookletView

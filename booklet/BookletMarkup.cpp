@@ -6,7 +6,6 @@
 #include <common/MarkupText.h>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 namespace osgLego
 {
@@ -19,15 +18,11 @@ std::string nameSymbol(std::size_t kind)
     return "part-" + std::to_string(kind + 1);
 }
 
-/** An arrow as a path of SVG: a shaft and a head, as wide as three shafts. */
+/** An arrow as a path of SVG. */
 std::string drawArrow(const BookletArrow& arrow)
 {
-    const glm::dvec2 along = glm::normalize(arrow.tip - arrow.tail);
-    const glm::dvec2 across = glm::dvec2(-along.y, along.x) * (0.5 * arrow.width);
-    const glm::dvec2 neck = arrow.tip - along * (2.0 * arrow.width);
     std::string path;
-    for (const glm::dvec2& corner : {arrow.tail + across, neck + across, neck + 3.0 * across, arrow.tip,
-                                     neck - 3.0 * across, neck - across, arrow.tail - across})
+    for (const glm::dvec2& corner : arrow.getCorners())
         path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", corner.x, corner.y);
     return path + "Z";
 }
@@ -88,16 +83,16 @@ void BookletMarkup::writeSwatch(std::size_t kind)
 void BookletMarkup::writeArrows(const BookletPicture& picture, const std::vector<std::string>& letters)
 {
     if (picture.arrows.empty()) return;
-    *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}">)", picture.width,
-                            picture.height);
+    // Half of the line around each is outside of it.
+    *_stream << fmt::format(R"(<svg class="arrows" aria-hidden="true" viewBox="0 0 {} {}" stroke-width="{:.1f}">)",
+                            picture.width, picture.height, 2.0 * BookletArrow::HALO * picture.arrows.front().width);
     for (std::size_t index = 0; index < picture.arrows.size(); ++index)
     {
         const BookletArrow& arrow = picture.arrows[index];
         *_stream << "<path d=\"" << drawArrow(arrow) << "\"/>";
         if (index < letters.size())
-            *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)",
-                                    arrow.tail.x + arrow.width, arrow.tail.y + 2.0 * arrow.width, 3.0 * arrow.width,
-                                    letters[index]);
+            *_stream << fmt::format(R"(<text x="{:.0f}" y="{:.0f}" font-size="{:.0f}">{}</text>)", arrow.letter.x,
+                                    arrow.letter.y, BookletArrow::LETTER_SIZE * arrow.width, letters[index]);
     }
     *_stream << "</svg>";
 }

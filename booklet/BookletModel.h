@@ -44,6 +44,8 @@ struct BookletStep
 
     /** Whether parts fall after this step, other than those that nothing holds anyway. */
     bool falls() const { return !stands && numUnheld == 0; }
+    /** Whether the arrows to its submodels have their letters. */
+    bool hasLetters() const { return submodels.size() > 1; }
 };
 
 /** The steps of the main model, or of a submodel. */

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -23,41 +23,22 @@ namespace osgLego
 namespace
 {
 
-constexpr double DENSITY = 1.5;          // pixels of pictures per pixel of CSS
-constexpr double LARGEST_WIDTH = 1200;   // pixels
-constexpr double LARGEST_HEIGHT = 1050;  // pixels
-constexpr double LARGEST_PITCH = 90;     // pixels; larger bricks would look odd beside those of the parts lists
-constexpr double PART_DENSITY = 2.0;     // pictures of parts are small, and printed as large
-constexpr double PART_PITCH = 20.0;      // pixels of CSS
-constexpr double LARGEST_PLATE = 333;    // pixels of the width of a base plate in lists
-constexpr double MARGIN = 0.15;          // pitches around a model, for outlines and rounding
-constexpr double LARGEST_SUBMODEL = 600; // pixels along each side of a submodel in lists
-constexpr double ARROW_LENGTH = 3.0;     // pitches
-constexpr double ARROW_WIDTH = 0.45;     // pitches
-constexpr double LETTER_SPACE = 3.0;     // pitches between the tails of arrows with letters
+constexpr double DENSITY = 1.5;               // pixels of pictures per pixel of CSS
+constexpr double LARGEST_WIDTH = 1200;        // pixels
+constexpr double LARGEST_HEIGHT = 1050;       // pixels
+constexpr double LARGEST_PITCH = 90;          // pixels; larger bricks would look odd beside those of the parts lists
+constexpr double PART_DENSITY = 2.0;          // pictures of parts are small, and printed as large
+constexpr double PART_PITCH = 20.0;           // pixels of CSS
+constexpr double LARGEST_PLATE = 333;         // pixels of the width of a base plate in lists
+constexpr double MARGIN = 0.15;               // pitches around a model, for outlines and rounding
+constexpr double LARGEST_SUBMODEL = 600;      // pixels along each side of a submodel in lists
+constexpr double FADING = 2.5;                // pitches at the lower edge of pictures that are cut there
+constexpr glm::dvec2 LARGEST_PLACE{360, 210}; // pixels of the model in headers
 constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
-BookletFrame addMargin(BookletFrame frame)
+BookletFrame addMargin(const BookletFrame& frame)
 {
-    frame.lowest -= MARGIN;
-    frame.highest += MARGIN;
-    return frame;
-}
-
-BookletFrame unite(BookletFrame frame, const BookletFrame& other)
-{
-    frame.lowest = glm::min(frame.lowest, other.lowest);
-    frame.highest = glm::max(frame.highest, other.highest);
-    return frame;
-}
-
-/** Widen a frame about its middle. */
-BookletFrame widen(BookletFrame frame, double width)
-{
-    const double more = 0.5 * (width - frame.getSize().x);
-    frame.lowest.x -= more;
-    frame.highest.x += more;
-    return frame;
+    return frame.addMargin(MARGIN);
 }
 
 /** Round the size of a frame up to whole pixels. */
@@ -66,28 +47,6 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     const glm::ivec2 size = glm::max(glm::ivec2(glm::ceil(frame.getSize() * pixels - 1e-6)), glm::ivec2(1));
     frame.highest = frame.lowest + glm::dvec2(size) / pixels;
     return size;
-}
-
-/** Move the tails of arrows apart, to one height, so that their letters are beside no other arrow. */
-void spread(std::vector<BookletArrow>& arrows)
-{
-    std::vector<std::size_t> order(arrows.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return arrows[a].tip.x < arrows[b].tip.x; });
-    double highest = std::numeric_limits<double>::lowest();
-    for (const BookletArrow& arrow : arrows)
-        highest = std::max(highest, arrow.tail.y);
-    double shift = 0.0;
-    for (std::size_t place = 0; place < order.size(); ++place)
-    {
-        BookletArrow& arrow = arrows[order[place]];
-        arrow.tail.y = highest;
-        if (place > 0) arrow.tail.x = std::max(arrow.tail.x, arrows[order[place - 1]].tail.x + LETTER_SPACE);
-        shift += (arrow.tail.x - arrow.tip.x) / static_cast<double>(arrows.size());
-    }
-    for (BookletArrow& arrow : arrows)
-        arrow.tail.x -= shift; // to both sides
 }
 
 /** A file format, and its quality for OpenImageIO. */
@@ -136,6 +95,21 @@ osg::ref_ptr<const BuildingPlan> createPlanOfOnePart()
     return BuildingPlan::create(1, std::move(steps));
 }
 
+/** Let the lowest rows of a picture become white, to show that it goes on there. */
+void fadeBottom(osg::Image& image, int numRows)
+{
+    constexpr int WHITE = 255;
+    for (int row = 0; row < std::min(numRows, image.t()); ++row)
+        for (unsigned char* byte = image.data(0, row); byte != image.data(0, row) + 3 * image.s(); ++byte)
+            *byte = static_cast<unsigned char>(WHITE - (WHITE - *byte) * row / numRows);
+}
+
+/** @return null without a base plate. */
+osg::ref_ptr<const BrickModel> createPlate(const BookletModel& model, bool isFaded)
+{
+    return model.getBasePlate() ? model.getBasePlate()->createModel(isFaded) : nullptr;
+}
+
 /** A part of a kind, with its long side to the right, in a separate grid. */
 osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 {
@@ -154,108 +128,14 @@ osg::ref_ptr<const BrickModel> createModelOfKind(const PartsList::Row& row)
 } // namespace
 
 BookletPictures::BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front) :
-    _model(model), _renderer(renderer), _front(front), _shown(NONE)
+    _model(model), _renderer(renderer), _front(front), _plate(createPlate(model, false)),
+    _fadedPlate(createPlate(model, true)), _frames(model, _plate.get(), front), _shown(NONE)
 {
-    if (model.getBasePlate())
-    {
-        _plate = model.getBasePlate()->createModel(false);
-        _fadedPlate = model.getBasePlate()->createModel(true);
-    }
-    for (const BookletChapter& chapter : model.getChapters())
-        _scales.push_back(findScale(chapter));
 }
 
-/** Whether the base plate, if there is one, is below the parts of a chapter: submodels are built beside it. */
-bool BookletPictures::isOnPlate(const BookletChapter& chapter) const
+void BookletPictures::setSection(std::size_t chapter, std::span<const BookletBlock> blocks)
 {
-    return _plate && &chapter == &_model.getMainChapter();
-}
-
-BookletFrame BookletPictures::findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const
-{
-    const BookletFrame frame = camera.findFrame(*chapter.model);
-    return isOnPlate(chapter) ? unite(frame, camera.findFrame(*_plate)) : frame;
-}
-
-/** The part of the picture that a step needs: as high as the parts in place and the arrows, and as wide as the finished
- * model, so that the model stays where it is from step to step. */
-BookletFrame BookletPictures::findFrame(const BookletChapter& chapter, const BookletStep& step,
-                                        const BookletCamera& camera) const
-{
-    std::vector<Part> placed;
-    for (std::size_t rank = 0; rank < step.numPlaced; ++rank)
-        placed.push_back(chapter.model->getParts()[chapter.plan->getOrder()[rank]]);
-    const BookletFrame whole = findWholeFrame(chapter, camera);
-    BookletFrame frame = camera.findFrame(placed);
-    if (isOnPlate(chapter)) frame = unite(frame, camera.findFrame(*_plate));
-    frame.lowest.x = whole.lowest.x;
-    frame.highest.x = whole.highest.x;
-    for (const BookletArrow& arrow : findArrows(chapter, step, camera))
-    {
-        frame.lowest = glm::min(frame.lowest, arrow.tail);
-        const double letter = step.submodels.size() > 1 ? LETTER_SPACE : 0.0;
-        frame.highest = glm::max(frame.highest, arrow.tail + glm::dvec2(letter, 0.0));
-    }
-    return addMargin(frame);
-}
-
-/** The new parts of a step that others hide, as indices into the parts of the chapter's model. */
-const std::vector<std::uint32_t>& BookletPictures::findHidden(const BookletChapter& chapter, const BookletStep& step,
-                                                              const BookletCamera& camera) const
-{
-    const auto [known, isNew] = _hidden.try_emplace(&step);
-    if (!isNew) return known->second;
-    const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
-    known->second =
-        findHiddenParts(*chapter.model, placed, placed.last(step.numNew).first(step.numDirect), camera.getToEye());
-    return known->second;
-}
-
-/** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the picture.
- */
-std::vector<BookletArrow> BookletPictures::findArrows(const BookletChapter& chapter, const BookletStep& step,
-                                                      const BookletCamera& camera) const
-{
-    std::vector<BookletArrow> arrows;
-    for (const std::size_t submodel : step.submodels)
-    {
-        const BookletFrame frame = camera.findFrame(_model.getChapters()[submodel].model->getParts());
-        BookletArrow arrow;
-        arrow.width = ARROW_WIDTH;
-        arrow.tip.x = arrow.tail.x = 0.5 * (frame.lowest.x + frame.highest.x);
-        arrow.tip.y = frame.highest.y + ARROW_WIDTH;
-        arrow.tail.y = arrow.tip.y + ARROW_LENGTH;
-        arrows.push_back(arrow);
-    }
-    if (arrows.size() > 1) spread(arrows);
-    for (const std::uint32_t part : findHidden(chapter, step, camera))
-    {
-        const Part& hidden = chapter.model->getParts()[part];
-        const BookletFrame frame = camera.findFrame(std::span(&hidden, 1));
-        BookletArrow arrow;
-        arrow.width = ARROW_WIDTH;
-        arrow.tip = 0.5 * (frame.lowest + frame.highest);
-        arrow.tail = arrow.tip + glm::dvec2(0.0, ARROW_LENGTH);
-        arrows.push_back(arrow);
-    }
-    return arrows;
-}
-
-BookletPictures::Scale BookletPictures::findScale(const BookletChapter& chapter) const
-{
-    Scale scale;
-    for (const BookletStep& step : chapter.steps)
-    {
-        const BookletCamera camera = createCamera(chapter, step);
-        scale.size = glm::max(scale.size, findFrame(chapter, step, camera).getSize());
-    }
-    scale.pixels = std::min({LARGEST_WIDTH / scale.size.x, LARGEST_HEIGHT / scale.size.y, LARGEST_PITCH});
-    return scale;
-}
-
-BookletCamera BookletPictures::createCamera(const BookletChapter& chapter, const BookletStep& step) const
-{
-    return {chapter.model->getGrid(), {step.turns, step.isUpsideDown, _front}};
+    _frames.setSection(chapter, blocks);
 }
 
 void BookletPictures::show(std::size_t chapter)
@@ -305,12 +185,42 @@ BookletPicture BookletPictures::drawFinished(std::size_t chapter)
     return *_finished;
 }
 
+BookletPicture BookletPictures::drawPlace(std::size_t chapter, std::span<const BookletBlock> blocks)
+{
+    const BookletChapter& own = _model.getChapters()[chapter];
+    // The parts of the section come last, so that all others are faded.
+    std::vector<BuildingStep> steps(2);
+    std::vector<bool> isMarked(own.model->getParts().size(), false);
+    for (const BookletBlock& block : blocks)
+    {
+        if (block.chapter != chapter || block.isContents) continue;
+        const BookletStep& step = own.steps[block.step];
+        for (const std::uint32_t part : std::span(own.plan->getOrder()).first(step.numPlaced).last(step.numNew))
+            isMarked[part] = true;
+    }
+    for (std::uint32_t part = 0; part < isMarked.size(); ++part)
+        steps[isMarked[part] ? 1 : 0].parts.push_back(part);
+    const std::size_t numMarked = steps[1].parts.size();
+    std::erase_if(steps, [](const BuildingStep& step) { return step.parts.empty(); });
+    _renderer.setModel(*own.model, *BuildingPlan::create(own.model->getParts().size(), std::move(steps)));
+    _shown = NONE;
+    _renderer.setPlaced(own.model->getParts().size(), numMarked);
+    _renderer.setBase(nullptr);
+    _renderer.setFullLook(false);
+    const BookletCamera camera(own.model->getGrid(), {0, false, _front});
+    BookletFrame frame = addMargin(camera.findFrame(*own.model));
+    const glm::dvec2 fitting = LARGEST_PLACE / frame.getSize();
+    const double pixels = std::min(fitting.x, fitting.y);
+    const glm::ivec2 size = roundToPixels(frame, pixels);
+    return encode(*_renderer.drawTransparent(camera, frame, size), DENSITY, pixels);
+}
+
 BookletPictures::Whole BookletPictures::findWhole(std::size_t chapter) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const bool isSubmodel = chapter > 0;
     Whole whole{BookletCamera(own.model->getGrid(), {0, false, _front}), {}};
-    whole.frame = addMargin(findWholeFrame(own, whole.camera));
+    whole.frame = addMargin(_frames.findWhole(own, whole.camera));
     const glm::dvec2 largest = isSubmodel ? glm::dvec2(LARGEST_SUBMODEL) : glm::dvec2(LARGEST_WIDTH, LARGEST_HEIGHT);
     const glm::dvec2 fitting = largest / whole.frame.getSize();
     whole.pixels = std::min({fitting.x, fitting.y, isSubmodel ? PART_PITCH * PART_DENSITY : LARGEST_PITCH});
@@ -323,7 +233,7 @@ BookletPicture BookletPictures::drawWhole(std::size_t chapter)
     show(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
     _renderer.setPlaced(own.model->getParts().size(), 0);
-    _renderer.setBase(isOnPlate(own) ? _plate.get() : nullptr);
+    _renderer.setBase(_frames.isOnPlate(own) ? _plate.get() : nullptr);
     _renderer.setFullLook(chapter == 0);
     const Whole whole = findWhole(chapter);
     return encode(*_renderer.drawTransparent(whole.camera, whole.frame, whole.size),
@@ -337,9 +247,7 @@ glm::dvec2 BookletPictures::measureFinished(std::size_t chapter) const
 
 glm::dvec2 BookletPictures::measureStep(std::size_t chapter, std::size_t step) const
 {
-    const BookletChapter& own = _model.getChapters()[chapter];
-    const BookletStep& shown = own.steps[step];
-    return {_scales[chapter].size.x, findFrame(own, shown, createCamera(own, shown)).getSize().y};
+    return _frames.findFrame(chapter, step).getSize();
 }
 
 bool BookletPictures::showsAllParts(std::size_t chapter)
@@ -357,28 +265,31 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
-    _renderer.setBase(isOnPlate(own) ? _fadedPlate.get() : nullptr);
+    _renderer.setBase(_frames.isOnPlate(own) ? _fadedPlate.get() : nullptr);
     _renderer.setFullLook(false);
 
-    const BookletCamera camera = createCamera(own, shown);
-    const double pixels = _scales[chapter].pixels;
-    BookletFrame frame = widen(findFrame(own, shown, camera), _scales[chapter].size.x);
+    const BookletCamera camera = _frames.createCamera(own, shown);
+    const double pixels = _frames.getScale(chapter).pixels;
+    BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
     NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
         .draw(*image);
+    if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)
     { return glm::dvec2(place.x - frame.lowest.x, frame.highest.y - place.y) * pixels; };
-    for (const BookletArrow& arrow : findArrows(own, shown, camera))
-        picture.arrows.push_back({toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels});
+    for (const BookletArrow& arrow : _frames.findArrows(chapter, step).getArrows())
+        picture.arrows.push_back(
+            {toPixels(arrow.tail), toPixels(arrow.tip), arrow.width * pixels, toPixels(arrow.letter)});
     return picture;
 }
 
 double BookletPictures::getAspect(std::size_t chapter) const
 {
-    return _scales[chapter].size.x / _scales[chapter].size.y;
+    const glm::dvec2& size = _frames.getScale(chapter).size;
+    return size.x / size.y;
 }
 
 } // namespace osgLego

@@ -4,12 +4,11 @@
 #include "BookletModel.h"
 #include "BookletPicture.h"
 #include "BookletRenderer.h"
+#include "StepFrames.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace osgLego
 {
@@ -22,9 +21,11 @@ public:
      * @param front the view of the finished model, and of steps without turns. */
     BookletPictures(const BookletModel& model, BookletRenderer& renderer, const BuildingView& front = {});
 
+    void setSection(std::size_t chapter, std::span<const BookletBlock> blocks) override;
     BookletPicture drawKind(std::size_t kind) override;
     BookletPicture drawBasePlate() override;
     BookletPicture drawFinished(std::size_t chapter) override;
+    BookletPicture drawPlace(std::size_t chapter, std::span<const BookletBlock> blocks) override;
     glm::dvec2 measureFinished(std::size_t chapter) const override;
     glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const override;
     bool showsAllParts(std::size_t chapter) override;
@@ -32,22 +33,6 @@ public:
     double getAspect(std::size_t chapter) const override;
 
 private:
-    /** The pictures of a chapter: their scale, and their size in pitches. */
-    struct Scale
-    {
-        double pixels = 0.0; //!< per pitch
-        glm::dvec2 size{0.0};
-    };
-
-    bool isOnPlate(const BookletChapter& chapter) const;
-    BookletFrame findWholeFrame(const BookletChapter& chapter, const BookletCamera& camera) const;
-    BookletFrame findFrame(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera) const;
-    std::vector<BookletArrow> findArrows(const BookletChapter& chapter, const BookletStep& step,
-                                         const BookletCamera& camera) const;
-    const std::vector<std::uint32_t>& findHidden(const BookletChapter& chapter, const BookletStep& step,
-                                                 const BookletCamera& camera) const;
-    Scale findScale(const BookletChapter& chapter) const;
-    BookletCamera createCamera(const BookletChapter& chapter, const BookletStep& step) const;
     void show(std::size_t chapter);
     /** How the finished model or a submodel is drawn. */
     struct Whole
@@ -64,10 +49,9 @@ private:
     const BookletModel& _model;
     BookletRenderer& _renderer;
     BuildingView _front;
-    osg::ref_ptr<const BrickModel> _plate;                                    // null without a base plate
-    osg::ref_ptr<const BrickModel> _fadedPlate;                               // likewise
-    mutable std::map<const BookletStep*, std::vector<std::uint32_t>> _hidden; // parts of steps that are known
-    std::vector<Scale> _scales;
+    osg::ref_ptr<const BrickModel> _plate;      // null without a base plate
+    osg::ref_ptr<const BrickModel> _fadedPlate; // likewise
+    StepFrames _frames;
     std::size_t _shown;                      // the chapter that the renderer shows
     std::optional<BookletPicture> _finished; // the model
 };

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "BookletBags.h"
+#include "BookletBlockMarkup.h"
 #include "BookletBlocks.h"
 #include "BookletMarkup.h"
 #include "BookletModel.h"
 #include "BookletPicture.h"
 #include "SheetArrangement.h"
+#include "SheetMeasures.h"
 #include "SimilarColors.h"
 
 #include <cstddef>
@@ -14,8 +16,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 namespace osgLego
 {
@@ -39,27 +39,14 @@ public:
 private:
     std::size_t countPictures(const BookletChapter& chapter, std::size_t first, std::size_t end) const;
     std::vector<bool> findWhole() const;
-    void writeSection(std::span<const BookletBlock> blocks, const BookletBag* bag);
+    std::vector<BookletBlock> divide(std::span<const BookletBlock> blocks, const SheetMeasures& measures) const;
+    void writeSection(std::span<const BookletBlock> undivided, const BookletBag* bag);
     void writeSheet(std::span<const BookletBlock> blocks, const Sheet& sheet);
-    void writeBag(const BookletBag& bag, double scale);
-    void writeBlock(const BookletBlock& block, const PlacedBlock& place);
+    void writeBag(const BookletBag& bag, const SheetHeader& header, std::span<const BookletBlock> blocks);
     void addKinds(const BookletBlock& block, std::set<std::size_t>& kinds) const;
-    void writeLastLine(std::size_t numParts, const std::set<std::size_t>& kinds);
-    void writeContents(std::size_t chapter, const PlacedBlock& place);
-    void writeBoxes(const BookletStep& step);
-    void writeBox(std::size_t chapter);
-    void writeSmallStep(std::size_t chapter, std::size_t index);
-    void drawSubmodel(std::size_t chapter);
-    void writeStep(std::size_t chapter, std::size_t index, const PlacedBlock& place);
-    void writeNumber(const BookletStep& step);
-    void writeCallout(const BookletStep& step);
-    void writeTurn(const BookletStep& step);
-    void writeNote(const BookletStep& step);
-    void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture, double width);
-    void writeUseOfSubmodel(std::size_t chapter, const std::string& text);
-    void writeMultiplier(const BookletChapter& chapter);
-    std::string describeSubmodels(std::size_t chapter) const;
-    std::string describeStep(const BookletChapter& chapter, const BookletStep& step) const;
+    std::vector<std::size_t> chooseKinds(std::span<const BookletBlock> blocks) const;
+    std::vector<std::string> nameColors(std::span<const BookletBlock> blocks) const;
+    void writeFoot(std::span<const BookletBlock> blocks);
 
     const BookletModel& _model;
     BookletPictureSource& _pictures;
@@ -69,7 +56,7 @@ private:
     std::vector<bool> _isWhole; // whether the finished picture of a chapter shows all its steps
     BookletBlocks _blocks;
     std::vector<BookletBag> _bags;
-    std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
+    BookletBlockMarkup _blockMarkup;
 };
 
 } // namespace osgLego

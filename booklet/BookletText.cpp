@@ -58,4 +58,10 @@ std::string describeParts(const PartsList::Row& row, std::size_t quantity)
            name.substr(space);
 }
 
+std::string describeHold(const BookletStep& step)
+{
+    if (step.numUnheld > 0) return "Nothing holds " + countOf(step.numUnheld, "part") + " of this step.";
+    return step.falls() ? "Hold the model after this step: it does not stand by itself yet." : std::string();
+}
+
 } // namespace osgLego

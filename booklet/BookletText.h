@@ -1,5 +1,7 @@
 #pragma once
 
+#include "BookletModel.h"
+
 #include <common/PartsList.h>
 
 #include <cstddef>
@@ -19,5 +21,8 @@ std::string nameBrickLinkColor(const PaletteColor& color);
 
 /** Parts of one kind within a sentence, such as "2 red bricks 2 x 4". */
 std::string describeParts(const PartsList::Row& row, std::size_t quantity);
+
+/** A sentence that says whether the builder must hold something after a step; empty otherwise. */
+std::string describeHold(const BookletStep& step);
 
 } // namespace osgLego

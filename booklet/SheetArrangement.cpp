@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace osgLego
@@ -10,11 +11,12 @@ namespace osgLego
 namespace
 {
 
-constexpr double SMALL_PITCH = 1.5;    // millimetres; smaller studs need wider columns
-constexpr double LARGE_PITCH = 3.0;    // likewise; larger studs are no better
-constexpr double BIGGEST_PITCH = 8.0;  // likewise, true to life
-constexpr double USUAL_HEAD = 40.0;    // blocks with more above their pictures have smaller ones
-constexpr double LEAST_FILLING = 0.53; // of a sheet that is half full; heights are estimates
+constexpr double SMALL_PITCH = 1.5;     // millimetres; smaller studs need wider columns
+constexpr double LARGE_PITCH = 3.0;     // likewise; larger studs are no better
+constexpr double BIGGEST_PITCH = 8.0;   // likewise, true to life
+constexpr double USUAL_HEAD = 40.0;     // blocks with more above their pictures have smaller ones
+constexpr std::size_t MOST_BLOCKS = 40; // of a sheet
+constexpr double LEAST_FILLING = 0.53;  // of a sheet that is half full; heights are estimates
 
 } // namespace
 
@@ -24,9 +26,17 @@ double SheetArrangement::getColumnWidth(std::size_t numColumns)
     return (WIDTH - (number - 1.0) * COLUMN_SPACE) / number;
 }
 
-SheetArrangement::SheetArrangement(std::span<const SheetBlock> blocks, double header, std::size_t mostColumns) :
-    _blocks(blocks), _header(header)
+SheetArrangement::SheetArrangement(std::span<const SheetBlock> blocks, double header, std::size_t mostColumns,
+                                   const FootFunction& getFoot) :
+    _blocks(blocks),
+    _header(header)
 {
+    for (std::size_t first = 0; getFoot && first < blocks.size(); ++first)
+    {
+        std::vector<double>& feet = _feet.emplace_back();
+        for (std::size_t end = first + 1; end <= std::min(blocks.size(), first + MOST_BLOCKS); ++end)
+            feet.push_back(getFoot(first, end));
+    }
     Choice best = choose(mostColumns);
     if (_header > LEAST_FILLING * HEIGHT || best.cost >= SheetFilling::IMPOSSIBLE)
     {
@@ -92,33 +102,55 @@ std::vector<SheetArrangement::Plan> SheetArrangement::plan() const
 /** Continue a plan by a sheet. */
 void SheetArrangement::extendPlans(std::size_t first, std::size_t numColumns, std::vector<Plan>& plans) const
 {
-    constexpr double COST_OF_EMPTINESS = 10.0; // sheets, for one that is not half full
-    constexpr double COST_OF_SPACE = 0.5;      // likewise, for free columns
-    constexpr double COST_OF_CHANGE = 0.1;     // of the usual number of columns
-    constexpr double COST_OF_GROWTH = 1.0;     // of the scale of a sheet
-    const double capacity = getCapacity(first) + BLOCK_SPACE;
+    // Sheets of more blocks may have higher feet.
+    std::set<double> feet{0.0};
+    if (!_feet.empty()) feet.insert(_feet[first].begin(), _feet[first].end());
+    for (const double foot : feet)
+        extendPlans({first, numColumns, {}, foot}, plans);
+}
+
+/** Continue a plan by a sheet with a foot. @param start the first block, the number of columns, and the foot. */
+void SheetArrangement::extendPlans(const Part& start, std::vector<Plan>& plans) const
+{
+    const std::size_t first = start.first;
+    const double capacity = getCapacity(start) + BLOCK_SPACE;
     std::vector<double> heights;
     // The first block that begins beyond the last column does not matter.
-    for (double sum = 0.0; first + heights.size() < _blocks.size() && sum <= static_cast<double>(numColumns) * capacity;
+    for (double sum = 0.0; first + heights.size() < _blocks.size() && heights.size() < MOST_BLOCKS &&
+                           sum <= static_cast<double>(start.numColumns) * capacity;
          sum += heights.back())
-        heights.push_back(getHeight(_blocks[first + heights.size()], {first, numColumns, {}}));
-    const SheetFilling filling(heights, numColumns, capacity);
+        heights.push_back(getHeight(_blocks[first + heights.size()], start));
+    const SheetFilling filling(heights, start.numColumns, capacity);
     for (std::size_t number = 1; number <= filling.getMostBlocks(); ++number)
     {
-        if (filling.getCost(number) >= SheetFilling::IMPOSSIBLE) continue;
+        if (filling.getCost(number) >= SheetFilling::IMPOSSIBLE || getFoot(first, number) != start.foot) continue;
+        constexpr double COST_OF_SPACE = 0.5; // sheets, for free columns
         double cost = plans[first].cost + 1.0 + COST_OF_SPACE * filling.getCost(number);
-        if (numColumns != _numColumns) cost += COST_OF_CHANGE;
         Plan& plan = plans[first + number];
         if (cost >= plan.cost) continue;
-        Part part{first, numColumns, filling.findEnds(number)};
+        Part part = start;
+        part.ends = filling.findEnds(number);
         for (std::size_t& end : part.ends)
             end += first;
-        cost += rateReduction(part);
-        enlarge(part);
-        if (part.growth > 1.0) cost += COST_OF_GROWTH;
-        if (isEmpty(part)) cost += COST_OF_EMPTINESS;
+        cost += rate(part);
         if (cost < plan.cost) plan = {cost, part};
     }
+}
+
+/** Enlarge the pictures of a sheet if necessary. @return its cost, in sheets, apart from that of its space. */
+double SheetArrangement::rate(Part& part) const
+{
+    constexpr double COST_OF_EMPTINESS = 10.0; // of a sheet that is not half full
+    constexpr double COST_OF_CHANGE = 0.1;     // of the usual number of columns
+    constexpr double COST_OF_GROWTH = 1.0;     // of the scale of a sheet
+    constexpr double COST_OF_PARTING = 0.05;   // of a heading from its block
+    double cost = rateReduction(part);
+    enlarge(part);
+    if (part.growth > 1.0) cost += COST_OF_GROWTH;
+    if (isEmpty(part)) cost += COST_OF_EMPTINESS;
+    if (part.numColumns != _numColumns) cost += COST_OF_CHANGE;
+    if (part.ends.back() < _blocks.size() && _blocks[part.ends.back() - 1].isHeading) cost += COST_OF_PARTING;
+    return cost;
 }
 
 /** Enlarge the pictures of a sheet that is not half full until it is, as far as its columns permit. */
@@ -137,7 +169,7 @@ bool SheetArrangement::isEmpty(const Part& part) const
     return std::all_of(part.ends.begin(), part.ends.end(),
                        [&](std::size_t end)
                        {
-                           double height = HEIGHT - getCapacity(part.first) - BLOCK_SPACE;
+                           double height = HEIGHT - getCapacity(part) - BLOCK_SPACE;
                            for (; block < end; ++block)
                                height += getHeight(_blocks[block], part);
                            return height < LEAST_FILLING * HEIGHT;
@@ -145,9 +177,14 @@ bool SheetArrangement::isEmpty(const Part& part) const
 }
 
 /** The height of the columns of a sheet. */
-double SheetArrangement::getCapacity(std::size_t firstBlock) const
+double SheetArrangement::getCapacity(const Part& part) const
 {
-    return firstBlock == 0 && !_isHeaderAlone ? HEIGHT - _header : HEIGHT;
+    return HEIGHT - part.foot - (part.first == 0 && !_isHeaderAlone ? _header : 0.0);
+}
+
+double SheetArrangement::getFoot(std::size_t first, std::size_t numBlocks) const
+{
+    return _feet.empty() ? 0.0 : _feet[first][numBlocks - 1];
 }
 
 /** Pictures keep the scale of the usual columns if a sheet has fewer of them, unless they are enlarged, and unless a
@@ -166,7 +203,7 @@ double SheetArrangement::getPitch(const SheetBlock& block, const Part& part, dou
 double SheetArrangement::getHeight(const SheetBlock& block, const Part& part) const
 {
     const double picture =
-        block.studs.y > 0.0 ? PICTURE_SPACE + block.studs.y * getPitch(block, part, getCapacity(part.first)) : 0.0;
+        block.studs.y > 0.0 ? PICTURE_SPACE + block.studs.y * getPitch(block, part, getCapacity(part)) : 0.0;
     return block.heads[part.numColumns - 1] + picture + BLOCK_SPACE;
 }
 
@@ -207,7 +244,7 @@ void SheetArrangement::createSheets(const std::vector<Plan>& plans)
 SheetColumn SheetArrangement::createColumn(std::size_t first, std::size_t end, const Part& part) const
 {
     constexpr double MOST_SPREAD = 12.0; // between blocks
-    const double capacity = getCapacity(part.first);
+    const double capacity = getCapacity(part);
     double height = -BLOCK_SPACE;
     for (std::size_t block = first; block < end; ++block)
         height += getHeight(_blocks[block], part);

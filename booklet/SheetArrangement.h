@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct SheetBlock
     bool hasScale = true;   //!< whether the picture has the scale of the section, or its own one
     double mostPitch = 8.0; //!< the largest picture of a stud; 8 is true to life
     double lostWidth = 0.0; //!< of the column, which the picture can't use
+    bool isHeading = false; //!< whether it belongs on the sheet of the block behind it
 };
 
 /** Where a block is printed. */
@@ -58,12 +60,18 @@ class SheetArrangement
 {
 public:
     static constexpr double WIDTH = 128.0;        //!< of a sheet
-    static constexpr double HEIGHT = 177.0;       //!< likewise, above its last line
+    static constexpr double HEIGHT = 177.0;       //!< likewise, above a last line
     static constexpr double COLUMN_SPACE = 6.0;   //!< between columns
     static constexpr double BLOCK_SPACE = 5.0;    //!< between blocks at least
     static constexpr double PICTURE_SPACE = 2.0;  //!< above a picture
     static constexpr double LEAST_PICTURE = 25.0; //!< the height of pictures, which are smaller only at their scale
-    static constexpr double MOST_HEAD = HEIGHT - PICTURE_SPACE - LEAST_PICTURE;
+    static constexpr double MOST_BODY = 0.75 * HEIGHT; //!< of a block with a picture of the least height
+    static constexpr double MOST_HEAD = MOST_BODY - PICTURE_SPACE - LEAST_PICTURE;
+
+    /** How much higher than one line the foot of a sheet is, which takes that height from its columns.
+     * @param first of its blocks. @param end behind the last of them. @return up to MOST_FOOT. */
+    using FootFunction = std::function<double(std::size_t first, std::size_t end)>;
+    static constexpr double MOST_FOOT = HEIGHT - MOST_BODY;
 
     /** The width of a column. @param numColumns 1 to SheetBlock::MOST_COLUMNS. */
     static double getColumnWidth(std::size_t numColumns);
@@ -72,9 +80,10 @@ public:
      * @param header the height of the header of the first sheet, up to HEIGHT. The sheet may have nothing else if that
      * is more than half of it, or if no block fits below it.
      * @param mostColumns 1 to SheetBlock::MOST_COLUMNS.
+     * @param getFoot null if each foot is one line.
      * @throws std::invalid_argument if a block is higher than a sheet. */
     SheetArrangement(std::span<const SheetBlock> blocks, double header,
-                     std::size_t mostColumns = SheetBlock::MOST_COLUMNS);
+                     std::size_t mostColumns = SheetBlock::MOST_COLUMNS, const FootFunction& getFoot = nullptr);
 
     const std::vector<Sheet>& getSheets() const { return _sheets; }
 
@@ -85,7 +94,8 @@ private:
         std::size_t first = 0;
         std::size_t numColumns = 1;
         std::vector<std::size_t> ends; // of the columns
-        double growth = 1.0;           // of its pictures
+        double foot = 0.0;
+        double growth = 1.0; // of its pictures
     };
 
     /** The best way to place all blocks from the first on up to some other. */
@@ -107,9 +117,12 @@ private:
     double findWidestPitch() const;
     std::vector<Plan> plan() const;
     void extendPlans(std::size_t first, std::size_t numColumns, std::vector<Plan>& plans) const;
+    void extendPlans(const Part& start, std::vector<Plan>& plans) const;
+    double rate(Part& part) const;
     void enlarge(Part& part) const;
     bool isEmpty(const Part& part) const;
-    double getCapacity(std::size_t firstBlock) const;
+    double getCapacity(const Part& part) const;
+    double getFoot(std::size_t first, std::size_t numBlocks) const;
     double getPitch(const SheetBlock& block, const Part& part, double capacity) const;
     double getHeight(const SheetBlock& block, const Part& part) const;
     double rateReduction(const Part& part) const;
@@ -118,7 +131,8 @@ private:
 
     std::span<const SheetBlock> _blocks;
     double _header;
-    bool _isHeaderAlone = false; // on a sheet
+    std::vector<std::vector<double>> _feet; // by the first block, and by the number of blocks less one
+    bool _isHeaderAlone = false;            // on a sheet
     std::size_t _numColumns = 1;
     double _pitch = 0.0; // of pictures of the model
     std::vector<Sheet> _sheets;

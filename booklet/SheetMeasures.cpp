@@ -1,5 +1,7 @@
 #include "SheetMeasures.h"
 
+#include "BookletText.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,23 +20,26 @@ constexpr double BOX_SCALE = 1.2;   // of pictures in boxes, compared with parts
 constexpr double PART_PITCH = 20.0; // pixels of CSS, of pictures of parts
 constexpr double QUANTITY_HEIGHT = 3.7;
 constexpr double QUANTITY_WIDTH = 2.5; // of a character
-constexpr double ROUNDING = 0.2;
+constexpr double ROUNDING = 0.05;
 constexpr double NUMBER_WIDTH = 11.0;
 constexpr double NUMBER_CHARACTER = 4.6;
 constexpr double NUMBER_HEIGHT = 11.0;
 constexpr double TURN = 9.0;
 constexpr double SPACE = 2.0; // between the parts of a header
 constexpr glm::dvec2 ITEM_SPACE{2.5, 1.0};
-constexpr glm::dvec2 CALLOUT_PADDING{2.4, 1.9}; // on each side, with the border
+constexpr glm::dvec2 CALLOUT_PADDING{2.3, 1.9}; // on each side, with the border
 constexpr double BAR = 3.5;                     // beside submodels of many parts
 constexpr double LETTER = 6.0;
+constexpr double LETTER_PADDING = 3.4;    // beside the letters of a box, on both sides
+constexpr double HEADING_CHARACTER = 5.0; // of the letters of a submodel of many parts
+constexpr double MORE_PARTS = 5.0;        // the height of a line above the rest of a list
 constexpr double MULTIPLIER = 7.0;
 constexpr double NOTE_LINE = 4.0;
 constexpr double NOTE_PADDING = 4.0;
-constexpr double NOTE_CHARACTER = 1.75;
-constexpr double NOTE_CHARACTERS = 70;
+constexpr double NOTE_CHARACTER = 1.6;
 constexpr double CONTENTS_SCALE = 1.5; // of pictures of submodels of many parts, compared with parts
-constexpr double HEADING = 14.0;
+constexpr double HEADING = 17.0;       // of a bag, with the picture of its place
+constexpr double LEAST_SCALE = 0.75;   // at which the smallest text of a block has 2 mm
 constexpr double LEAST_POSSIBLE_SCALE = 0.01;
 
 /** The size of items in rows of some width. */
@@ -125,12 +130,14 @@ glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const double inner = width - 2.0 * CALLOUT_PADDING.x;
-    Sizes sizes{{LETTER, LETTER}};
+    Sizes sizes{{LETTER_PADDING + QUANTITY_WIDTH * static_cast<double>(own.letter.size()), LETTER}};
     if (own.quantity > 1) sizes.push_back({MULTIPLIER, LETTER});
     append(sizes, measureItems(own.items));
     for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
     {
-        append(sizes, measureBoxes(own.steps[step], inner));
+        // Boxes within a box are a row across it.
+        if (const Sizes boxes = measureBoxes(own.steps[step], inner); !boxes.empty())
+            sizes.push_back({inner, flow(boxes, inner, glm::dvec2(SPACE)).y});
         const glm::dvec2 picture = toBox(_pictures.measureStep(chapter, step));
         sizes.push_back({picture.x + LETTER, picture.y + (own.steps[step].isTurned ? LETTER : 0.0)});
     }
@@ -160,9 +167,8 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
         block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
     }
     if (chapter > 0) block.lostWidth = BAR;
-    constexpr double MOST_SHARE = 0.6; // of a sheet
-    findScales([&](double width) { return measureHead(own, width - block.lostWidth); },
-               MOST_SHARE * SheetArrangement::HEIGHT, block);
+    findScales([&](double width) { return measureHead(own, width - block.lostWidth); }, SheetArrangement::MOST_HEAD,
+               block);
     return block;
 }
 
@@ -174,8 +180,9 @@ double SheetMeasures::measureHead(const BookletStep& step, double width) const
     double head = std::max(callout, NUMBER_HEIGHT);
     if (const Sizes boxes = measureBoxes(step, width); !boxes.empty())
         head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
-    if (step.numUnheld > 0 || step.falls())
-        head += NOTE_PADDING + NOTE_LINE * std::ceil(NOTE_CHARACTERS * NOTE_CHARACTER / (width - NOTE_PADDING));
+    if (const std::string note = describeHold(step); !note.empty())
+        head += NOTE_PADDING +
+                NOTE_LINE * std::ceil(static_cast<double>(note.size()) * NOTE_CHARACTER / (width - NOTE_PADDING));
     return head;
 }
 
@@ -186,29 +193,72 @@ glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
     return size * std::min({1.0, LARGEST / size.x, LARGEST / size.y});
 }
 
-SheetBlock SheetMeasures::measureSubmodel(std::size_t chapter) const
+SheetBlock SheetMeasures::measureSubmodel(const BookletBlock& block) const
 {
-    SheetBlock block;
-    block.hasScale = false;
-    findScales([&](double width) { return measureSubmodel(chapter, width - BAR - SPACE); }, SheetArrangement::MOST_HEAD,
-               block);
-    return block;
+    SheetBlock size;
+    size.hasScale = false;
+    size.isHeading = !_isWhole[block.chapter];
+    findScales([&](double width) { return measureSubmodel(block, width - BAR - SPACE); }, SheetArrangement::MOST_BODY,
+               size);
+    return size;
 }
 
 /** The height of the contents of a submodel. */
-double SheetMeasures::measureSubmodel(std::size_t chapter, double width) const
+double SheetMeasures::measureSubmodel(const BookletBlock& block, double width) const
 {
-    const BookletChapter& own = _model.getChapters()[chapter];
-    const Sizes items = own.isListed() ? measureItems(own.items) : Sizes();
-    const glm::dvec2 picture = measureContents(chapter);
-    const double letter = LETTER + SPACE + (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
+    const BookletChapter& own = _model.getChapters()[block.chapter];
+    const Sizes items = measureItems(block.items);
+    const auto measureList = [&](double free)
+    { return flow(items, free - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y; };
+    if (block.isContinued) return MORE_PARTS + SPACE + measureList(width) + 2.0 * SPACE;
+    const double letter = std::max(LETTER, HEADING_CHARACTER * static_cast<double>(own.letter.size())) + SPACE +
+                          (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
     constexpr double UNLIMITED = 1e9;
     const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
-    const double list =
-        items.empty() ? LETTER
-                      : flow(items, width - letter - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+    const double list = items.empty() ? LETTER : measureList(width - letter);
+    const glm::dvec2 picture = measureContents(block.chapter);
     const bool isBeside = natural + SPACE + picture.x <= width;
     return (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
+}
+
+std::vector<std::vector<BookletItem>> SheetMeasures::divideContents(std::size_t chapter,
+                                                                    const std::vector<BookletItem>& items) const
+{
+    return divide(items,
+                  [&](const std::vector<BookletItem>& part)
+                  {
+                      BookletBlock block;
+                      block.chapter = chapter;
+                      block.items = part;
+                      return measureSubmodel(block).scales[0] >= LEAST_SCALE;
+                  });
+}
+
+std::vector<SheetHeader> SheetMeasures::measureHeaders(const std::vector<BookletItem>& items) const
+{
+    const auto fits = [this](const std::vector<BookletItem>& part) { return measureHeader(part).scale >= LEAST_SCALE; };
+    std::vector<SheetHeader> headers;
+    for (const std::vector<BookletItem>& part : divide(items, fits))
+        headers.push_back(measureHeader(part));
+    return headers;
+}
+
+/** Divide a list into as few lists as fit, nearly equally long. */
+std::vector<std::vector<BookletItem>>
+SheetMeasures::divide(const std::vector<BookletItem>& items,
+                      const std::function<bool(const std::vector<BookletItem>&)>& fits)
+{
+    for (std::size_t number = 1;; ++number)
+    {
+        std::vector<std::vector<BookletItem>> lists;
+        for (std::size_t list = 0; list < number; ++list)
+        {
+            const auto place = [&](std::size_t index)
+            { return items.begin() + static_cast<std::ptrdiff_t>(items.size() * index / number); };
+            lists.emplace_back(place(list), place(list + 1));
+        }
+        if (number >= items.size() || std::all_of(lists.begin(), lists.end(), fits)) return lists;
+    }
 }
 
 SheetHeader SheetMeasures::measureHeader(const std::vector<BookletItem>& items) const
@@ -220,34 +270,37 @@ SheetHeader SheetMeasures::measureHeader(const std::vector<BookletItem>& items) 
                SheetArrangement::BLOCK_SPACE;
     };
     SheetHeader header;
+    header.items = items;
     header.scale = findScale(measure, SheetArrangement::WIDTH, SheetArrangement::HEIGHT, LEAST_POSSIBLE_SCALE);
     header.height = header.scale * measure(SheetArrangement::WIDTH / header.scale);
     return header;
 }
 
-double SheetMeasures::findScaleOfColors(const std::vector<std::string>& names)
+SheetFoot SheetMeasures::measureColors(const std::vector<std::string>& names)
 {
-    constexpr double HEIGHT = 5.0;
+    constexpr double HEIGHT = 5.0;                                     // of a foot of one line
     constexpr double WIDTH_OF_COLORS = SheetArrangement::WIDTH - 35.0; // without the number of parts
     constexpr double SWATCH = 3.6;
     constexpr double CHARACTER = 1.45;
     constexpr double LINE = 2.5;
     constexpr double COLOR_SPACE = 2.5;
+    constexpr double LEAST_SCALE_OF_COLORS = 0.84; // at which the names have 2 mm
     Sizes sizes;
     for (const std::string& name : names)
         sizes.push_back({SWATCH + CHARACTER * static_cast<double>(name.size()), LINE});
-    return findScale(
-        [&sizes](double width) {
-            return flow(sizes, width, {COLOR_SPACE, 0.0}).y;
-        },
-        WIDTH_OF_COLORS, HEIGHT, LEAST_POSSIBLE_SCALE);
+    const auto measure = [&sizes](double width) { return flow(sizes, width, {COLOR_SPACE, 0.0}).y; };
+    SheetFoot foot;
+    foot.scale = findScale(measure, WIDTH_OF_COLORS, HEIGHT, LEAST_SCALE_OF_COLORS);
+    if (foot.scale * measure(WIDTH_OF_COLORS / foot.scale) > HEIGHT + SheetArrangement::MOST_FOOT)
+        foot.scale = findScale(measure, WIDTH_OF_COLORS, HEIGHT + SheetArrangement::MOST_FOOT, LEAST_POSSIBLE_SCALE);
+    foot.more = std::max(0.0, foot.scale * measure(WIDTH_OF_COLORS / foot.scale) - HEIGHT);
+    return foot;
 }
 
-/** Find the heads of a block, and the scales at which they are low enough. In a narrow column, no text is too small to
- * read; without columns, any list fits. */
+/** Find the heads of a block, and the scales at which they are low enough. Only the boxes of dozens of submodels in a
+ * step do not fit even without columns unless they are too small to read. */
 void SheetMeasures::findScales(const HeightFunction& measure, double most, SheetBlock& block)
 {
-    constexpr double LEAST_SCALE = 0.75;
     for (std::size_t numColumns = 1; numColumns <= SheetBlock::MOST_COLUMNS; ++numColumns)
     {
         const double width = SheetArrangement::getColumnWidth(numColumns);

@@ -72,8 +72,9 @@ def check_policy(text):
 
 
 def check_pictures(page):
-    widths = collections.defaultdict(set)
+    widths, bag = collections.defaultdict(set), ""
     for own in page.elements:
+        bag = own["id"] if own.has_class("bag") and "id" in own else bag
         if own.tag not in ("img", "image"):
             continue
         width, height = size_of(decode(own.get("src") or own["href"]))
@@ -82,10 +83,10 @@ def check_pictures(page):
             fail(f"a picture of {width} x {height} pixels is declared as {own['width']} x {own['height']}")
         if own.find_ancestor(lambda other: other.has_class("frame")):
             step = own.find_ancestor(lambda other: other.get("id", "").startswith("step-"))
-            widths[step["id"].rstrip("0123456789")].add(width)
+            widths[step["id"].rstrip("0123456789"), bag].add(width)
     for chapter, found in widths.items():
         if len(found) > 1:
-            fail(f"steps of {chapter} have pictures of different widths: {sorted(found)}")
+            fail(f"steps of {' of '.join(chapter)} have pictures of different widths: {sorted(found)}")
 
 
 def read_quantity(text, where):
@@ -177,7 +178,13 @@ def letters_of(index):
 
 
 def find_submodels(page):
-    return [own for own in page.elements if own.tag == "section" and (own.has_class("submodel") or own.has_class("box"))]
+    return [own for own in page.elements if own.tag == "section" and (own.has_class("submodel") or own.has_class("box"))
+            and not own.has_class("continued")]
+
+
+def find_continued(page, name):
+    """The rest of a list that is too long for one sheet."""
+    return [own for own in page.elements if own.get("data-of") == name]
 
 
 def check_letters(page):
@@ -196,7 +203,10 @@ def match_submodels(page, letters, attached, kinds, document, where):
     """Find a submodel of the .mpd with the same parts for each letter. Equal ones have one letter."""
     pairs, left = {}, list(attached)
     for letter in letters:
-        listed, _ = read_callout(page.find_id(f"submodel-{letter.lower()}"), kinds, f"submodel {letter}")
+        name = f"submodel-{letter.lower()}"
+        listed = collections.Counter()
+        for own in [page.find_id(name)] + find_continued(page, name):
+            listed += read_callout(own, kinds, f"submodel {letter}")[0]
         # Submodels of so many parts have no lists: those of bags have their parts.
         same = [own for own in left if document.count_parts(own) == listed or
                 (not listed and document.count_parts(own).total() > MOST_LISTED)]
@@ -252,9 +262,10 @@ def check_chapter(page, letter, steps, kinds, document, first=1):
 def check_bags(page, kinds):
     """The lists of all bags, if there are any, and the counts of all pages add up to the parts list."""
     bags = collections.Counter()
-    for bag in [own for own in page.elements if own.has_class("bag")]:
+    for bag in [own for own in page.elements if own.has_class("bag") and not own.has_class("continued")]:
         listed = collections.Counter()
-        for item in next(own for own in bag.children if own.has_class("callout")).children:
+        lists = [own for part in [bag] + find_continued(page, bag["id"]) for own in part.children if own.has_class("callout")]
+        for item in [item for own in lists for item in own.children]:
             symbol = item.children[0].children[0]["href"]
             listed[kinds.parts.get(symbol)] += read_quantity(item.get_text(), bag["id"])
             check_label(item.children[0]["aria-label"], listed[kinds.parts.get(symbol)], kinds.labels.get(symbol), bag["id"])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
-things overlap, and pictures have nearly the size that was planned.
+things overlap, pictures have nearly the size that was planned, and all texts are at least 2 mm high on A5.
 
 Usage: check-sheets.py FILE.html
 """
@@ -14,7 +14,7 @@ PAPERS = {"A5": (484, 692), "A4": (1047, 692)}  # pixels of CSS, without margins
 FIND_FAILURES = """(() => {
     const BLOCKS = ".section header, .parts, .true-size, .bag, .step, .submodel, .last-line";
     const THINGS = BLOCKS + ", .parts li, .bag h2, .bag p, .number, .callout, .box, li > svg, .quantity, .letter, .multiplier, " +
-        ".box h4, .small-step h5, .turn, .note, .frame, figure > svg, .sheet-parts, .colors, .colors li";
+        ".submodel h3, .box h4, .small-step h5, .turn, .note, .frame, figure > svg, .sheet-parts, .colors, .colors li";
     const TOLERANCE = 1; // pixels
     const failures = [];
     const name = own => own.closest("[data-stop]")?.dataset.stop + ": ." + (own.className.baseVal ?? own.className) + " " +
@@ -36,9 +36,18 @@ FIND_FAILURES = """(() => {
         things.forEach(({own, size}, first) => things.slice(first + 1).forEach(({own: other, size: others}) => {
             if (overlap(size, others) && !own.contains(other)) fail(`${name(own)} overlaps ${name(other)}`);
         }));
-        for (const own of [sheet, ...sheet.querySelectorAll(".column, .number, .callout, .box, .last-line")])
+        for (const own of [sheet, ...sheet.querySelectorAll(".column, .number, .submodel h3, .callout, .box, .last-line")])
             if (own.scrollHeight > own.clientHeight + 3 || own.scrollWidth > own.clientWidth + 3)
                 fail(`${name(own)} has too much content`);
+        const texts = document.createTreeWalker(sheet, NodeFilter.SHOW_TEXT);
+        while (texts.nextNode()) {
+            const own = texts.currentNode.parentElement;
+            if (!texts.currentNode.textContent.trim() || own.closest(".hidden")) continue;
+            const drawing = own.closest("svg");
+            const scale = drawing ? drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width : 1;
+            const size = parseFloat(getComputedStyle(own).fontSize) * scale / (limits.width / 128);
+            if (size < 1.99) fail(`${name(own)} has letters of ${size.toFixed(2)} mm`);
+        }
         for (const own of sheet.querySelectorAll(".model .frame")) {
             const planned = own.getBoundingClientRect().width / parseFloat(getComputedStyle(own).getPropertyValue("--print"));
             const unit = limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);

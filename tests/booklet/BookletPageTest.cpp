@@ -25,6 +25,8 @@ class FakePictures : public BookletPictureSource
 public:
     explicit FakePictures(const BookletModel& model) : _model(model) {}
 
+    void setSection(std::size_t, std::span<const BookletBlock>) override {}
+    BookletPicture drawPlace(std::size_t, std::span<const BookletBlock>) override { return create("place"); }
     BookletPicture drawKind(std::size_t kind) override { return create("kind " + std::to_string(kind)); }
     BookletPicture drawBasePlate() override { return create("plate"); }
     BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
@@ -37,7 +39,7 @@ public:
         for (std::size_t index = 0; index < _model.getChapters()[chapter].steps[step].submodels.size(); ++index)
         {
             const double x = 100.0 * static_cast<double>(index + 1);
-            picture.arrows.push_back({{x, 10.0}, {x, 70.0}, 10.0});
+            picture.arrows.push_back({{x, 40.0}, {x, 100.0}, 10.0, {x, 35.0}});
         }
         return picture;
     }
@@ -134,8 +136,8 @@ TEST(BookletPage, ShowsEqualSubmodelsOfAStepOnceWithTheirNumber)
     EXPECT_NE(html.find("alt=\"Step 2 of 3: adds 2 submodels A\""), std::string::npos);
     EXPECT_EQ(html.find("id=\"submodel-c\""), std::string::npos);
     const std::string arrows = html.substr(html.find("adds 2 submodels A"));
-    EXPECT_NE(arrows.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
-    EXPECT_NE(arrows.find("<text x=\"210\" y=\"30\" font-size=\"30\">A</text>"), std::string::npos);
+    EXPECT_NE(arrows.find("<text x=\"100\" y=\"35\" font-size=\"30\">A</text>"), std::string::npos);
+    EXPECT_NE(arrows.find("<text x=\"200\" y=\"35\" font-size=\"30\">A</text>"), std::string::npos);
 }
 
 TEST(BookletPage, ShowsTheStepsOfSubmodelsOfManyPartsBeforeTheStepThatAttachesThem)
@@ -288,6 +290,9 @@ TEST(BookletPage, ListsThePartsOfBags)
     EXPECT_LT(html.find("id=\"step-10\""), html.find("id=\"bag-2\""));
     EXPECT_LT(html.find("id=\"bag-2\""), html.find("id=\"step-11\""));
     EXPECT_EQ(write(createTower()).find("id=\"bag-1\""), std::string::npos);
+    // "place" in base64: the picture of the model in the header of each bag.
+    EXPECT_NE(html.find("cGxhY2U=", html.find("id=\"bag-1\"")), std::string::npos);
+    EXPECT_NE(html.find("cGxhY2U=", html.find("id=\"bag-2\"")), std::string::npos);
 }
 
 TEST(BookletPage, LongListsAreSmaller)
@@ -313,6 +318,69 @@ TEST(BookletPage, LongListsAreSmaller)
     EXPECT_EQ(scaleOf("step-1"), 1.0);
     EXPECT_LT(scaleOf("submodel-a"), 0.8) << "20 rows of three, each a seventh of the sheet's height";
     EXPECT_GT(scaleOf("submodel-a"), 0.3);
+}
+
+TEST(BookletPage, ListsThatDoNotFitOnASheetAreDividedAndKeepTheirScale)
+{
+    // A brick on which a submodel of 180 kinds is attached, and 60 other kinds.
+    std::vector<Part> parts;
+    std::vector<BuildingStep> steps;
+    Submodel submodel;
+    for (std::uint32_t part = 0; part < 240; ++part)
+    {
+        const auto shade = static_cast<std::uint8_t>(part);
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, {shade, 0, 0}, Part::NO_CODE});
+        std::vector<BuildingStep>& own = part < 60 ? steps : submodel.steps;
+        if (part % 6 == 0) own.emplace_back();
+        own.back().parts.push_back(part);
+    }
+    steps.push_back(createStep({}, {0}));
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 240}, 1.2), parts);
+    const auto plan = BuildingPlan::create(240, steps, {submodel});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    const auto countItems = [&html](const std::string& begin, const std::string& end)
+    {
+        std::size_t number = 0;
+        std::size_t numLists = 0;
+        for (std::size_t place = 0; (place = html.find(begin, place)) != std::string::npos; ++numLists)
+        {
+            const std::size_t last = html.find(end, place);
+            EXPECT_GE(std::stod(html.substr(html.find("--scale:", place) + 8)), 0.75) << "letters of 2 mm";
+            for (; (place = html.find("<li>", place)) < last; ++place)
+                ++number;
+            place = last;
+        }
+        EXPECT_GT(numLists, 2u) << begin;
+        return number;
+    };
+    EXPECT_EQ(countItems("<section class=\"submodel", "</section>"), 180u);
+    EXPECT_EQ(countItems("<header class=\"bag", "</header>"), 240u);
+    EXPECT_NE(toVisibleText(html).find("More parts of A"), std::string::npos);
+}
+
+TEST(BookletPage, ManyNamesOfColoursAreHigherAndStillLarge)
+{
+    // Fifty similar colours in one step, and a red and a blue part in another one.
+    std::vector<Part> parts;
+    std::vector<BuildingStep> steps(2);
+    for (std::uint32_t part = 0; part < 52; ++part)
+    {
+        const auto shade = static_cast<std::uint8_t>(part);
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, {shade, shade, 90}, Part::NO_CODE});
+        if (part >= 50) parts.back().color = {255, static_cast<std::uint8_t>(255 * (part % 2)), 0};
+        steps[part < 50 ? 0 : 1].parts.push_back(part);
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 52}, 1.2), parts);
+    const std::string html = write({*bricks, *BuildingPlan::create(52, steps), Palette::getKnownColors()});
+    const auto findNumber = [&html](const std::string& name, std::size_t place)
+    { return std::stod(html.substr(html.find(name, place) + name.size())); };
+    const std::size_t first = html.find("class=\"last-line\"");
+    const std::size_t second = html.find("class=\"last-line\"", first + 1);
+    // Each "#00005a" and its swatch take 14 mm, so that six are in a line of 93 mm, which is 2.1 mm high.
+    EXPECT_GT(findNumber("--more:", first), 2.1 * 8 - 5.0);
+    EXPECT_LT(findNumber("--more:", first), 2.5 * 10 - 5.0);
+    EXPECT_GE(2.4 * findNumber("--scale:", first), 2.0);
+    EXPECT_EQ(findNumber("--more:", second), 0.0);
 }
 
 TEST(BookletPage, SubmodelsOfMoreThan200PartsHaveNoListButThoseOfBags)
@@ -362,11 +430,11 @@ TEST(BookletPage, DrawsAnArrowToEachSubmodelWithItsLetterIfThereAreSeveral)
     const auto arrowsOf = [](const std::string& html) { return html.substr(html.find("alt=\"Step 2 of 3")); };
     const std::string one = arrowsOf(write(createTower()));
     // A shaft as wide as the arrow and a head of three widths: from the tail at the top to the tip below.
-    EXPECT_NE(one.find("<path d=\"M95 10L95 50L85 50L100 70L115 50L105 50L105 10Z\"/></svg>"), std::string::npos)
+    EXPECT_NE(one.find("<path d=\"M95 40L95 80L85 80L100 100L115 80L105 80L105 40Z\"/></svg>"), std::string::npos)
         << one;
     const std::string two = arrowsOf(write(createTower({.hasTwoSubmodels = true})));
-    const auto first = two.find("<text x=\"110\" y=\"30\" font-size=\"30\">A</text>");
-    const auto second = two.find("<text x=\"210\" y=\"30\" font-size=\"30\">B</text>");
+    const auto first = two.find("<text x=\"100\" y=\"35\" font-size=\"30\">A</text>");
+    const auto second = two.find("<text x=\"200\" y=\"35\" font-size=\"30\">B</text>");
     EXPECT_LT(first, second) << two;
     EXPECT_NE(second, std::string::npos) << two;
 }

@@ -3,6 +3,8 @@
 
 #include <PartModels.h>
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace osgLego::test
@@ -128,10 +130,16 @@ TEST_F(BookletPicturesTest, ArrowsAndTheirLettersAreApart)
         tails.push_back(arrow.tail.x);
     std::sort(tails.begin(), tails.end());
     const double width = picture.arrows[0].width;
-    // A letter is as wide as three shafts at most, beside the shaft of its arrow, whose head is as wide.
+    // A letter is as wide as three shafts at most, and so is the head of an arrow.
     for (const std::size_t tail : {1, 2})
-        EXPECT_GT(tails[tail] - tails[tail - 1], 5.0 * width);
-    EXPECT_LT(tails.back() + 4.0 * width, picture.width) << "the last letter is in the picture";
+        EXPECT_GT(tails[tail] - tails[tail - 1], 3.0 * width);
+    for (const BookletArrow& arrow : picture.arrows)
+    {
+        EXPECT_LT(arrow.letter.y, arrow.tail.y) << "above the arrow";
+        EXPECT_GT(arrow.letter.y - 2.25 * width, 0.0) << "a capital letter is three quarters of its font high";
+        EXPECT_GT(arrow.letter.x - 1.5 * width, 0.0);
+        EXPECT_LT(arrow.letter.x + 1.5 * width, picture.width);
+    }
 }
 
 TEST_F(BookletPicturesTest, StepsOfAChapterAreAsWideAsItsWidestView)
@@ -152,6 +160,65 @@ TEST_F(BookletPicturesTest, StepsOfAChapterAreAsWideAsItsWidestView)
         for (const std::size_t step : {0, 1})
             EXPECT_NEAR(pictures.drawStep(0, step).width, width, 1.0) << first;
     }
+}
+
+namespace
+{
+
+/** A tower of 24 bricks, one on another in a step each: blue ones on red ones. */
+BookletModel createTallTower()
+{
+    constexpr std::uint32_t NUM_BRICKS = 24;
+    std::vector<Part> parts;
+    std::vector<BuildingStep> steps;
+    for (std::uint32_t part = 0; part < NUM_BRICKS; ++part)
+    {
+        const bool isRed = part < NUM_BRICKS / 2;
+        parts.push_back({{0, 0, static_cast<std::uint16_t>(part)}, {2, 2, 1}, isRed ? RED : BLUE, isRed ? 4 : 1});
+        steps.push_back(createStep({part}));
+    }
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, NUM_BRICKS}, HEIGHT_OF_BRICK), parts);
+    return {*bricks, *BuildingPlan::create(NUM_BRICKS, steps), Palette::getKnownColors()};
+}
+
+std::vector<BookletBlock> createLastBlocks(std::size_t number)
+{
+    std::vector<BookletBlock> blocks(number);
+    for (std::size_t block = 0; block < number; ++block)
+        blocks[block].step = 24 - number + block;
+    return blocks;
+}
+
+} // namespace
+
+TEST_F(BookletPicturesTest, PicturesOfASectionFadeAwayBelow)
+{
+    const BookletModel model = createTallTower();
+    BookletPictures pictures(model, _renderer);
+    pictures.setSection(0, createLastBlocks(4));
+    const Pixels pixels(pictures.drawStep(0, 23));
+    const double middle = 0.5 * pixels.getWidth();
+    EXPECT_GT(pixels.getColor({middle, pixels.getHeight() - 3.0}).green, 0.9) << "white at the lower edge";
+    const Color above = pixels.getColor({middle, 0.7 * pixels.getHeight()});
+    EXPECT_LT(above.green, 0.8) << "the model, faded as in all steps";
+}
+
+TEST_F(BookletPicturesTest, PlacesShowTheWholeModelAndThePartsOfASectionInFullColours)
+{
+    const BookletModel model = createTallTower();
+    BookletPictures pictures(model, _renderer);
+    const auto saturationsOf = [&](std::size_t number)
+    {
+        const Pixels pixels(pictures.drawPlace(0, createLastBlocks(number)));
+        const double middle = 0.45 * pixels.getWidth();
+        return std::pair(pixels.getColor({middle, 0.15 * pixels.getHeight()}).getSaturation(),
+                         pixels.getColor({middle, 0.85 * pixels.getHeight()}).getSaturation());
+    };
+    const auto [blue, fadedRed] = saturationsOf(12);
+    const auto [all, red] = saturationsOf(24);
+    EXPECT_NEAR(blue, all, 0.05);
+    EXPECT_LT(fadedRed, 0.6 * red);
+    EXPECT_GT(fadedRed, 0.01) << "but it is there";
 }
 
 TEST_F(BookletPicturesTest, KindsLieWithTheirLongSideToTheRight)

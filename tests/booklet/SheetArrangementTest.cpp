@@ -230,4 +230,55 @@ TEST(SheetArrangementTest, ABlockThatIsHigherThanASheetHasASmallerPicture)
                 EXPECT_LE(place.height, SheetArrangement::HEIGHT + 1e-6);
 }
 
+TEST(SheetArrangementTest, FeetTakeTheirHeightFromTheColumnsOfTheirSheets)
+{
+    const auto getFoot = [](std::size_t first, std::size_t end)
+    {
+        return std::min(SheetArrangement::MOST_FOOT,
+                        4.0 * static_cast<double>(end - first) + (first % 3 == 0 ? 9.0 : 0.0));
+    };
+    for (unsigned seed = 0; seed < 20; ++seed)
+    {
+        const std::vector<SheetBlock> blocks = createSteps(5 + 2 * seed, 10.0 + 2.0 * seed, seed);
+        const double header = 6.0 * seed;
+        const SheetArrangement arrangement(blocks, header, SheetBlock::MOST_COLUMNS, getFoot);
+        std::size_t next = 0;
+        for (const Sheet& sheet : arrangement.getSheets())
+        {
+            if (sheet.columns.empty()) continue; // below a high header
+            const std::size_t first = sheet.columns.front().front().block;
+            EXPECT_EQ(first, next) << seed;
+            next = sheet.columns.back().back().block + 1;
+            const double space = SheetArrangement::HEIGHT - (&sheet == &arrangement.getSheets().front() ? header : 0.0);
+            for (const SheetColumn& column : sheet.columns)
+                EXPECT_LE(measure(column), space - getFoot(first, next) + 1e-6) << seed;
+        }
+        EXPECT_EQ(next, blocks.size()) << seed;
+    }
+}
+
+TEST(SheetArrangementTest, TheHighestBlockAndTheHighestFootFitOnASheet)
+{
+    std::vector<SheetBlock> blocks(3, createBlock(SheetArrangement::MOST_HEAD, {30.0, 30.0}));
+    const auto getFoot = [](std::size_t, std::size_t) { return SheetArrangement::MOST_FOOT; };
+    const std::vector<Sheet> sheets = SheetArrangement(blocks, 0.0, 1, getFoot).getSheets();
+    ASSERT_EQ(sheets.size(), 3u);
+    for (const Sheet& sheet : sheets)
+    {
+        EXPECT_LE(measure(sheet.columns[0]), SheetArrangement::HEIGHT - SheetArrangement::MOST_FOOT + 1e-6);
+        EXPECT_GE(30.0 * sheet.columns[0][0].pitch, SheetArrangement::LEAST_PICTURE - 1e-6);
+    }
+}
+
+TEST(SheetArrangementTest, AHeadingIsOnTheSheetOfItsBlock)
+{
+    // Two sheets either way: of four and three blocks, or of three and four, if the fourth one is a heading.
+    std::vector<SheetBlock> blocks(7, createBlock(36.0, {}));
+    const auto findSizeOfFirst = [&blocks]
+    { return SheetArrangement(blocks, 0.0, 1).getSheets().front().columns[0].size(); };
+    const std::size_t usual = findSizeOfFirst();
+    blocks[usual - 1].isHeading = true;
+    EXPECT_EQ(findSizeOfFirst(), usual == 4 ? 3u : 4u);
+}
+
 } // namespace osgLego
