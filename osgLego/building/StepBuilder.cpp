@@ -132,17 +132,34 @@ bool StepBuilder::canShow(const UnitList& units, bool isTurning) const
     return _views->canShow(parts, isTurning);
 }
 
-/** Leave out the last units if some part is hidden otherwise, and if enough remain; preferably without a turn. */
+/** Leave out the last units if some part is hidden otherwise, and if enough remain; preferably without a turn. If too
+ * few remain, leave out those that hide others. */
 void StepBuilder::shorten(UnitList& units) const
 {
     for (const bool isTurning : {false, true})
         for (UnitList shorter = units; _queue->getWeight(shorter) >= UnitQueue::LEAST; shorter.pop_back())
         {
-            const bool leavesOne = shorter.size() < units.size() && _queue->getNumOpen() == shorter.size() + 1;
-            if (leavesOne || !canShow(shorter, isTurning)) continue;
+            if (leavesOne(shorter, units) || !canShow(shorter, isTurning)) continue;
             units = shorter;
             return;
         }
+    for (const bool isTurning : {false, true})
+    {
+        UnitList visible;
+        for (const std::uint32_t unit : units)
+            if (UnitList longer = visible; _queue->addWithAllBefore(unit, longer) &&
+                                           longer.size() == visible.size() + 1 && canShow(longer, isTurning))
+                visible = longer;
+        if (_queue->getWeight(visible) < UnitQueue::LEAST || leavesOne(visible, units)) continue;
+        units = visible;
+        return;
+    }
+}
+
+/** Whether a single unit remains for the last step if some units of a step are left out. */
+bool StepBuilder::leavesOne(const UnitList& shorter, const UnitList& units) const
+{
+    return shorter.size() < units.size() && _queue->getNumOpen() == shorter.size() + 1;
 }
 
 void StepBuilder::mark(const UnitList& units, bool isPlaced)

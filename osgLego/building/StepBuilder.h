@@ -62,6 +62,7 @@ private:
     UnitList propose(std::vector<bool> isAvoided, const std::vector<bool>& isDeferred);
     bool canShow(const UnitList& units, bool isTurning) const;
     void shorten(UnitList& units) const;
+    bool leavesOne(const UnitList& shorter, const UnitList& units) const;
     void place(const UnitList& units, bool stands);
     bool isBetterApart(std::uint32_t unit, const UnitList& units) const;
     void mark(const UnitList& units, bool isPlaced);
