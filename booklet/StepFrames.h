@@ -55,7 +55,7 @@ public:
     bool isCut(std::size_t chapter, std::size_t step) const;
     /** The arrows to the submodels that a step attaches, and to its hidden parts, in pitches in the plane of the
      * picture. */
-    const ArrowPlacement& findArrows(std::size_t chapter, std::size_t step) const;
+    const ArrowPlacement& findArrows(std::size_t chapter, std::size_t index) const;
     const Scale& getScale(std::size_t chapter) const { return _scales[chapter]; }
 
 private:
