@@ -100,8 +100,11 @@ void fadeBottom(osg::Image& image, int numRows)
 {
     constexpr int WHITE = 255;
     for (int row = 0; row < std::min(numRows, image.t()); ++row)
-        for (unsigned char* byte = image.data(0, row); byte != image.data(0, row) + 3 * image.s(); ++byte)
-            *byte = static_cast<unsigned char>(WHITE - (WHITE - *byte) * row / numRows);
+    {
+        const std::span<unsigned char> bytes(image.data(0, static_cast<unsigned>(row)), image.getRowSizeInBytes());
+        for (unsigned char& byte : bytes)
+            byte = static_cast<unsigned char>(WHITE - (WHITE - byte) * row / numRows);
+    }
 }
 
 /** @return null without a base plate. */
