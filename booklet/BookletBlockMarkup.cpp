@@ -16,15 +16,6 @@ namespace osgLego
 namespace
 {
 
-/** Join words, as in "a, b and c". */
-std::string joinWords(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (std::size_t word = 0; word < words.size(); ++word)
-        text += (word == 0 ? "" : word + 1 < words.size() ? ", " : " and ") + words[word];
-    return text;
-}
-
 std::string nameSubmodel(const BookletChapter& chapter)
 {
     return "submodel-" + osgDB::convertToLowerCase(chapter.letter);

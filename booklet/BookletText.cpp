@@ -64,4 +64,12 @@ std::string describeHold(const BookletStep& step)
     return step.falls() ? "Hold the model after this step: it does not stand by itself yet." : std::string();
 }
 
+std::string joinWords(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (std::size_t word = 0; word < words.size(); ++word)
+        text += (word == 0 ? "" : word + 1 < words.size() ? ", " : " and ") + words[word];
+    return text;
+}
+
 } // namespace osgLego

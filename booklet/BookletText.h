@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace osgLego
 {
@@ -24,5 +25,8 @@ std::string describeParts(const PartsList::Row& row, std::size_t quantity);
 
 /** A sentence that says whether the builder must hold something after a step; empty otherwise. */
 std::string describeHold(const BookletStep& step);
+
+/** Join words, as in "a, b and c". */
+std::string joinWords(const std::vector<std::string>& words);
 
 } // namespace osgLego

@@ -37,14 +37,6 @@ bool areAbove(const glm::ivec3& first, const glm::ivec3& last, const glm::ivec3&
     return first.x <= otherLast.x && otherFirst.x <= last.x && first.y <= otherLast.y && otherFirst.y <= last.y;
 }
 
-std::string joinNames(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (std::size_t name = 0; name < names.size(); ++name)
-        text += (name == 0 ? "" : name + 1 < names.size() ? ", " : " and ") + names[name];
-    return text;
-}
-
 } // namespace
 
 BookletWords::BookletWords(const BookletModel& model) : _model(model) {}
@@ -205,8 +197,8 @@ void BookletWords::writePart(const std::vector<Place>& places, std::size_t part,
         (isBelow ? below : above).push_back(place.name);
         if (!nearest) nearest = &place;
     }
-    if (!below.empty()) *_stream << " On " << joinNames(below) << ".";
-    if (!above.empty()) *_stream << " Below " << joinNames(above) << ".";
+    if (!below.empty()) *_stream << " On " << joinWords(below) << ".";
+    if (!above.empty()) *_stream << " Below " << joinWords(above) << ".";
     if (!above.empty() && !below.empty() && !isUpsideDown)
         *_stream << " Join it with the part above before you place both.";
     if (nearest)
@@ -245,7 +237,7 @@ void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>&
                           QUARTER * inner.turn.turns);
     *_stream << fmt::format("Submodel {}{}{} column {}, row {}, layer {}.{}\n", inner.letter, copy, turn, offset.x,
                             offset.y, offset.z,
-                            neighbors.empty() ? std::string() : " On " + joinNames(neighbors) + ".");
+                            neighbors.empty() ? std::string() : " On " + joinWords(neighbors) + ".");
 }
 
 } // namespace osgLego

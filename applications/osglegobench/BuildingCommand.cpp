@@ -2,6 +2,7 @@
 #include "BenchMeshes.h"
 #include "BenchOptions.h"
 #include "Commands.h"
+#include "JoinedParts.h"
 #include "PlanFigures.h"
 #include "Spread.h"
 
@@ -45,14 +46,8 @@ struct BuildingCase
 class FloatingSteps
 {
 public:
-    explicit FloatingSteps(const BrickModel& model) : _boxes(findPartBoxes(model)), _neighbours(_boxes.size())
+    explicit FloatingSteps(const BrickModel& model) : _boxes(findPartBoxes(model)), _neighbours(findJoinedParts(model))
     {
-        for (const Contact& contact : findContacts(model))
-        {
-            if (contact.kind != Contact::STUDS) continue;
-            _neighbours[contact.lower].push_back(contact.upper);
-            _neighbours[contact.upper].push_back(contact.lower);
-        }
         for (const PartBox& box : _boxes)
             _lowest = std::min(_lowest, box.low.z);
     }

@@ -1,5 +1,7 @@
 #include "PlanFigures.h"
 
+#include "JoinedParts.h"
+
 #include <osgLego/Stability.h>
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/ContactFinder.h>
@@ -37,21 +39,15 @@ std::size_t countFallingPieces(const BrickModel& model, std::vector<std::uint32_
 
 } // namespace
 
-PlanFigures::PlanFigures(const BrickModel& model, const BuildingPlan& plan) : _joints(model.getParts().size())
+PlanFigures::PlanFigures(const BrickModel& model, const BuildingPlan& plan) : _joined(findJoinedParts(model))
 {
-    for (const Contact& contact : findContacts(model))
-    {
-        if (contact.kind != Contact::STUDS) continue;
-        _joints[contact.lower].push_back(contact.upper);
-        _joints[contact.upper].push_back(contact.lower);
-    }
     addSteps(model, plan, plan.getSteps(), 0);
 }
 
 /** Whether a part will be joined to others, none of which is in place. */
 bool PlanFigures::isLoose(std::uint32_t part, const std::vector<bool>& isPlaced) const
 {
-    return !_joints[part].empty() && std::none_of(_joints[part].begin(), _joints[part].end(),
+    return !_joined[part].empty() && std::none_of(_joined[part].begin(), _joined[part].end(),
                                                   [&isPlaced](std::uint32_t other) { return isPlaced[other]; });
 }
 
@@ -59,7 +55,7 @@ void PlanFigures::addSteps(const BrickModel& model, const BuildingPlan& plan, co
                            std::size_t depth)
 {
     PartList placed;
-    std::vector<bool> isPlaced(_joints.size(), false);
+    std::vector<bool> isPlaced(_joined.size(), false);
     const PartList& unheld = plan.getUnheldParts();
     deepestSubmodel = std::max(deepestSubmodel, depth);
     for (const BuildingStep& step : steps)

@@ -28,7 +28,7 @@ private:
     void addSteps(const BrickModel& model, const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
                   std::size_t depth);
 
-    std::vector<PartList> _joints; // for each part, the others
+    std::vector<PartList> _joined; // for each part, the others
 };
 
 } // namespace osgLego

@@ -29,8 +29,9 @@ void BuildingUnits::group(const std::vector<bool>& isPlaced, const std::vector<b
     {
         createUnits(isPlaced);
         linkUnits();
-        hasChanged = joinCycles();
-        if (!breakCycles(isHung)) continue;
+        const std::vector<UnitNumbers> cycles = findCycles();
+        hasChanged = joinCycles(cycles);
+        if (!breakCycles(cycles, isHung)) continue;
         hangGroups(isPlaced);
         hasChanged = true;
     }
@@ -199,14 +200,14 @@ void BuildingUnits::linkUnits()
     }
 }
 
-std::vector<BuildingUnits::PartList> BuildingUnits::findCycles() const
+std::vector<BuildingUnits::UnitNumbers> BuildingUnits::findCycles() const
 {
     return findStronglyConnected(_units.size(), [this](std::uint32_t unit)
                                  { return std::span<const std::uint32_t>(_units[unit].next); });
 }
 
 /** Whether units would make a unit that is too large. */
-bool BuildingUnits::isTooLarge(const std::vector<std::uint32_t>& units) const
+bool BuildingUnits::isTooLarge(const UnitNumbers& units) const
 {
     std::size_t numParts = 0;
     for (const std::uint32_t unit : units)
@@ -216,10 +217,10 @@ bool BuildingUnits::isTooLarge(const std::vector<std::uint32_t>& units) const
 
 /** Join units of which each has to be placed before the other, if joints connect them, and if they are not too large.
  * @return whether any were joined. */
-bool BuildingUnits::joinCycles()
+bool BuildingUnits::joinCycles(const std::vector<UnitNumbers>& cycles)
 {
     bool hasJoined = false;
-    for (const std::vector<std::uint32_t>& cycle : findCycles())
+    for (const UnitNumbers& cycle : cycles)
     {
         if (isTooLarge(cycle)) continue;
         for (const std::uint32_t unit : cycle)
@@ -235,10 +236,10 @@ bool BuildingUnits::joinCycles()
 
 /** Take the hanging parts out of a unit of each cycle that is too large, the one with most links to others.
  * @return whether there was any. */
-bool BuildingUnits::breakCycles(const std::vector<bool>& isHung)
+bool BuildingUnits::breakCycles(const std::vector<UnitNumbers>& cycles, const std::vector<bool>& isHung)
 {
     bool hasBroken = false;
-    for (const std::vector<std::uint32_t>& cycle : findCycles())
+    for (const UnitNumbers& cycle : cycles)
     {
         if (!isTooLarge(cycle)) continue;
         std::map<std::uint32_t, int> numLinks; // of units in which parts hang

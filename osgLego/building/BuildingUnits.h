@@ -64,6 +64,7 @@ public:
 
 private:
     using PartList = std::vector<std::uint32_t>;
+    using UnitNumbers = std::vector<std::uint32_t>;
 
     void findSupported(const std::vector<bool>& isPlaced, const std::vector<bool>& isHung);
     void hangGroups(const std::vector<bool>& isPlaced);
@@ -73,10 +74,10 @@ private:
     void createUnits(const std::vector<bool>& isPlaced);
     void sortInHand(PartList& parts) const;
     void linkUnits();
-    bool joinCycles();
-    bool breakCycles(const std::vector<bool>& isHung);
-    std::vector<PartList> findCycles() const;
-    bool isTooLarge(const std::vector<std::uint32_t>& units) const;
+    bool joinCycles(const std::vector<UnitNumbers>& cycles);
+    bool breakCycles(const std::vector<UnitNumbers>& cycles, const std::vector<bool>& isHung);
+    std::vector<UnitNumbers> findCycles() const;
+    bool isTooLarge(const UnitNumbers& units) const;
     bool canBeSplit(std::uint32_t unit, const std::vector<bool>& isHung) const;
 
     const JointGraph& _graph;

@@ -139,7 +139,7 @@ std::vector<BuildingStep> PlanBuilder::planSequence(const PartList& parts, const
     Setting turned = setting;
     turned.isUpsideDown = !setting.isUpsideDown;
     if (setting.depth > 0 && chosen.numFalls > 0 && !_isTryingAgain) tryInstead(turned, chosen.numFalls - 1);
-    if (!setting.isLimited && !_isTryingAgain && chosen.largest > getMostParts(setting.depth))
+    if (!_isTryingAgain && chosen.largest > getMostParts(setting.depth))
     {
         Setting limited = best;
         limited.isLimited = true;

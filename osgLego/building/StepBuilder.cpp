@@ -101,23 +101,23 @@ void StepBuilder::regroup()
 /** The next step. It contains units that fell before only if no other unit can be placed. */
 UnitList StepBuilder::proposeStep()
 {
-    UnitList units = propose(_isDelayed, _isDeferred);
+    UnitList units = propose();
     if (_queue->getWeight(units) < UnitQueue::LEAST)
     {
         _isDelayed.assign(_isDelayed.size(), false);
-        units = propose(_isDelayed, _isDeferred);
+        units = propose();
     }
     if (units.empty()) units = _queue->propose(_isDelayed);
     shorten(units);
     return units;
 }
 
-/** The units to be placed next. None if all that can be placed are avoided.
- * @param isDeferred parts; units with one of these are avoided, too. */
-UnitList StepBuilder::propose(std::vector<bool> isAvoided, const std::vector<bool>& isDeferred)
+/** The units to be placed next, without delayed ones and those with deferred parts. None if no others can be placed. */
+UnitList StepBuilder::propose()
 {
+    std::vector<bool> isAvoided = _isDelayed;
     for (std::uint32_t part = 0; part < _graph.getNumParts(); ++part)
-        if (isDeferred[part] && !_isPlaced[part]) isAvoided[_units.getUnitOf(part)] = true;
+        if (_isDeferred[part] && !_isPlaced[part]) isAvoided[_units.getUnitOf(part)] = true;
     return _queue->propose(isAvoided);
 }
 
@@ -175,12 +175,15 @@ void StepBuilder::place(const UnitList& units, bool stands)
     step.stands = stands;
     step.isChecked = !stands || _isKnown;
     std::vector<std::uint32_t> shown;
+    const bool isHiding =
+        std::any_of(units.begin(), units.end(), [&](std::uint32_t unit) { return canBeSubmodel(unit, units); }) &&
+        !canShow(units, true);
     for (const std::uint32_t unit : units)
     {
         const std::vector<std::uint32_t>& parts = _units.getUnits()[unit].parts;
         _numPlaced += parts.size();
         shown.insert(shown.end(), parts.begin(), parts.end());
-        if (_queue->isSubmodel(unit) || isBetterApart(unit, units))
+        if (_queue->isSubmodel(unit) || (isHiding && canBeSubmodel(unit, units)))
             step.submodels.push_back(parts);
         else
             step.parts.insert(step.parts.end(), parts.begin(), parts.end());
@@ -191,11 +194,11 @@ void StepBuilder::place(const UnitList& units, bool stands)
     _queue->take(units);
 }
 
-/** Whether parts that are joined in a hand are better shown as a submodel: the step would hide some of them. */
-bool StepBuilder::isBetterApart(std::uint32_t unit, const UnitList& units) const
+/** Whether parts that are joined in a hand may be shown as a submodel: none of a step are placed after them. */
+bool StepBuilder::canBeSubmodel(std::uint32_t unit, const UnitList& units) const
 {
     const BuildingUnits::Unit& own = _units.getUnits()[unit];
-    if (!_hasSubmodels || own.parts.size() == 1 || canShow(units, true)) return false;
+    if (!_hasSubmodels || own.parts.size() == 1) return false;
     return std::none_of(units.begin(), units.end(),
                         [&own](std::uint32_t other)
                         { return std::binary_search(own.next.begin(), own.next.end(), other); });
@@ -263,7 +266,7 @@ bool StepBuilder::postpone(const UnitList& units, const std::vector<std::uint32_
         hasChanged = true;
     }
     if (!hasChanged) return false;
-    UnitList others = propose(_isDelayed, _isDeferred);
+    UnitList others = propose();
     shorten(others);
     if (_queue->getWeight(others) < UnitQueue::LEAST || !findFalling(others).empty()) return false;
     place(others, true);

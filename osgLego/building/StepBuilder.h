@@ -59,12 +59,12 @@ private:
     void fillLastStep();
     bool isBelow(std::uint32_t part, const std::vector<std::vector<std::uint32_t>>& submodels) const;
     UnitList proposeStep();
-    UnitList propose(std::vector<bool> isAvoided, const std::vector<bool>& isDeferred);
+    UnitList propose();
     bool canShow(const UnitList& units, bool isTurning) const;
     void shorten(UnitList& units) const;
     bool leavesOne(const UnitList& shorter, const UnitList& units) const;
     void place(const UnitList& units, bool stands);
-    bool isBetterApart(std::uint32_t unit, const UnitList& units) const;
+    bool canBeSubmodel(std::uint32_t unit, const UnitList& units) const;
     void mark(const UnitList& units, bool isPlaced);
     std::vector<std::uint32_t> findFalling(const UnitList& units);
     bool isLost(const std::vector<std::uint32_t>& falling) const;
