@@ -35,8 +35,8 @@ PictureRenderer::PictureRenderer(osg::GraphicsContext& context, int samples) :
     osg::Camera* window = _viewer.getCamera();
     window->setGraphicsContext(&context);
     window->setViewport(0, 0, context.getTraits()->width, context.getTraits()->height);
-    window->setDrawBuffer(GL_FRONT);
-    window->setReadBuffer(GL_FRONT);
+    window->setDrawBuffer(GL_NONE);
+    window->setReadBuffer(GL_NONE);
 
     _camera->setRenderOrder(osg::Camera::PRE_RENDER);
     _camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);

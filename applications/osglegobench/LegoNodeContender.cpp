@@ -51,8 +51,8 @@ void LegoNodeContender::createView()
     _view->setState(_context->getState());
     _view->setFrameStamp(_frameStamp);
     _view->setViewport(0, 0, VIEW_SIZE, VIEW_SIZE);
-    _view->getCamera()->setDrawBuffer(GL_FRONT);
-    _view->getCamera()->setReadBuffer(GL_FRONT);
+    _view->getCamera()->setDrawBuffer(GL_BACK);
+    _view->getCamera()->setReadBuffer(GL_BACK);
     _view->setProjectionMatrixAsPerspective(30.0, 1.0, 0.1, 100.0);
     _view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     // All bricks are behind the eye, so none is drawn. They must not be culled, since drawing uploads those of the CPU.

@@ -28,7 +28,8 @@ namespace
 
 constexpr const char* FOLDER_VARIABLE = "OSGLEGO_SHADER_PATH";
 constexpr const char* VERSION_LINE = "#version 400 compatibility\n";
-constexpr const char* CORE_VERSION_LINE = "#version 400 core\n";
+// Drivers may define both GL_core_profile and GL_compatibility_profile for either profile (GLSL 4.00, section 3.3).
+constexpr const char* CORE_VERSION_LINE = "#version 400 core\n#define OSGLEGO_CORE_PROFILE\n";
 
 bool readFile(const std::string& path, std::string& text)
 {

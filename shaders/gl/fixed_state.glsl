@@ -4,7 +4,7 @@
 #ifndef OSGLEGO_FIXED_STATE
 #define OSGLEGO_FIXED_STATE
 
-#if defined(GL_compatibility_profile)
+#if !defined(OSGLEGO_CORE_PROFILE)
 
 #define modelViewMatrix gl_ModelViewMatrix
 #define projectionMatrix gl_ProjectionMatrix

@@ -1,6 +1,6 @@
 // The outputs of a fragment shader. Those of the compatibility profile are not in every core profile.
 
-#if defined(GL_compatibility_profile)
+#if !defined(OSGLEGO_CORE_PROFILE)
 #define fragmentData gl_FragData
 #define fragmentColor gl_FragColor
 #elif defined(NUM_OUTPUTS)

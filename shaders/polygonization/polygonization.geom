@@ -1,23 +1,17 @@
 // Polygonization (the paper, section III-C, Algorithm 5): the first invocation turns a point into the open sides of a
-// brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
+// brick and the disk of its stud, unless another brick is on top, the second into the wall of the stud. All faces wind
 // counter-clockwise as seen from outside. With #define DEPTH_ONLY, vertices are positions alone.
 
 #include "gl/fixed_state.glsl"
 #include "osgLego/polygonization/StudVisibility.h"
 #include "polygonization/brick_detail.glsl"
 
-#if defined(CLIP_PLANES)
-// The wall and the disk are separate: GL guarantees 1024 components of output for all vertices.
-layout(points, invocations = 3) in;
-layout(triangle_strip, max_vertices = 34) out; // for a wall: 2 * STUD_SIDES + 2
-out float gl_ClipDistance[8];
-#define hasWall (gl_InvocationID == 1)
-#define hasDisk (gl_InvocationID == 2)
-#else
+// GL guarantees 1024 components of output for all vertices of an invocation. A vertex has up to 24 of them, since drivers turn
+// gl_ClipVertex into eight distances from clip planes. NVIDIA's link programs that exceed the limit, and then draw nothing.
 layout(points, invocations = 2) in;
-layout(triangle_strip, max_vertices = 50) out; // for a stud: 3 * STUD_SIDES + 2
-#define hasWall true
-#define hasDisk true
+layout(triangle_strip, max_vertices = 40) out; // for six sides and a disk: 6 * 4 + STUD_SIDES
+#if defined(CLIP_PLANES)
+out float gl_ClipDistance[8];
 #endif
 
 flat in uvec3 brick[];
@@ -86,7 +80,7 @@ void emitVertex(Place place, vec3 normal, vec2 where, uint details, uint colors)
 #endif
 #endif
     gl_Position = place.clip;
-#if defined(GL_compatibility_profile)
+#if !defined(OSGLEGO_CORE_PROFILE)
     gl_ClipVertex = vec4(place.eye, 1.0);
 #elif defined(CLIP_PLANES)
     for (int plane = 0; plane < 8; ++plane)
@@ -159,23 +153,37 @@ bool isStudAtSeen(vec3 center)
     return isStudSeen(length(toEye), below, studHeight, eye.w);
 }
 
-void emitStud(vec3 center, vec3 up)
+// The frame of a stud: its foot, its top, and steps of its radius along both axes across it.
+struct Stud
+{
+    Place foot;
+    Place top;
+    Place stepU;
+    Place stepV;
+};
+
+Stud studAt(vec3 center, vec3 up)
 {
     Place foot = placeOf(vec4(center, 1.0));
-    Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
-    Place stepU = placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0));
-    Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
+    return Stud(foot, moved(foot, studHeight, placeOf(vec4(up, 0.0))), placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0)),
+                placeOf(vec4(across(0.0, STUD_RADIUS), 0.0)));
+}
+
+Place around(Place middle, Stud stud, vec2 direction)
+{
+    return moved(moved(middle, direction.x, stud.stepU), direction.y, stud.stepV);
+}
+
+void emitWall(Stud stud, vec3 center)
+{
     vec3 normalU = eyeNormalMatrix * across(1.0, 0.0);
     vec3 normalV = eyeNormalMatrix * across(0.0, 1.0);
-    vec3 normalUp = eyeNormalMatrix * up;
     uint wall = detailOf(brick[0], STUD_WALL, upAxis, true);
-    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true);
-
     // A side of the wall is seen if its centre faces the eye. Adjacent sides share vertices; a shared vertex has the details
     // of the side that ends at it.
     bool wasSeen = false;
     bool wasTurned = true;
-    for (int side = 0; hasWall && side <= STUD_SIDES; ++side)
+    for (int side = 0; side <= STUD_SIDES; ++side)
     {
         vec2 next = DIRECTIONS[(side + 1) % STUD_SIDES];
         // The first and the last edge are exactly the same.
@@ -185,51 +193,57 @@ void emitStud(vec3 center, vec3 up)
         if (isSeen || wasSeen)
         {
             vec3 normal = direction.x * normalU + direction.y * normalV;
-            float around = float(side) / float(STUD_SIDES);
+            float turn = float(side) / float(STUD_SIDES);
             uint details = wall | insideUnless(wasTurned);
-            emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, vec2(around, 1.0), details,
-                       brick[0].z);
-            emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), details,
-                       brick[0].z);
+            emitVertex(around(stud.top, stud, direction), normal, vec2(turn, 1.0), details, brick[0].z);
+            emitVertex(around(stud.foot, stud, direction), normal, vec2(turn, 0.0), details, brick[0].z);
         }
         if (wasSeen && !isSeen) EndPrimitive();
         wasSeen = isSeen;
         wasTurned = isTurned;
     }
+}
 
-    bool isDiskTurned = isTurnedToEye(center[upAxis] + studHeight, upAxis, true);
-    if (!hasDisk || !isDrawn(isDiskTurned)) return;
-    disk |= insideUnless(isDiskTurned);
+void emitDisk(Stud stud, vec3 center, vec3 up)
+{
+    bool isTurned = isTurnedToEye(center[upAxis] + studHeight, upAxis, true);
+    if (!isDrawn(isTurned)) return;
+    vec3 normal = eyeNormalMatrix * up;
+    uint disk = detailOf(brick[0], STUD_DISK, upAxis, true) | insideUnless(isTurned);
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
         int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
         vec2 direction = DIRECTIONS[side];
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk,
-                   brick[0].z);
+        emitVertex(around(stud.top, stud, direction), normal, 0.5 + 0.5 * direction, disk, brick[0].z);
     }
     EndPrimitive();
+}
+
+void emitSides(vec3 cell, uint open)
+{
+    for (int side = 0; side < 6; ++side)
+    {
+        int axis = side / 2;
+        bool upper = side % 2 == 1;
+        if ((open & (1u << side)) == 0u) continue;
+        if (isDrawn(isTurnedToEye(cell[axis] + float(upper), axis, upper))) emitSide(cell, axis, upper);
+    }
 }
 
 void main()
 {
     vec3 cell = vec3(brick[0].x & 0xffffu, brick[0].x >> 16, brick[0].y & 0xffffu);
     uint open = brick[0].y >> 16;
+    if (gl_InvocationID == 0) emitSides(cell, open);
+    if ((open & (2u << (2 * upAxis))) == 0u) return;
+    vec3 up = vec3(0.0);
+    up[upAxis] = 1.0;
+    vec3 center = cell + across(0.5, 0.5) + up;
+    if (!isDrawn(false) && !isStudAtSeen(center)) return;
+    Stud stud = studAt(center, up);
     if (gl_InvocationID == 0)
-    {
-        for (int side = 0; side < 6; ++side)
-        {
-            int axis = side / 2;
-            bool upper = side % 2 == 1;
-            if ((open & (1u << side)) == 0u) continue;
-            if (isDrawn(isTurnedToEye(cell[axis] + float(upper), axis, upper))) emitSide(cell, axis, upper);
-        }
-    }
-    else if ((open & (2u << (2 * upAxis))) != 0u)
-    {
-        vec3 up = vec3(0.0);
-        up[upAxis] = 1.0;
-        vec3 center = cell + across(0.5, 0.5) + up;
-        if (isDrawn(false) || isStudAtSeen(center)) emitStud(center, up);
-    }
+        emitDisk(stud, center, up);
+    else
+        emitWall(stud, center);
 }

@@ -26,7 +26,8 @@ namespace
 /** The stages of a program by the names of the files that glslangValidator expects. */
 using Stages = std::map<std::string, std::string>;
 
-/** The names that a stage tests with #ifdef, #ifndef or defined(), except those of GL and the guards of headers. */
+/** The names that a stage tests with #ifdef, #ifndef or defined(), except those of GL, the profile and the guards of
+ * headers. */
 std::set<std::string> findConditions(const std::string& text)
 {
     std::set<std::string> names;

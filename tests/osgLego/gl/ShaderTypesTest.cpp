@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,6 +54,38 @@ std::vector<std::filesystem::path> findShaders()
     return shaders;
 }
 
+std::string read(const std::filesystem::path& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/** The components of all outputs of a geometry shader's vertex with every option, and the position. Drivers turn
+ * gl_ClipVertex into eight distances. */
+int countOutputs(const std::string& source)
+{
+    const std::string text = withoutComments(source);
+    int count = 4;
+    for (const std::string& declaration : findMatches(text, R"((^|\n|;)\s*(flat\s+)?out\s+\w+\s+\w+\s*(\[\d+\])?\s*;)"))
+    {
+        std::smatch parts;
+        std::regex_search(declaration, parts, std::regex(R"(out\s+[a-z]+(\d?)\s+\w+\s*(\[(\d+)\])?)"));
+        const int components = parts[1].length() > 0 ? std::stoi(parts[1]) : 1;
+        count += components * (parts[3].matched ? std::stoi(parts[3]) : 1);
+    }
+    const bool hasDistances = text.find("gl_ClipDistance[8]") != std::string::npos;
+    return count + (text.find("gl_ClipVertex") != std::string::npos && !hasDistances ? 8 : 0);
+}
+
+/** The most vertices of a geometry shader with any option; 0 if another file determines their number. */
+int countVertices(const std::string& source)
+{
+    int most = 0;
+    for (const std::string& match : findMatches(withoutComments(source), R"(max_vertices\s*=\s*\d+)"))
+        most = std::max(most, std::stoi(match.substr(match.find('=') + 1)));
+    return most;
+}
+
 TEST(ShaderTypes, BooleansAreFoundInStructuresAndBlocksAndBetweenStagesOnly)
 {
     using Texts = std::vector<std::string>;
@@ -74,11 +107,34 @@ TEST(ShaderTypes, NoStructureOrBlockHasBooleans)
     EXPECT_GT(shaders.size(), 50u);
     for (const std::filesystem::path& shader : shaders)
     {
-        std::ifstream file(shader);
-        const std::string source(std::istreambuf_iterator<char>(file), {});
+        const std::string source = read(shader);
         EXPECT_FALSE(source.empty()) << shader;
         EXPECT_EQ(findBooleanMembers(source), std::vector<std::string>()) << shader << ": expected int";
     }
+}
+
+TEST(ShaderTypes, OutputsOfVerticesAreCounted)
+{
+    EXPECT_EQ(countOutputs("out vec3 a;\nflat out uint b; // out vec4 c;\nout float gl_ClipDistance[8];\n"),
+              4 + 3 + 1 + 8);
+    EXPECT_EQ(countOutputs("out uvec2 a;\nvoid f(out vec3 b) { gl_ClipVertex = c; }\n"), 4 + 2 + 8);
+    EXPECT_EQ(countVertices("layout(points, max_vertices = 16) out;\nlayout(points, max_vertices = 8) out;"), 16);
+}
+
+// NVIDIA's driver links a program that exceeds the limit, and then nothing is drawn in its context any more.
+TEST(ShaderTypes, GeometryShadersEmitNoMoreComponentsThanGlGuarantees)
+{
+    constexpr int LIMIT = 1024; // the least GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS
+    int numShaders = 0;
+    for (const std::filesystem::path& shader : findShaders())
+    {
+        if (shader.extension() != ".geom") continue;
+        const std::string source = read(shader);
+        const int vertices = countVertices(source);
+        EXPECT_LE(vertices * countOutputs(source), LIMIT) << shader << ": " << vertices << " vertices";
+        if (vertices > 0) ++numShaders;
+    }
+    EXPECT_GE(numShaders, 6);
 }
 
 } // namespace

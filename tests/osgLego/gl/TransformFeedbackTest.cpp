@@ -30,7 +30,11 @@ protected:
         _extensions->glGenBuffers(1, &_buffer);
         _extensions->glBindBuffer(GL_ARRAY_BUFFER, _buffer);
         _extensions->glBufferData(GL_ARRAY_BUFFER, 10 * sizeof(float), nullptr, GL_DYNAMIC_COPY);
-        // Some drivers derive the number of vertices from the stride of the first array.
+        // Some drivers derive the number of vertices from the stride of the first array. NVIDIA's rejects one that is
+        // in the buffer captured into.
+        _extensions->glGenBuffers(1, &_vertices);
+        _extensions->glBindBuffer(GL_ARRAY_BUFFER, _vertices);
+        _extensions->glBufferData(GL_ARRAY_BUFFER, 10 * sizeof(float), nullptr, GL_STATIC_DRAW);
         _extensions->glEnableVertexAttribArray(0);
         _extensions->glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
         _extensions->glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -40,6 +44,7 @@ protected:
     {
         _extensions->glDisableVertexAttribArray(0);
         _extensions->glDeleteBuffers(1, &_buffer);
+        _extensions->glDeleteBuffers(1, &_vertices);
         GlTest::TearDown();
     }
 
@@ -55,6 +60,7 @@ protected:
     osg::ref_ptr<osg::Program> _program;
     const osg::GLExtensions* _extensions = nullptr;
     GLuint _buffer = 0;
+    GLuint _vertices = 0;
 };
 
 TEST_F(TransformFeedbackTest, CountsPrimitivesGeneratedAndWritten)

@@ -1,9 +1,9 @@
 // Polygonization (the paper, section III-C, Algorithm 5): the first invocation turns a point into the open sides of a
-// brick, the second into the wall and the disk of its stud, unless another brick is on top. All faces wind
+// brick and the disk of its stud, unless another brick is on top, the second into the wall of the stud. All faces wind
 // counter-clockwise as seen from outside.
 
 layout(points, invocations = 2) in;
-layout(triangle_strip, max_vertices = 50) out;
+layout(triangle_strip, max_vertices = 40) out;
 
 flat in uvec3 brick[];
 
@@ -101,7 +101,7 @@ vec3 across(float u, float v)
     return result;
 }
 
-void emitStud(vec3 center, vec3 up)
+void emitWall(vec3 center, vec3 up)
 {
     Place foot = placeOf(vec4(center, 1.0));
     Place top = moved(foot, studHeight, placeOf(vec4(up, 0.0)));
@@ -109,10 +109,7 @@ void emitStud(vec3 center, vec3 up)
     Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
     vec3 normalU = gl_NormalMatrix * across(1.0, 0.0);
     vec3 normalV = gl_NormalMatrix * across(0.0, 1.0);
-    vec3 normalUp = gl_NormalMatrix * up;
     uint wall = detailOf(STUD_WALL, upAxis, true, 0u);
-    uint disk = detailOf(STUD_DISK, upAxis, true, 0u);
-
     for (int side = 0; side <= STUD_SIDES; ++side)
     {
         // The first and the last edge are exactly the same.
@@ -123,13 +120,21 @@ void emitStud(vec3 center, vec3 up)
         emitVertex(moved(moved(foot, direction.x, stepU), direction.y, stepV), normal, vec2(around, 0.0), wall);
     }
     EndPrimitive();
+}
 
+void emitDisk(vec3 center, vec3 up)
+{
+    Place top = moved(placeOf(vec4(center, 1.0)), studHeight, placeOf(vec4(up, 0.0)));
+    Place stepU = placeOf(vec4(across(STUD_RADIUS, 0.0), 0.0));
+    Place stepV = placeOf(vec4(across(0.0, STUD_RADIUS), 0.0));
+    vec3 normal = gl_NormalMatrix * up;
+    uint disk = detailOf(STUD_DISK, upAxis, true, 0u);
     // A strip that zigzags across the disk: 0, 1, 15, 2, 14 and so on.
     for (int index = 0; index < STUD_SIDES; ++index)
     {
         int side = index % 2 == 1 ? (index + 1) / 2 : (STUD_SIDES - index / 2) % STUD_SIDES;
         vec2 direction = DIRECTIONS[side];
-        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normalUp, 0.5 + 0.5 * direction, disk);
+        emitVertex(moved(moved(top, direction.x, stepU), direction.y, stepV), normal, 0.5 + 0.5 * direction, disk);
     }
     EndPrimitive();
 }
@@ -138,15 +143,14 @@ void main()
 {
     vec3 cell = vec3(brick[0].x & 0xffffu, brick[0].x >> 16, brick[0].y & 0xffffu);
     uint open = brick[0].y >> 16;
+    for (int side = 0; gl_InvocationID == 0 && side < 6; ++side)
+        if ((open & (1u << side)) != 0u) emitSide(cell, side / 2, side % 2 == 1, open);
+    if ((open & (2u << (2 * upAxis))) == 0u) return;
+    vec3 up = vec3(0.0);
+    up[upAxis] = 1.0;
+    vec3 center = cell + across(0.5, 0.5) + up;
     if (gl_InvocationID == 0)
-    {
-        for (int side = 0; side < 6; ++side)
-            if ((open & (1u << side)) != 0u) emitSide(cell, side / 2, side % 2 == 1, open);
-    }
-    else if ((open & (2u << (2 * upAxis))) != 0u)
-    {
-        vec3 up = vec3(0.0);
-        up[upAxis] = 1.0;
-        emitStud(cell + across(0.5, 0.5) + up, up);
-    }
+        emitDisk(center, up);
+    else
+        emitWall(center, up);
 }
