@@ -51,8 +51,8 @@ struct StabilityOptions
  * @param model a model without parts stands.
  * @return a report with an entry in StabilityReport::loads for each part; nothing if it was cancelled.
  * @throws std::invalid_argument if an added weight is on a part that does not exist, is negative or not finite.
- * @throws std::bad_alloc if there is not enough memory, of which large solid models need most: 288 bytes for each pair
- * of parts that the factorization connects. */
+ * @throws std::bad_alloc if there is not enough memory, of which large solid models need most: about 450 bytes for
+ * each pair of parts that the factorization connects. */
 OSGLEGO_EXPORT std::optional<StabilityReport> computeStability(const BrickModel& model,
                                                                const StabilityOptions& options = {});
 

@@ -169,12 +169,21 @@ def layout_summary(documents, goals):
         + f"\nOf {len(goals)} goals, {sum(not goal.reached for goal in goals)} are missed (*).\n"
 
 
+def name_stability(row):
+    return f"{row['mesh']} {row['resolution']}" + (", solid" if row.get("fill") == "solid" else "")
+
+
+def starred(value, goal):
+    return number(value) + ("" if value <= goal else "*")
+
+
 def stability_summary(documents, _):
-    rows = [[f"{row['mesh']} {row['resolution']}", number(row["parts"]), number(row["forces"]),
-             number(row["milliseconds"]["median"]) + ("" if row["reached"] else "*"), number(row["goal"]),
+    rows = [[name_stability(row), number(row["parts"]), number(row["forces"]),
+             starred(row["milliseconds"]["median"], row["goal"]), number(row["goal"]),
+             starred(row["peakMemory"], row["memoryGoal"]) if "peakMemory" in row else "-",
              number(row["clp"]) if "clp" in row else "-", row["falling"], f"{row['margin']:.2f}"]
             for document in documents for row in document["rows"]]
-    return table(["model", "parts", "forces", "ms, * missed", "goal, ms", "CLP's barrier, ms", "parts that fall",
+    return table(["model", "parts", "forces", "ms, * missed", "goal, ms", "MiB, * missed", "CLP's barrier, ms", "parts that fall",
                   "margin"], rows)
 
 

@@ -1,11 +1,12 @@
 #include <osgLego/stability/BlockCholesky.h>
 
+#include <osgLego/stability/StripKernels.h>
+
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <utility>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
+#include <tbb/parallel_for.h>
 
 namespace osgLego
 {
@@ -15,112 +16,83 @@ namespace
 
 using Block = BlockCholesky::Block;
 
-// A pivot that has lost this share of its value counts as 0.
-constexpr double LEAST_PIVOT = 1e-18;
-// Replaces such a pivot, so that the solution is 0 there.
-constexpr double INFINITE_PIVOT = 1e100;
-
-/** Replace the lower triangle of a block by its Cholesky factor. @param original the block before elimination. */
-void factorizeBlock(Block& block, const Eigen::Matrix<double, 6, 1>& original)
-{
-    for (int column = 0; column < 6; ++column)
-    {
-        double pivot = block(column, column);
-        for (int k = 0; k < column; ++k)
-            pivot -= block(column, k) * block(column, k);
-        if (!(pivot > LEAST_PIVOT * original[column])) pivot = INFINITE_PIVOT;
-        const double root = std::sqrt(pivot);
-        block(column, column) = root;
-        for (int row = column + 1; row < 6; ++row)
-        {
-            double value = block(row, column);
-            for (int k = 0; k < column; ++k)
-                value -= block(row, k) * block(column, k);
-            block(row, column) = value / root;
-        }
-    }
-}
-
-std::vector<std::uint32_t> chooseOrder(std::size_t numBlocks,
-                                       std::span<const std::pair<std::int32_t, std::int32_t>> places)
-{
-    using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-    std::vector<Eigen::Triplet<double, int>> entries;
-    for (const auto& [row, column] : places)
-    {
-        entries.emplace_back(row, column, 1.0);
-        entries.emplace_back(column, row, 1.0);
-    }
-    const auto size = static_cast<Eigen::Index>(numBlocks);
-    for (int row = 0; row < size; ++row)
-        entries.emplace_back(row, row, 1.0);
-    Pattern pattern(size, size);
-    pattern.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>::PermutationType order;
-    Eigen::AMDOrdering<int>()(pattern, order);
-    std::vector<std::uint32_t> ranks(numBlocks);
-    for (Eigen::Index rank = 0; rank < size; ++rank)
-        ranks[static_cast<std::size_t>(order.indices()[rank])] = static_cast<std::uint32_t>(rank);
-    return ranks;
-}
+constexpr std::size_t ROWS = 6;
+constexpr std::size_t STRIDE = StripKernels::NUM_ROWS; // between columns
+// A pivot that has lost all but this share of its value consists of rounding errors, and is replaced by this share. So
+// rounding errors do not decide whether a pivot counts as 0, and conjugate gradients correct the difference.
+constexpr double LEAST_PIVOT = 1e-14;
+// Independent subtrees have at most this share of the work, and the whole tree at least this many products of blocks.
+constexpr double SUBTREE_SHARE = 1.0 / 32.0;
+constexpr double LEAST_PARALLEL_BLOCKS = 10'000.0;
 
 } // namespace
 
 BlockCholesky::BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
                              std::function<bool()> isCancelled) :
     _isCancelled(std::move(isCancelled)),
-    _ranks(chooseOrder(numBlocks, places)), _diagonal(numBlocks), _scatter(numBlocks)
+    _tree(numBlocks, places, [this] { return mustStop(); }), _diagonal(numBlocks), _blocks(places.size()),
+    _reciprocals(ROWS * numBlocks), _leastPivots(ROWS * numBlocks)
 {
-    analyze(numBlocks, places);
+    if (_hasBeenCancelled) return;
+    listEntries(places);
+    chooseSubtrees();
+    std::size_t size = 0;
+    for (const EliminationTree::Supernode& supernode : _tree.getSupernodes())
+    {
+        _starts.push_back(size);
+        size += Front::getFactorSize(ROWS * supernode.numColumns, ROWS * supernode.getNumRows());
+    }
+    _factor.resize(size);
+    _rests.resize(_starts.size());
 }
 
 bool BlockCholesky::mustStop()
 {
-    _hasBeenCancelled = _hasBeenCancelled || (_isCancelled && _isCancelled());
-    return _hasBeenCancelled;
+    const std::atomic_ref hasBeenCancelled(_hasBeenCancelled);
+    if (!hasBeenCancelled && _isCancelled && _isCancelled()) hasBeenCancelled = true;
+    return hasBeenCancelled;
 }
 
-void BlockCholesky::analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places)
+void BlockCholesky::listEntries(std::span<const std::pair<std::int32_t, std::int32_t>> places)
 {
-    std::vector<std::vector<std::uint32_t>> columns(numBlocks);
-    for (const auto& [row, column] : places)
+    _entries.resize(_tree.getSupernodes().size());
+    for (std::size_t place = 0; place < places.size(); ++place)
     {
-        const auto ends = std::minmax(_ranks[static_cast<std::size_t>(row)], _ranks[static_cast<std::size_t>(column)]);
-        columns[ends.first].push_back(ends.second);
+        const std::uint32_t row = _tree.getRanks()[static_cast<std::size_t>(places[place].first)];
+        const std::uint32_t column = _tree.getRanks()[static_cast<std::size_t>(places[place].second)];
+        const std::uint32_t supernode = _tree.findSupernode(std::min(row, column));
+        _entries[supernode].push_back({place, _tree.findTarget(supernode, std::max(row, column)),
+                                       _tree.findTarget(supernode, std::min(row, column)), row < column});
     }
-    _starts.assign(1, 0);
-    for (std::size_t column = 0; column < numBlocks; ++column)
-    {
-        if (mustStop()) return;
-        std::vector<std::uint32_t>& rows = columns[column];
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        // The first row below the diagonal is the parent in the elimination tree, which gets all others.
-        if (rows.size() > 1) columns[rows[0]].insert(columns[rows[0]].end(), rows.begin() + 1, rows.end());
-        _rows.insert(_rows.end(), rows.begin(), rows.end());
-        _starts.push_back(_rows.size());
-    }
-    _blocks.resize(_rows.size());
-    _rowStarts.assign(numBlocks + 1, 0);
-    for (const std::uint32_t row : _rows)
-        ++_rowStarts[row + 1];
-    for (std::size_t row = 0; row < numBlocks; ++row)
-        _rowStarts[row + 1] += _rowStarts[row];
-    _rowBlocks.resize(_rows.size());
-    std::vector<std::size_t> ends(_rowStarts.begin(), _rowStarts.end() - 1);
-    for (std::uint32_t column = 0; column < numBlocks; ++column)
-        for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)
-            _rowBlocks[ends[_rows[index]]++] = {column, index};
-    for (const auto& [row, column] : places)
-    {
-        const std::uint32_t rowRank = _ranks[static_cast<std::size_t>(row)];
-        const std::uint32_t columnRank = _ranks[static_cast<std::size_t>(column)];
-        const auto ranks = std::minmax(rowRank, columnRank);
-        const auto first = _rows.begin() + static_cast<std::ptrdiff_t>(_starts[ranks.first]);
-        const auto end = _rows.begin() + static_cast<std::ptrdiff_t>(_starts[ranks.first + 1]);
-        _targets.push_back(static_cast<std::size_t>(std::lower_bound(first, end, ranks.second) - _rows.begin()));
-        _isTransposed.push_back(rowRank < columnRank);
-    }
+}
+
+void BlockCholesky::chooseSubtrees()
+{
+    const std::vector<EliminationTree::Supernode>& supernodes = _tree.getSupernodes();
+    double total = 0.0;
+    for (const EliminationTree::Supernode& supernode : supernodes)
+        if (supernode.parent == EliminationTree::NONE) total += supernode.work;
+    const double most = total < LEAST_PARALLEL_BLOCKS ? -1.0 : SUBTREE_SHARE * total;
+    for (std::uint32_t index = 0; index < supernodes.size(); ++index)
+        if (supernodes[index].work > most)
+            _others.push_back(index);
+        else if (supernodes[index].parent == EliminationTree::NONE || supernodes[supernodes[index].parent].work > most)
+            _subtrees.push_back(index);
+}
+
+template <class Function>
+void BlockCholesky::forEachUpwards(const Function& function) const
+{
+    tbb::parallel_for(std::size_t(0), _subtrees.size(),
+                      [&](std::size_t subtree)
+                      {
+                          const std::uint32_t root = _subtrees[subtree];
+                          for (std::uint32_t index = _tree.getSupernodes()[root].firstDescendant; index <= root;
+                               ++index)
+                              function(index);
+                      });
+    for (const std::uint32_t index : _others)
+        function(index);
 }
 
 void BlockCholesky::setZero()
@@ -129,61 +101,134 @@ void BlockCholesky::setZero()
     std::fill(_blocks.begin(), _blocks.end(), Block::Zero());
 }
 
-void BlockCholesky::addBlock(std::size_t place, const Block& block)
+Front BlockCholesky::getFront(std::size_t index, double* rest) const
 {
-    if (_isTransposed[place])
-        _blocks[_targets[place]] += block.transpose();
-    else
-        _blocks[_targets[place]] += block;
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
+    return {ROWS * supernode.numColumns, ROWS * supernode.getNumRows(), _factor.data() + _starts[index], rest};
 }
 
 void BlockCholesky::factorize()
 {
-    for (std::size_t column = 0; column < _diagonal.size(); ++column)
+    for (std::size_t rank = 0; rank < _diagonal.size(); ++rank)
+        for (std::size_t row = 0; row < ROWS; ++row)
+        {
+            const auto place = static_cast<Eigen::Index>(row);
+            _leastPivots[ROWS * rank + row] = LEAST_PIVOT * _diagonal[rank](place, place);
+        }
+    forEachUpwards([&](std::size_t index) { factorize(index); });
+}
+
+void BlockCholesky::factorize(std::size_t index)
+{
+    if (mustStop()) return;
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
+    const std::size_t numColumns = ROWS * supernode.numColumns;
+    const std::size_t numRows = ROWS * supernode.getNumRows();
+    const auto factor = _factor.begin() + static_cast<std::ptrdiff_t>(_starts[index]);
+    std::fill_n(factor, Front::getFactorSize(numColumns, numRows), 0.0);
+    Numbers& rest = _rests[index];
+    rest.assign(Front::getRestSize(numColumns, numRows), 0.0);
+    const Front front = getFront(index, rest.empty() ? nullptr : rest.data());
+    addEntries(index, front);
+    for (const std::uint32_t child : supernode.children)
     {
         if (mustStop()) return;
-        Block& diagonal = _diagonal[column];
-        const Eigen::Matrix<double, 6, 1> original = diagonal.diagonal();
-        for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)
-            _scatter[_rows[index]] = index;
-        for (std::size_t entry = _rowStarts[column]; entry < _rowStarts[column + 1]; ++entry)
-        {
-            const auto& [previous, first] = _rowBlocks[entry];
-            const Block factor = _blocks[first].transpose();
-            diagonal.noalias() -= _blocks[first].lazyProduct(factor);
-            for (std::size_t index = first + 1; index < _starts[previous + 1]; ++index)
-                _blocks[_scatter[_rows[index]]].noalias() -= _blocks[index].lazyProduct(factor);
-        }
-        factorizeBlock(diagonal, original);
-        for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)
-            diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(_blocks[index]);
+        addRest(child, front);
+        Numbers().swap(_rests[child]); // frees it, unlike an assignment
     }
+    front.factorize(_leastPivots.data() + ROWS * supernode.first, _reciprocals.data() + ROWS * supernode.first,
+                    [this] { return mustStop(); });
+}
+
+void BlockCholesky::addEntries(std::size_t index, const Front& front)
+{
+    using Place = Eigen::Map<Block, Eigen::Unaligned, Eigen::OuterStride<STRIDE>>;
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
+    for (std::size_t column = 0; column < supernode.numColumns; ++column)
+        Place(front.findBlock(column, column)) += _diagonal[supernode.first + column];
+    for (const Entry& entry : _entries[index])
+    {
+        Place place(front.findBlock(entry.row, entry.column));
+        if (entry.isTransposed)
+            place += _blocks[entry.place].transpose();
+        else
+            place += _blocks[entry.place];
+    }
+}
+
+void BlockCholesky::addRest(std::size_t child, const Front& front)
+{
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[child];
+    const Front source = getFront(child, _rests[child].data());
+    const std::vector<std::uint32_t>& targets = supernode.targets;
+    for (std::size_t column = 0; column < targets.size(); ++column)
+        for (std::size_t row = column; row < targets.size(); ++row)
+        {
+            const double* from = source.findBlock(supernode.numColumns + row, supernode.numColumns + column);
+            double* to = front.findBlock(targets[row], targets[column]);
+            for (std::size_t place = 0; place < ROWS; ++place, from += STRIDE, to += STRIDE)
+                for (std::size_t number = 0; number < ROWS; ++number)
+                    to[number] += from[number];
+        }
 }
 
 void BlockCholesky::solve(Eigen::VectorXd& vector) const
 {
     Eigen::VectorXd permuted(vector.size());
-    for (std::size_t row = 0; row < _ranks.size(); ++row)
-        permuted.segment<6>(6 * static_cast<Eigen::Index>(_ranks[row])) =
+    const std::vector<std::uint32_t>& ranks = _tree.getRanks();
+    for (std::size_t row = 0; row < ranks.size(); ++row)
+        permuted.segment<6>(6 * static_cast<Eigen::Index>(ranks[row])) =
             vector.segment<6>(6 * static_cast<Eigen::Index>(row));
-    const auto segmentOf = [&](std::size_t rank) { return permuted.segment<6>(6 * static_cast<Eigen::Index>(rank)); };
-    for (std::size_t column = 0; column < _diagonal.size(); ++column)
-    {
-        auto place = segmentOf(column);
-        _diagonal[column].triangularView<Eigen::Lower>().solveInPlace(place);
-        for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)
-            segmentOf(_rows[index]) -= _blocks[index] * place;
-    }
-    for (std::size_t column = _diagonal.size(); column-- > 0;)
-    {
-        auto place = segmentOf(column);
-        for (std::size_t index = _starts[column]; index < _starts[column + 1]; ++index)
-            place -= _blocks[index].transpose() * segmentOf(_rows[index]);
-        _diagonal[column].triangularView<Eigen::Lower>().transpose().solveInPlace(place);
-    }
-    for (std::size_t row = 0; row < _ranks.size(); ++row)
+    std::vector<Numbers> shares(_starts.size());
+    forEachUpwards([&](std::size_t index) { solveForwards(index, permuted, shares); });
+    for (auto index = _others.rbegin(); index != _others.rend(); ++index)
+        solveBackwards(*index, permuted);
+    tbb::parallel_for(std::size_t(0), _subtrees.size(),
+                      [&](std::size_t subtree)
+                      {
+                          const std::uint32_t root = _subtrees[subtree];
+                          for (std::uint32_t index = root + 1; index-- > _tree.getSupernodes()[root].firstDescendant;)
+                              solveBackwards(index, permuted);
+                      });
+    for (std::size_t row = 0; row < ranks.size(); ++row)
         vector.segment<6>(6 * static_cast<Eigen::Index>(row)) =
-            permuted.segment<6>(6 * static_cast<Eigen::Index>(_ranks[row]));
+            permuted.segment<6>(6 * static_cast<Eigen::Index>(ranks[row]));
+}
+
+/** @param shares for each supernode, the numbers that its elimination adds to the rows below its columns. */
+void BlockCholesky::solveForwards(std::size_t index, Eigen::VectorXd& vector, std::vector<Numbers>& shares) const
+{
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
+    const Front front = getFront(index, nullptr);
+    const std::size_t numColumns = ROWS * supernode.numColumns;
+    Numbers rows(STRIDE * front.getNumStrips(), 0.0);
+    double* values = vector.data() + ROWS * supernode.first;
+    std::copy(values, values + numColumns, rows.begin());
+    for (const std::uint32_t child : supernode.children)
+    {
+        const std::vector<std::uint32_t>& targets = _tree.getSupernodes()[child].targets;
+        for (std::size_t row = 0; row < targets.size(); ++row)
+            for (std::size_t number = 0; number < ROWS; ++number)
+                rows[ROWS * targets[row] + number] += shares[child][ROWS * row + number];
+        Numbers().swap(shares[child]);
+    }
+    front.solveForwards(_reciprocals.data() + ROWS * supernode.first, rows.data());
+    std::copy(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(numColumns), values);
+    shares[index].assign(rows.begin() + static_cast<std::ptrdiff_t>(numColumns), rows.end());
+}
+
+void BlockCholesky::solveBackwards(std::size_t index, Eigen::VectorXd& vector) const
+{
+    const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
+    const Front front = getFront(index, nullptr);
+    const std::size_t numColumns = ROWS * supernode.numColumns;
+    Numbers rows(STRIDE * front.getNumStrips(), 0.0);
+    double* values = vector.data() + ROWS * supernode.first;
+    std::copy(values, values + numColumns, rows.begin());
+    for (std::size_t row = 0; row < supernode.rows.size(); ++row)
+        std::copy_n(vector.data() + ROWS * supernode.rows[row], ROWS, rows.data() + numColumns + ROWS * row);
+    front.solveBackwards(_reciprocals.data() + ROWS * supernode.first, rows.data());
+    std::copy(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(numColumns), values);
 }
 
 } // namespace osgLego

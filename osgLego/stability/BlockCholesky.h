@@ -1,13 +1,18 @@
 #pragma once
 
+#include <osgLego/stability/EliminationTree.h>
+#include <osgLego/stability/Front.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
+#include <tbb/cache_aligned_allocator.h>
 
 namespace osgLego
 {
@@ -25,11 +30,10 @@ namespace osgLego
  *     cholesky.factorize();
  *     cholesky.solve(vector);
  *
- * Eigen's SimplicialLLT works on single numbers instead of blocks and takes 4.5 times as long: 552 ms instead of 123 ms
- * for the 5,587 parts of the bunny at 86 (`osglegobench stability` prints both), and CHOLMOD's simplicial factorization
- * 6 times.
+ * This is a multifrontal method: each supernode of the elimination tree has a dense matrix, a Front, whose rest is
+ * added to that of its parent.
  *
- * One thread at a time. */
+ * One thread at a time, which uses all threads that oneTBB gives it. Results do not depend on their number. */
 class BlockCholesky
 {
 public:
@@ -37,7 +41,8 @@ public:
 
     /** Choose the order of elimination.
      * @param places the row and the column of each block off the diagonal. For two blocks that are each other's
-     * transpose, give only one of the two. Several places may be the same. */
+     * transpose, give only one of the two. Several places may be the same.
+     * @param isCancelled is called from any thread. */
     BlockCholesky(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places,
                   std::function<bool()> isCancelled = {});
 
@@ -45,33 +50,53 @@ public:
     bool isCancelled() const { return _hasBeenCancelled; }
 
     void setZero();
-    Block& getDiagonal(std::size_t row) { return _diagonal[_ranks[row]]; }
+    Block& getDiagonal(std::size_t row) { return _diagonal[_tree.getRanks()[row]]; }
     /** Add to the block whose row and column are `places[place]`. */
-    void addBlock(std::size_t place, const Block& block);
+    void addBlock(std::size_t place, const Block& block) { _blocks[place] += block; }
 
     void factorize();
     /** Replace the right side of a system of equations by its solution. */
     void solve(Eigen::VectorXd& vector) const;
 
 private:
-    void analyze(std::size_t numBlocks, std::span<const std::pair<std::int32_t, std::int32_t>> places);
+    using Numbers = std::vector<double, tbb::cache_aligned_allocator<double>>;
 
+    /** A block of the matrix in the front of its supernode. */
+    struct Entry
+    {
+        std::size_t place;
+        std::uint32_t row;
+        std::uint32_t column;
+        bool isTransposed;
+    };
+
+    void listEntries(std::span<const std::pair<std::int32_t, std::int32_t>> places);
+    void chooseSubtrees();
     /** Ask whether the caller has cancelled. */
     bool mustStop();
+    Front getFront(std::size_t index, double* rest) const;
+    void factorize(std::size_t index);
+    void addEntries(std::size_t index, const Front& front);
+    void addRest(std::size_t child, const Front& front);
+    void solveForwards(std::size_t index, Eigen::VectorXd& vector, std::vector<Numbers>& shares) const;
+    void solveBackwards(std::size_t index, Eigen::VectorXd& vector) const;
+    /** Call a function for each supernode, children first, in several threads. */
+    template <class Function>
+    void forEachUpwards(const Function& function) const;
 
     std::function<bool()> _isCancelled;
     bool _hasBeenCancelled = false;
-    std::vector<std::uint32_t> _ranks; //!< for each row of the matrix, its rank in the order of elimination
-    std::vector<Block> _diagonal;
-    std::vector<std::size_t> _starts;    //!< for each column, its first block in _rows and _blocks
-    std::vector<std::uint32_t> _rows;    //!< ascending in each column
-    std::vector<Block> _blocks;          //!< of the lower triangle
-    std::vector<std::size_t> _targets;   //!< for each place, its block
-    std::vector<bool> _isTransposed;     //!< for each place, whether its block is transposed
-    std::vector<std::size_t> _rowStarts; //!< for each row, its first entry in _rowBlocks
-    /** The blocks in a row: their columns and indices. */
-    std::vector<std::pair<std::uint32_t, std::size_t>> _rowBlocks;
-    std::vector<std::size_t> _scatter;
+    EliminationTree _tree;
+    std::vector<Block> _diagonal;             //!< by rank
+    std::vector<Block> _blocks;               //!< by place
+    std::vector<std::vector<Entry>> _entries; //!< for each supernode
+    std::vector<std::size_t> _starts;         //!< for each supernode, the first number of its factor
+    mutable Numbers _factor;
+    std::vector<double> _reciprocals; //!< of the diagonal of the factor
+    std::vector<double> _leastPivots;
+    std::vector<Numbers> _rests; //!< of fronts whose parents have not been eliminated
+    /** The roots of subtrees that are independent of each other, and all that remain, both in ascending order. */
+    std::vector<std::uint32_t> _subtrees, _others;
 };
 
 } // namespace osgLego

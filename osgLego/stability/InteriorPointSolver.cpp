@@ -14,6 +14,7 @@ constexpr int MAXIMUM_ITERATIONS = 100;
 constexpr double STEP_SHARE = 0.995;
 
 constexpr double ROW_TOLERANCE = 1e-8; // newtons
+constexpr double LONG_STEP = 0.95;     // share of the step
 
 /** Changes of products that bring those at the end of a step near to a target. */
 Eigen::ArrayXd findCorrection(const Eigen::ArrayXd& reached, double target)
@@ -48,13 +49,15 @@ InteriorPointSolver::InteriorPointSolver(const EquilibriumProgram& program, cons
 std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goal)
 {
     constexpr int MOST_CORRECTIONS = 2;
+    constexpr double SMALL_GAP = 1e-2; // of the goal, relative above 1
     _goal = goal;
+    _velocityInertia = goal.inertia.velocities;
     chooseParameter();
     if (!_rows.isCancelled()) start();
     if (_rows.isCancelled()) return std::nullopt;
     Equilibrium result;
-    for (findErrors(); !(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS;
-         findErrors())
+    findErrors();
+    while (!(result.hasConverged = hasConverged()) && result.numIterations < MAXIMUM_ITERATIONS)
     {
         if ((result.isMissingCertain = isMissingCertain())) break;
         factorize();
@@ -76,6 +79,9 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
         const auto [primalLength, dualLength] = findLengths();
         _point = advance(std::min(STEP_SHARE * primalLength, 1.0), std::min(STEP_SHARE * dualLength, 1.0));
         ++result.numIterations;
+        const double previousError = _rowErrors.lpNorm<Eigen::Infinity>();
+        findErrors();
+        if (gap < SMALL_GAP * (1.0 + computeGoal()) && primalLength >= LONG_STEP) easeVelocities(previousError);
     }
     result.forces = _point.forces;
     result.residuals = _point.lacks - _point.excesses;
@@ -86,6 +92,19 @@ std::optional<Equilibrium> InteriorPointSolver::solve(const EquilibriumGoal& goa
     if (!result.hasConverged && !result.isMissingCertain) result.isBalanced = balance(result);
     if (_rows.isCancelled()) return std::nullopt;
     return result;
+}
+
+/** Let velocities grow faster if a long step has not brought the forces nearer to equilibrium.
+ *
+ * The inertia of velocities acts like residuals without a penalty. Where a small force at a long lever is missing, the
+ * velocities grow by no more than (that force) / inertia in a step, and may need hundreds of steps to reach the
+ * penalty. @param previousError the largest error of the rows before the step. */
+void InteriorPointSolver::easeVelocities(double previousError)
+{
+    constexpr double LEAST_INERTIA = 1e-12;
+    const double error = _rowErrors.lpNorm<Eigen::Infinity>();
+    if (error > ROW_TOLERANCE && error > 0.5 * previousError)
+        _velocityInertia = std::max(0.1 * _velocityInertia, LEAST_INERTIA);
 }
 
 /** Bring forces into equilibrium by the least changes, relative to their distances from the bounds, for the same
@@ -254,7 +273,7 @@ void InteriorPointSolver::factorize()
     _divisors = _point.forces * _isSigned + (1.0 - _isSigned);
     _weights = 1.0 / (_point.costs / _divisors + _slackWeights + _goal.inertia.pressures * _isSigned +
                       _goal.inertia.freeForces * (1.0 - _isSigned));
-    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + _goal.inertia.velocities;
+    _rowWeights = _point.lacks / _point.lackCosts + _point.excesses / _point.excessCosts + _velocityInertia;
     _rows.factorize(_weights, _rowWeights);
     if (!_parameter.isFree || _rows.isCancelled()) return;
     _program.multiply((_weights * _slackWeights).matrix(), _parameterColumn);
@@ -311,7 +330,6 @@ void InteriorPointSolver::findStep(const Products& products)
 
 bool InteriorPointSolver::improveStep(Products& products, double target)
 {
-    constexpr double LONG_STEP = 0.95;
     constexpr double WANTED_GAIN = 0.3;
     constexpr double LEAST_GAIN = 0.02;
     const auto findTotals = [&]

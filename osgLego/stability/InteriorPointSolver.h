@@ -135,6 +135,7 @@ private:
     /** The largest shares of the step that keep all variables and all dual slacks positive. */
     std::pair<double, double> findLengths() const;
     Point advance(double primal, double dual) const;
+    void easeVelocities(double previousError);
     bool balance(Equilibrium& result);
 
     const EquilibriumProgram& _program;
@@ -144,6 +145,7 @@ private:
     double _numProducts = 0.0;
 
     EquilibriumGoal _goal;
+    double _velocityInertia = 0.0; //!< at most that of the goal
     Parameter _parameter;
     Point _point;
     Point _step;

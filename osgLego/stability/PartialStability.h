@@ -28,7 +28,7 @@ class PartialStability
 {
 public:
     /** The most parts over all linear programs of parts, and bodies over all of bodies, which bounds the time. */
-    static constexpr std::size_t MOST_SOLVED = 15'000;
+    static constexpr std::size_t MOST_SOLVED = 60'000;
 
     /** How the parts are built. */
     struct Setting

@@ -1,5 +1,6 @@
 #include <osgLego/stability/BlockCholesky.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -8,6 +9,8 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 namespace osgLego::test
 {
@@ -120,6 +123,123 @@ TEST(BlockCholesky, SolvesSemidefiniteSystemsWithALittleOnTheDiagonalAsEigenDoes
             EXPECT_LT((solution - expected).norm(), 1e-6 * expected.norm()) << seed << ", " << rank;
             EXPECT_LT((matrix.getDense() * solution - right).norm(), 1e-12 * right.norm()) << seed << ", " << rank;
         }
+}
+
+/** A grid of blocks that are connected to their neighbours, as the parts of a solid are. */
+class GridMatrix
+{
+public:
+    explicit GridMatrix(std::int32_t length) : _numBlocks(static_cast<std::size_t>(length * length * length))
+    {
+        for (std::int32_t block = 0; block < length * length * length; ++block)
+            for (const std::int32_t step : {1, length, length * length})
+                if (block / step % length + 1 < length) _places.emplace_back(block, block + step);
+    }
+
+    const Places& getPlaces() const { return _places; }
+    std::size_t getNumBlocks() const { return _numBlocks; }
+
+    Eigen::VectorXd solve(BlockCholesky& cholesky) const
+    {
+        cholesky.setZero();
+        for (std::size_t place = 0; place < _places.size(); ++place)
+        {
+            const BlockCholesky::Block block = createBlock(place);
+            cholesky.getDiagonal(static_cast<std::size_t>(_places[place].first)) += block;
+            cholesky.getDiagonal(static_cast<std::size_t>(_places[place].second)) += block;
+            cholesky.addBlock(place, -block);
+        }
+        for (std::size_t block = 0; block < _numBlocks; ++block)
+            cholesky.getDiagonal(block) += SHIFT * BlockCholesky::Block::Identity();
+        cholesky.factorize();
+        Eigen::VectorXd vector = createRight();
+        if (!cholesky.isCancelled()) cholesky.solve(vector);
+        return vector;
+    }
+
+    Eigen::VectorXd createRight() const
+    {
+        return Eigen::VectorXd::LinSpaced(6 * static_cast<Eigen::Index>(_numBlocks), -1.0, 1.0);
+    }
+
+    Eigen::VectorXd multiply(const Eigen::VectorXd& vector) const
+    {
+        Eigen::VectorXd product = SHIFT * vector;
+        for (std::size_t place = 0; place < _places.size(); ++place)
+        {
+            const Eigen::Index row = 6 * _places[place].first;
+            const Eigen::Index column = 6 * _places[place].second;
+            const Eigen::Matrix<double, 6, 1> share =
+                createBlock(place) * (vector.segment<6>(row) - vector.segment<6>(column));
+            product.segment<6>(row) += share;
+            product.segment<6>(column) -= share;
+        }
+        return product;
+    }
+
+private:
+    static constexpr double SHIFT = 0.1;
+
+    static BlockCholesky::Block createBlock(std::size_t place)
+    {
+        const auto number = static_cast<double>(place % 7);
+        const Eigen::Matrix<double, 6, 1> values = Eigen::Matrix<double, 6, 1>::LinSpaced(number - 3.0, number);
+        return values * values.transpose() + 0.5 * BlockCholesky::Block::Identity();
+    }
+
+    std::size_t _numBlocks;
+    Places _places;
+};
+
+TEST(BlockCholesky, SolvesGrids)
+{
+    for (const std::int32_t length : {2, 5, 9})
+    {
+        const GridMatrix matrix(length);
+        BlockCholesky cholesky(matrix.getNumBlocks(), matrix.getPlaces());
+        const Eigen::VectorXd solution = matrix.solve(cholesky);
+        EXPECT_LT((matrix.multiply(solution) - matrix.createRight()).norm(), 1e-11 * solution.norm()) << length;
+    }
+}
+
+TEST(BlockCholesky, SolutionsDoNotDependOnTheNumberOfThreads)
+{
+    const GridMatrix matrix(11);
+    std::vector<Eigen::VectorXd> solutions;
+    for (const std::size_t numThreads : {1u, 2u, 7u, 7u})
+    {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, numThreads);
+        tbb::task_arena arena(static_cast<int>(numThreads));
+        arena.execute(
+            [&]
+            {
+                BlockCholesky cholesky(matrix.getNumBlocks(), matrix.getPlaces());
+                solutions.push_back(matrix.solve(cholesky));
+            });
+    }
+    for (const Eigen::VectorXd& solution : solutions)
+        EXPECT_EQ(solution, solutions.front());
+}
+
+TEST(BlockCholesky, CanBeCancelledWithinADenseMatrix)
+{
+    constexpr std::int32_t NUM_BLOCKS = 60;
+    Places places;
+    for (std::int32_t row = 0; row < NUM_BLOCKS; ++row)
+        for (std::int32_t column = 0; column < row; ++column)
+            places.emplace_back(row, column);
+    std::atomic<int> numCalls = 0;
+    BlockCholesky cholesky(NUM_BLOCKS, places, [&] { return ++numCalls < 0; });
+    cholesky.setZero();
+    numCalls = 0;
+    cholesky.factorize();
+    // For each 24 of 360 columns.
+    EXPECT_GE(numCalls, 15);
+    int calls = 0;
+    BlockCholesky cancelled(NUM_BLOCKS, places, [&] { return ++calls == NUM_BLOCKS + 8; });
+    cancelled.factorize();
+    EXPECT_TRUE(cancelled.isCancelled());
+    EXPECT_EQ(calls, NUM_BLOCKS + 8);
 }
 
 TEST(BlockCholesky, RowsOfZerosGetNothing)

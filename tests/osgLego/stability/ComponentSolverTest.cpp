@@ -2,11 +2,14 @@
 
 #include <osgLego/stability/ComponentSolver.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -52,6 +55,68 @@ TEST(ComponentSolver, PiecesWhoseForcesCantBeComputedAreUnknownRatherThanFalling
     }
 }
 
+/** Solve a model on a base plate, with its parts and contacts numbered at random: the order of elimination depends on
+ * that. @param seed 0 keeps the numbers. */
+ComponentStability solveInRandomOrder(const BrickModel& model, unsigned int seed)
+{
+    const std::vector<PartBox> boxes = findPartBoxes(model);
+    std::vector<Contact> contacts = findContacts(model);
+    for (std::uint32_t part = 0; part < boxes.size(); ++part)
+        if (boxes[part].low.z == 0) contacts.push_back({Contact::BASE, part, Contact::STUDS});
+    std::vector<std::uint32_t> parts(boxes.size());
+    std::iota(parts.begin(), parts.end(), 0u);
+    std::vector<std::uint32_t> numbers = parts;
+    std::mt19937 random(seed);
+    if (seed > 0)
+    {
+        std::shuffle(numbers.begin(), numbers.end(), random);
+        std::shuffle(contacts.begin(), contacts.end(), random);
+    }
+    std::vector<PartBox> numbered(boxes.size());
+    for (const std::uint32_t part : parts)
+        numbered[numbers[part]] = boxes[part];
+    for (Contact& contact : contacts)
+    {
+        contact.upper = numbers[contact.upper];
+        if (contact.lower != Contact::BASE) contact.lower = numbers[contact.lower];
+    }
+    return *solveComponent(numbered, parts, contacts, {});
+}
+
+TEST(ComponentSolver, TheOrderOfEliminationChangesNeitherVerdictNorTension)
+{
+    // Some of them close to the limit, and with long levers, where rounding errors are large.
+    std::vector<osg::ref_ptr<const BrickModel>> models{createLoadedCantilever(2, 3)};
+    for (const int height : {100, 112, 114, 116, 126})
+    {
+        std::vector<Part> column{createBrick({3, 0, 0}, 1, 1)};
+        for (int z = 1; z < height; ++z)
+            column.push_back(createBrick({3, 0, z}, 3, 1));
+        models.push_back(createPartModel(std::move(column)));
+    }
+    for (unsigned int seed = 1; seed <= 30; ++seed)
+        models.push_back(createRandomTower(seed, 4 + static_cast<int>(seed)));
+    int numStanding = 0;
+    for (std::size_t index = 0; index < models.size(); ++index)
+    {
+        const ComponentStability expected = solveInRandomOrder(*models[index], 0);
+        EXPECT_TRUE(expected.isKnown) << index;
+        numStanding += expected.falling.empty();
+        for (unsigned int seed = 1; seed <= 5; ++seed)
+        {
+            const ComponentStability result = solveInRandomOrder(*models[index], seed);
+            EXPECT_TRUE(result.isKnown) << index << ", " << seed;
+            EXPECT_EQ(result.falling.empty(), expected.falling.empty()) << index << ", " << seed;
+            if (std::isinf(expected.tension))
+                EXPECT_EQ(result.tension, expected.tension) << index << ", " << seed;
+            else
+                EXPECT_NEAR(result.tension, expected.tension, 2e-6) << index << ", " << seed;
+        }
+    }
+    EXPECT_GT(numStanding, 10);
+    EXPECT_LT(numStanding, static_cast<int>(models.size()));
+}
+
 /** Solve a cantilever on a base plate: a part 1 x 8 on the single stud of a brick 1 x 1.
  * @param height of the part, in pitches. @param tension that holds it, in newtons. */
 ComponentStability solveCantilever(double height, double tension)
@@ -83,8 +148,8 @@ TEST(ComponentSolver, CanBeCancelledWithinAFactorization)
     int numCalls = 0;
     const auto count = [&] { return ++numCalls < 0; };
     ASSERT_TRUE(solveColumn(NUM_PARTS, 1.0, count));
-    // At least once for each part, in the analysis, at the start and in an iteration.
-    ASSERT_GE(numCalls, 3 * static_cast<int>(NUM_PARTS));
+    // In the analysis, once for each part; at the start and in each iteration, several times.
+    ASSERT_GE(numCalls, static_cast<int>(NUM_PARTS) + 10);
     for (int last = 1; last <= numCalls; ++last)
     {
         int calls = 0;

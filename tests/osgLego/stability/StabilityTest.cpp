@@ -208,6 +208,18 @@ TEST(Stability, MissingForcesAtLongLeversCountAsMuchAsTension)
     EXPECT_EQ(report.weakest->upper, 1u);
 }
 
+TEST(Stability, KnowsThatTowersFallForWantOfASmallForceAtALongLever)
+{
+    for (const int height : {114, 115, 116, 120})
+    {
+        const StabilityReport report = compute(createEccentricTower(height, 3), BuildingBase::PLATE);
+        EXPECT_TRUE(report.unknown.empty()) << height;
+        EXPECT_TRUE(report.falls()) << height;
+        // The solver misses each force by up to 1e-8 N, at levers of up to the height in bricks.
+        EXPECT_NEAR(report.margin, marginOf(GRAVITY * MASS_1X3 * 0.75 * height), 2e-8 * height) << height;
+    }
+}
+
 TEST(Stability, ArchesBearWhatHangsFromThem)
 {
     // A brick 1 x 8 on two columns needs no drag. One 1 x 1 that hangs from its middle is held by the four points of
