@@ -46,16 +46,7 @@ protected:
     }
 
     /** Draw until the viewer would sleep. */
-    osg::ref_ptr<osg::Image> drawUntilAsleep()
-    {
-        constexpr int MANY = 100'000;
-        int count = 0;
-        _context->makeCurrent(); // as the viewer left it, before drawCopy()
-        for (; count == 0 || (_viewer.checkNeedToDoFrame() && count < MANY); ++count)
-            _viewer.frame();
-        EXPECT_LT(count, MANY);
-        return readPixels(*_context);
-    }
+    osg::ref_ptr<osg::Image> drawUntilAsleep() { return drawUntilAsleep(_viewer, *_context); }
 
     bool isLegolized() const { return _lego->isLegolized(_context->getState()->getContextID()); }
 
@@ -70,9 +61,7 @@ protected:
         osgViewer::Viewer viewer;
         setUpViewer(viewer, *context, *root);
         viewer.getCamera()->setViewMatrix(_viewer.getCamera()->getViewMatrix());
-        for (int frame = 0; frame < 3; ++frame)
-            viewer.frame();
-        return readPixels(*context);
+        return drawUntilAsleep(viewer, *context);
     }
 
     osg::ref_ptr<osg::GraphicsContext> _context;
@@ -80,6 +69,18 @@ protected:
     osg::ref_ptr<LegoNode> _lego = new LegoNode(parseSettings("16,device=cpu"));
     osg::ref_ptr<osg::Group> _root = new osg::Group;
     osgViewer::Viewer _viewer;
+
+private:
+    static osg::ref_ptr<osg::Image> drawUntilAsleep(osgViewer::Viewer& viewer, osg::GraphicsContext& context)
+    {
+        constexpr int MANY = 100'000;
+        int count = 0;
+        context.makeCurrent(); // as the viewer left it, before drawCopy()
+        for (; count == 0 || (viewer.checkNeedToDoFrame() && count < MANY); ++count)
+            viewer.frame();
+        EXPECT_LT(count, MANY);
+        return readPixels(context);
+    }
 };
 
 TEST_F(OnDemandTest, AViewerSleepsWhenItShowsTheBricks)
