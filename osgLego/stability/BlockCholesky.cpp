@@ -195,15 +195,21 @@ void BlockCholesky::solve(Eigen::VectorXd& vector) const
             permuted.segment<6>(6 * static_cast<Eigen::Index>(ranks[row]));
 }
 
+BlockCholesky::Numbers BlockCholesky::startRows(const Front& front, std::span<const double> values)
+{
+    Numbers rows(STRIDE * front.getNumStrips(), 0.0);
+    std::copy(values.begin(), values.end(), rows.begin());
+    return rows;
+}
+
 /** @param shares for each supernode, the numbers that its elimination adds to the rows below its columns. */
 void BlockCholesky::solveForwards(std::size_t index, Eigen::VectorXd& vector, std::vector<Numbers>& shares) const
 {
     const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
     const Front front = getFront(index, nullptr);
     const std::size_t numColumns = ROWS * supernode.numColumns;
-    Numbers rows(STRIDE * front.getNumStrips(), 0.0);
     double* values = vector.data() + ROWS * supernode.first;
-    std::copy(values, values + numColumns, rows.begin());
+    Numbers rows = startRows(front, {values, numColumns});
     for (const std::uint32_t child : supernode.children)
     {
         const std::vector<std::uint32_t>& targets = _tree.getSupernodes()[child].targets;
@@ -222,9 +228,8 @@ void BlockCholesky::solveBackwards(std::size_t index, Eigen::VectorXd& vector) c
     const EliminationTree::Supernode& supernode = _tree.getSupernodes()[index];
     const Front front = getFront(index, nullptr);
     const std::size_t numColumns = ROWS * supernode.numColumns;
-    Numbers rows(STRIDE * front.getNumStrips(), 0.0);
     double* values = vector.data() + ROWS * supernode.first;
-    std::copy(values, values + numColumns, rows.begin());
+    Numbers rows = startRows(front, {values, numColumns});
     for (std::size_t row = 0; row < supernode.rows.size(); ++row)
         std::copy_n(vector.data() + ROWS * supernode.rows[row], ROWS, rows.data() + numColumns + ROWS * row);
     front.solveBackwards(_reciprocals.data() + ROWS * supernode.first, rows.data());

@@ -78,6 +78,8 @@ private:
     void factorize(std::size_t index);
     void addEntries(std::size_t index, const Front& front);
     void addRest(std::size_t child, const Front& front);
+    /** The rows of a front, which start with the values of its columns; the others are 0. */
+    static Numbers startRows(const Front& front, std::span<const double> values);
     void solveForwards(std::size_t index, Eigen::VectorXd& vector, std::vector<Numbers>& shares) const;
     void solveBackwards(std::size_t index, Eigen::VectorXd& vector) const;
     /** Call a function for each supernode, children first, in several threads. */

@@ -115,10 +115,10 @@ bool Front::factorize(const double* leastPivots, double* reciprocals, const std:
         if (mustStop()) return false;
         factorizePanel(panel, leastPivots, reciprocals);
     }
+    if (!_rest) return true;
     const std::size_t numStrips = _numStrips - _numColumns / WIDTH;
     const StripKernels& kernels = StripKernels::get();
     std::atomic<bool> hasStopped = false;
-    if (!_rest) return true;
     forEach(_numColumns / WIDTH, _numStrips, numStrips * numStrips / 2 * TILE * _numColumns,
             [&](std::size_t column)
             {
