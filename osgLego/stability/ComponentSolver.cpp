@@ -37,7 +37,10 @@ public:
             giveUp(result);
             return result;
         }
-        if (result.tension > StabilityReport::CAPACITY)
+        if (EquilibriumSearch::isComplete(*equilibrium))
+            // The program keeps to the capacity, which rounding errors may exceed.
+            result.tension = std::min(result.tension, StabilityReport::CAPACITY);
+        else
         {
             result.falling = EquilibriumSearch::findFalling(*equilibrium);
             result.bodies = _search.findRigidBodies(*equilibrium);
