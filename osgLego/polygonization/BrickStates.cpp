@@ -69,7 +69,6 @@ osg::ref_ptr<osg::Texture2D> getReliefTexture(const osg::Image* image)
 
 void applyAppearance(const BrickAppearance& appearance, osg::StateSet& stateSet)
 {
-    stateSet.addUniform(new osg::Uniform("hasJoints", appearance.joints));
     stateSet.addUniform(new osg::Uniform("variation", static_cast<float>(appearance.variation)));
     stateSet.addUniform(new osg::Uniform("roughness", static_cast<float>(appearance.roughness)));
     stateSet.addUniform(new osg::Uniform("reliefHeight", static_cast<float>(appearance.reliefHeight)));
@@ -86,12 +85,15 @@ void applyBufferModes(osg::StateSet& stateSet)
         stateSet.setMode(static_cast<osg::StateAttribute::GLMode>(mode), OFF);
 }
 
-std::string define(Look look, const BrickStates::Kind& kind, const LightProbe& probe)
+std::string define(Look look, const BrickStates::Kind& kind, const BrickAppearance& appearance, const LightProbe& probe)
 {
     std::string definitions;
     if (kind.isPartial) definitions += "#define PARTIAL\n";
     if (kind.hasLines) definitions += "#define LINES\n";
     if (look == Look::PLAIN) return definitions;
+    // Software renderers would compute both branches of a condition.
+    if (appearance.joints) definitions += "#define JOINTS\n";
+    if (appearance.reliefHeight > 0.0) definitions += "#define RELIEF\n";
     if (kind.hasGridOcclusion) definitions += "#define GRID_OCCLUSION\n";
     if (kind.hasOwnOcclusion) definitions += "#define OWN_OCCLUSION\n";
     if (kind.hasDistantOcclusion) definitions += "#define DISTANT_OCCLUSION\n";
@@ -238,8 +240,8 @@ osg::ref_ptr<const BrickStates> BrickStates::get(Look look, const Kind& kind, co
 }
 
 BrickStates::BrickStates(Look look, const Kind& kind, const BrickAppearance& appearance, const LightProbe& probe) :
-    _look(look), _definitions(define(look, kind, probe)), _common(createCommonState(look, kind, appearance, probe)),
-    _shading(createShading(*_common, look, _definitions))
+    _look(look), _definitions(define(look, kind, appearance, probe)),
+    _common(createCommonState(look, kind, appearance, probe)), _shading(createShading(*_common, look, _definitions))
 {
     const std::string partial = kind.isPartial ? "#define PARTIAL\n" : "";
     _boxes = createPointState(partial);

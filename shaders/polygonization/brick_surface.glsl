@@ -1,6 +1,7 @@
 // The surface of a brick: rounded edges that form joints between bricks, a relief on the stud, and a slight variation from
 // brick to brick. If cells are joined to parts, edges and variation are those of the parts. All of it is averaged over the
-// pixel: slopes are summed, and their variance is added to the roughness. Lengths are in cell widths.
+// pixel: slopes are summed, and their variance is added to the roughness. Lengths are in cell widths. Without #define JOINTS,
+// faces are flat; without #define RELIEF, studs have none.
 
 #include "osgLego/BrickDimensions.h"
 #include "polygonization/brick_fragment.glsl"
@@ -12,11 +13,12 @@ uniform vec3 cellProportions; // the cell's edge lengths, divided by its width
 #if !defined(SPLATS) && !defined(LINES)
 uniform int upAxis;
 #endif
-uniform bool hasJoints;
 uniform float variation;    // 1: as much as real bricks differ; 0: none
 uniform float roughness;    // perceptual: the square root of the microfacets' slope
-uniform float reliefHeight; // height of the relief's highest point, in radii of the stud's disk; 0: no relief
+#if defined(RELIEF)
+uniform float reliefHeight; // height of the relief's highest point, in radii of the stud's disk
 uniform sampler2D reliefMap; // slopes along u and v for a height of 1, and their mean square
+#endif
 
 const float EDGE_SLOPE = 0.9;    // the slope at the outer end of a rounded edge
 const float GAP_DARKNESS = 0.5;  // fraction of the light that does not reach the gap
@@ -38,6 +40,7 @@ struct Surface
     float agreement; // length of the pixel's mean normal; 1: all normals are equal
     float roughness;
     float lift; // where shadows are looked up above the surface, in eye coordinates
+    float line; // the share of the pixel that lines cover
 };
 
 // The combined effect of edges and relief within the pixel.
@@ -130,10 +133,15 @@ Bend bendDisk(vec2 place, float width, vec4 slopes)
 {
     float radius = length(place);
     vec3 rim = edgeAt(STUD_RADIUS - radius, width, false);
+    Bend bend = Bend(rim.x * place / max(radius, 1e-5), rim.y, 1.0);
+#if defined(RELIEF)
     vec4 relief = textureGrad(reliefMap, 0.5 + 0.5 * place / STUD_RADIUS, slopes.xz, slopes.yw);
     vec2 slope = -reliefHeight * relief.xy;
     float square = reliefHeight * reliefHeight * relief.z;
-    return Bend(slope + rim.x * place / max(radius, 1e-5), rim.y + max(square - dot(slope, slope), 0.0), 1.0);
+    bend.slope += slope;
+    bend.variance += max(square - dot(slope, slope), 0.0);
+#endif
+    return bend;
 }
 
 // Three pseudo-random numbers of the brick or the part, from -1 to 1.
@@ -215,8 +223,12 @@ Surface surfaceHere(vec3 toEye)
     surface.outward = isUpper ? outward : -outward;
     Bend bend;
     if (part == FACE)
+#if defined(JOINTS)
         bend = bendFace(place, size, width, ~sidesBeside(detail >> 5, axes), detail >> 12,
                         vec2(color >> 24 & 15u, color >> 28));
+#else
+        bend = Bend(vec2(0.0), 0.0, 1.0);
+#endif
     else if (part == STUD_WALL)
     {
         bend = bendWall(coordinate.y * STUD_HEIGHT, widthOf(STUD_HEIGHT * slopes.zw));
@@ -227,7 +239,6 @@ Surface surfaceHere(vec3 toEye)
         float width = 2.0 * STUD_RADIUS * max(length(slopes.xy), length(slopes.zw));
         bend = bendDisk(STUD_RADIUS * (2.0 * coordinate - 1.0), max(width, 1e-5), slopes);
     }
-    if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
     if (part != STUD_WALL) bend.slope += TILT * own.xy;
 
     surface.color = clamp(unpackUnorm4x8(color).rgb * (1.0 + SHADE * own.z), 0.0, 1.0);
@@ -238,13 +249,14 @@ Surface surfaceHere(vec3 toEye)
     surface.roughness = pow(roughness, 4.0) + bend.variance;
     surface.agreement = 1.0;
     surface.lift = 0.0;
+    surface.line = 0.0;
     mergeFaces(surface, toEye, wide);
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);
 #if defined(LINES)
-    float line = lineHere(toEye);
-    surface.color = drawnColor(surface.color, line);
-    surface.roughness = mix(isNew ? surface.roughness : max(surface.roughness, FADED_ROUGHNESS), 1.0, line);
+    surface.line = lineHere(toEye);
+    surface.color = drawnColor(surface.color, surface.line);
+    surface.roughness = mix(isNew ? surface.roughness : max(surface.roughness, FADED_ROUGHNESS), 1.0, surface.line);
 #endif
     return surface;
 }

@@ -70,11 +70,11 @@ vec3 directLight(Surface surface, vec3 albedo, out float environment)
 }
 
 // The colour without lighting.
-vec3 unlitColor()
+vec3 unlitColor(Surface surface)
 {
     vec3 own = unpackUnorm4x8(color).rgb;
 #if defined(LINES)
-    own = drawnColor(own, lineHere(towardsEye(eyePosition)));
+    own = drawnColor(own, surface.line);
 #endif
     return own;
 }
@@ -133,7 +133,7 @@ void main()
     float transmittance = transmittanceAt(eyePosition.z);
     if (numLights < 0)
     {
-        vec3 shown = mix(fogColor, unlitColor(), transmittance);
+        vec3 shown = mix(fogColor, unlitColor(surface), transmittance);
         fragmentData[0] = vec4(shown, 1.0);
         fragmentData[1] = vec4(0.0);
         fragmentData[2] = vec4(toOctahedron(surface.normal), 0.0, UNLIT);
@@ -165,7 +165,7 @@ void main()
     if (!findFragment()) discard;
     Surface surface = surfaceHere(towardsEye(eyePosition));
     float transmittance = transmittanceAt(eyePosition.z);
-    vec3 shown = unlitColor();
+    vec3 shown = unlitColor(surface);
     if (numLights >= 0)
     {
         vec3 albedo = toLight(surface.color);

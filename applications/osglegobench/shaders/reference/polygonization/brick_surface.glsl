@@ -10,7 +10,6 @@ flat in uint detail;
 
 uniform vec3 cellProportions; // the cell's edge lengths, divided by its width
 uniform int upAxis;
-uniform bool hasJoints;
 uniform float variation;    // 1: as much as real bricks differ; 0: none
 uniform float roughness;    // perceptual: the square root of the microfacets' slope
 uniform float reliefHeight; // height of the relief's highest point, in radii of the stud's disk; 0: no relief
@@ -157,7 +156,9 @@ Surface surfaceHere()
         vec2 center = DISK_RADIUS * (2.0 * coordinate - 1.0);
         bend = bendDisk(center, max(widthOf(center.x), widthOf(center.y)));
     }
-    if (!hasJoints && part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
+#if !defined(JOINTS)
+    if (part == FACE) bend = Bend(vec2(0.0), 0.0, 1.0);
+#endif
     if (part != STUD_WALL) bend.slope += TILT * own.xy;
 
     Surface surface;
