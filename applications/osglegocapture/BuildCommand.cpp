@@ -125,16 +125,17 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
     if (options.buildParts && best.layout.numParts > *options.buildParts)
         defects.push_back(fmt::format("the model has {} parts, more than the {} of --parts", best.layout.numParts,
                                       *options.buildParts));
+    const char* standing = best.isWhole() ? "the model stands" : "its pieces stand";
     if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.layout.numComponents));
     if (best.stability.falls())
         defects.push_back(fmt::format("{} of {} parts fall", best.stability.falling.size(), best.layout.numParts));
     else if (!best.stability.stands)
-        defects.emplace_back("it is unknown whether the model stands");
+        defects.push_back(fmt::format("it is unknown whether {}", standing));
     else if (best.stability.tipsEasily())
-        defects.push_back(fmt::format("the model stands, but tips over on a table that is tilted by {:.1f} degrees",
-                                      *best.stability.tippingAngle));
+        defects.push_back(fmt::format("{}, but {} over on a table that is tilted by {:.1f} degrees", standing,
+                                      best.isWhole() ? "tips" : "one tips", *best.stability.tippingAngle));
     else if (!best.stability.safe)
-        defects.emplace_back("the model stands, but not safely");
+        defects.push_back(fmt::format("{}, but not safely", standing));
     return defects;
 }
 
