@@ -13,6 +13,9 @@ constexpr int MAXIMUM_ITERATIONS = 100;
 // The share of the way to the nearest boundary that a step may take.
 constexpr double STEP_SHARE = 0.995;
 
+// The products of variables and their dual slacks at the start, as a share of the mean cost of the residuals.
+constexpr double START_SHARE = 0.1;
+
 constexpr double ROW_TOLERANCE = 1e-8; // newtons
 constexpr double LONG_STEP = 0.95;     // share of the step
 
@@ -170,16 +173,19 @@ void InteriorPointSolver::start()
     const double tension = _parameter.limit + _parameter.limitRate * _point.parameter;
     _point.velocities = Eigen::ArrayXd::Zero(numRows);
     startForces(tension);
-    const double target = 0.5 * tension / std::max(_isDrag.sum(), 1.0);
+    Eigen::VectorXd rows;
+    _program.multiply(_point.forces.matrix(), rows);
+    rows = _program.getLoad() + _point.parameter * _parameter.load - rows;
+    // Residuals that are missing cost the penalty. If the other products were far smaller, the first steps would end at
+    // once at the bounds of their variables.
+    const double missing = rows.size() > 0 ? rows.lpNorm<1>() / static_cast<double>(rows.size()) : 0.0;
+    const double target = std::max(0.5 * tension / std::max(_isDrag.sum(), 1.0), START_SHARE * _goal.penalty * missing);
     _divisors = _isSigned * _point.forces + (1.0 - _isSigned);
     _point.costs = _isSigned * target / _divisors;
     _point.slacks = _isDrag * (tension - _point.forces) + (1.0 - _isDrag);
     _point.prices = _isDrag * target / _point.slacks;
     _point.lackCosts = Eigen::ArrayXd::Constant(numRows, _goal.penalty);
     _point.excessCosts = _point.lackCosts;
-    Eigen::VectorXd rows;
-    _program.multiply(_point.forces.matrix(), rows);
-    rows = _program.getLoad() + _point.parameter * _parameter.load - rows;
     _point.lacks = target / _point.lackCosts + rows.array().max(0.0);
     _point.excesses = target / _point.lackCosts - rows.array().min(0.0);
     _point.parameterSlack = _parameter.isFree ? _parameter.most - _point.parameter : 1.0;
