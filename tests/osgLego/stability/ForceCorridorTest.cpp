@@ -75,7 +75,7 @@ TEST(ForceCorridor, PartsThatItAddsOneAfterTheOtherStandByClp)
     {
         int numNarrow = 0;
         int numFalling = 0;
-        for (unsigned int seed = 1; seed <= 8; ++seed)
+        for (unsigned int seed = 1; seed <= 20; ++seed)
         {
             const CorridorTower tower(seed, base);
             BearingForces forces = createNoForces(tower.getJoints(), 0.0);
