@@ -70,7 +70,10 @@ struct BearingForces
     std::vector<bool> isPlaced;
     std::vector<double> pressures;        //!< for each contact point, in newtons
     std::vector<VerticalLoad> floorLoads; //!< for each part, on the base
+    /** For each joint, the forces along x and y, and the torque about the vertical, about its middle. */
+    std::vector<Eigen::Vector3d> sideways;
     double floorPull = 0.0; //!< the greatest pull at points of the base that `floorLoads` does not contain
+    bool isBound = false;   //!< whether `pressures` are only known to be at least this much
 };
 
 } // namespace osgLego

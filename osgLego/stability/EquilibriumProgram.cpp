@@ -43,7 +43,8 @@ Wrench createWrench(const Eigen::Vector3d& point, const Eigen::Vector3d& force)
 } // namespace
 
 EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                                       std::span<const Contact> contacts, std::span<const std::uint32_t> bodies)
+                                       std::span<const Contact> contacts, std::span<const std::uint32_t> bodies,
+                                       std::span<const Wrench> given)
 {
     std::vector<std::uint32_t> numbers(bodies.begin(), bodies.end());
     if (bodies.empty())
@@ -52,6 +53,8 @@ EquilibriumProgram::EquilibriumProgram(std::span<const PartBox> boxes, std::span
         std::iota(numbers.begin(), numbers.end(), 0u);
     }
     addWeights(boxes, parts, numbers);
+    for (std::size_t body = 0; body < given.size(); ++body)
+        _load.segment<6>(6 * static_cast<Eigen::Index>(body)) -= given[body];
     const auto findBody = [&](std::uint32_t part)
     {
         const auto place = std::lower_bound(parts.begin(), parts.end(), part) - parts.begin();

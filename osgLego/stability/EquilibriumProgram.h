@@ -52,9 +52,12 @@ public:
 
     /** @param contacts between parts in `parts` that are in different bodies, or with the base.
      * @param parts indices into `boxes`, in ascending order.
-     * @param bodies for each part, the number of its body, from 0 on; if empty, each part is a body. */
+     * @param bodies for each part, the number of its body, from 0 on; if empty, each part is a body.
+     * @param given for each body, a force that acts on it in any case, and its torque about the centre; if empty,
+     * none. */
     EquilibriumProgram(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                       std::span<const Contact> contacts, std::span<const std::uint32_t> bodies = {});
+                       std::span<const Contact> contacts, std::span<const std::uint32_t> bodies = {},
+                       std::span<const Wrench> given = {});
 
     std::size_t getNumBodies() const { return _numBodies; }
     std::size_t getNumRows() const { return 6 * _numBodies; }

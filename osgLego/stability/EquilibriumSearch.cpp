@@ -54,6 +54,14 @@ std::optional<Equilibrium> EquilibriumSearch::find(double capacity, const std::o
     return best;
 }
 
+std::optional<Equilibrium> EquilibriumSearch::findComplete(double capacity)
+{
+    EquilibriumGoal goal{PENALTY, capacity, true};
+    goal.endsIfMissing = true;
+    std::optional<Equilibrium> found = _solver.solve(goal);
+    return found && isComplete(*found) ? found : std::nullopt;
+}
+
 /** The same with all costs divided by the penalty: the velocities of parts that fall are as large as the cost of
  * missing newtons, and so are the rounding errors of free forces. */
 std::optional<Equilibrium> EquilibriumSearch::findMissing(double capacity)

@@ -37,11 +37,12 @@ public:
      * @param contacts between these parts, and of them with the base.
      * @param isCancelled may be empty.
      * @param bodies for each part, the number of its rigid body, from 0 on; if empty, each part is a body. Contacts are
-     * only between bodies. */
+     * only between bodies.
+     * @param given as for EquilibriumProgram. */
     EquilibriumSearch(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
                       std::span<const Contact> contacts, const std::function<bool()>& isCancelled,
-                      std::span<const std::uint32_t> bodies = {}) :
-        _program(boxes, parts, contacts, bodies),
+                      std::span<const std::uint32_t> bodies = {}, std::span<const Wrench> given = {}) :
+        _program(boxes, parts, contacts, bodies, given),
         _solver(_program, isCancelled)
     {
     }
@@ -53,6 +54,10 @@ public:
      * @param tilt if it is set, it is maximized.
      * @return nothing if it was cancelled. */
     std::optional<Equilibrium> find(double capacity, const std::optional<EquilibriumTilt>& tilt);
+
+    /** Find forces of which nothing is missing, in one attempt.
+     * @return nothing if there are none, if that is not known, or if it was cancelled. */
+    std::optional<Equilibrium> findComplete(double capacity);
 
     /** Whether the forces tell anything: they are optimal or, at least, in equilibrium. */
     static bool isKnown(const Equilibrium& equilibrium) { return equilibrium.hasConverged || equilibrium.isBalanced; }

@@ -18,6 +18,9 @@ namespace
 // The most added parts for which a linear program of them and of parts near them is tried.
 constexpr std::size_t MOST_ADDED = 100;
 constexpr int NEAR = 2; // joints away
+// The widths of corridors about new parts and paths from them to the base, in joints.
+constexpr int NARROW = 2;
+constexpr int WIDE = 6;
 
 std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
 {
@@ -61,9 +64,9 @@ PartialStability::PartialStability(const BrickModel& model, const std::vector<st
     _model(model),
     _graph(graph), _parts(parts), _setting(std::move(setting)),
     _joints(graph, findWeights(model, parts), _setting.base), _flow(_joints), _springs(_joints),
-    _standing(parts.size(), false)
+    _corridor(_joints, getCellPlates(model.getGrid()), _setting.isCancelled), _standing(parts.size(), false)
 {
-    _forces = _proven = createNoForces();
+    _forces = _known = _proven = createNoForces();
 }
 
 PartialStability::~PartialStability() = default;
@@ -71,27 +74,54 @@ PartialStability::~PartialStability() = default;
 /** Whether forces are found that keep parts in equilibrium. */
 bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
 {
-    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced)) return true;
+    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced))
+    {
+        if (!_forces.isBound) _known = _forces;
+        return true;
+    }
     std::optional<BearingForces> forces = _springs.add(createNoForces(), isPlaced);
     if (!forces && includes(isPlaced, _proven.isPlaced)) forces = _springs.add(_proven, isPlaced);
     if (!forces) return false;
-    _forces = std::move(*forces);
+    note(std::move(*forces));
     return true;
+}
+
+/** Whether forces are found that keep parts in equilibrium, all others being as they are known.
+ * @param numJoints the width of the corridor. */
+bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int numJoints)
+{
+    if (_numBodies >= _setting.mostSolved || !includes(isPlaced, _known.isPlaced)) return false;
+    PartList added;
+    for (const std::uint32_t part : listPlaced(isPlaced))
+        if (!_known.isPlaced[part]) added.push_back(part);
+    const std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
+    _numBodies += listPlaced(isInside).size();
+    std::optional<BearingForces> forces = _corridor.add(_known, isPlaced, isInside);
+    if (!forces) return false;
+    note(std::move(*forces));
+    return true;
+}
+
+void PartialStability::note(BearingForces forces)
+{
+    _forces = std::move(forces);
+    if (!_forces.isBound) _known = _forces;
 }
 
 BearingForces PartialStability::createNoForces() const
 {
     return {std::vector<bool>(_parts.size(), false), std::vector<double>(_joints.getPoints().size(), 0.0),
-            std::vector<VerticalLoad>(_parts.size(), VerticalLoad::Zero())};
+            std::vector<VerticalLoad>(_parts.size(), VerticalLoad::Zero()),
+            std::vector<Eigen::Vector3d>(_joints.getJoints().size(), Eigen::Vector3d::Zero())};
 }
 
 std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
     std::optional<PartList> falling = findFallingAgain(isPlaced);
-    if (falling && falling->empty() && !isBalanced(isPlaced))
+    if (falling && falling->empty() && !isBalanced(isPlaced) && !isBalancedNear(isPlaced, NARROW))
     {
         falling = findFallingNear(isPlaced);
-        if (falling && falling->empty()) falling = findAllFalling(isPlaced);
+        if (falling && falling->empty() && !isBalancedNear(isPlaced, WIDE)) falling = findAllFalling(isPlaced);
     }
     if (!falling) return std::nullopt;
     if (falling->empty())
@@ -128,7 +158,7 @@ std::optional<PartialStability::PartList> PartialStability::findFallingNear(cons
         if (!_standing[part]) added.push_back(part);
     if (added.size() > MOST_ADDED || _numBodies >= _setting.mostSolved) return PartList();
     if (!_analysis) createAnalysis();
-    const std::vector<bool> isNear = findNear(added, isPlaced);
+    const std::vector<bool> isNear = findNear(added, isPlaced, NEAR);
     const auto isFar = [&](std::uint32_t part) { return isPlaced[part] && !isNear[part]; };
     UnionFind sets;
     sets.reset(isPlaced.size());
@@ -178,6 +208,7 @@ std::optional<PartialStability::PartList> PartialStability::findAllFalling(const
         // themselves.
         _proven = createNoForces();
         _proven.isPlaced = isPlaced;
+        _proven.isBound = true;
         _proven.floorPull = (1.0 - report->margin) * StabilityReport::CAPACITY;
         _proven.pressures.assign(_proven.pressures.size(), -_proven.floorPull);
         _forces = _proven;
@@ -188,13 +219,13 @@ std::optional<PartialStability::PartList> PartialStability::findAllFalling(const
 }
 
 /** Parts, and those in place that few joints connect to them. */
-std::vector<bool> PartialStability::findNear(PartList parts, const std::vector<bool>& isPlaced) const
+std::vector<bool> PartialStability::findNear(PartList parts, const std::vector<bool>& isPlaced, int numJoints) const
 {
     std::vector<bool> isFound(isPlaced.size(), false);
     for (const std::uint32_t part : parts)
         isFound[part] = true;
     std::size_t first = 0;
-    for (int round = 0; round < NEAR; ++round)
+    for (int round = 0; round < numJoints; ++round)
     {
         const std::size_t end = parts.size();
         for (; first < end; ++first)
@@ -210,6 +241,37 @@ std::vector<bool> PartialStability::findNear(PartList parts, const std::vector<b
         }
     }
     return isFound;
+}
+
+/** Parts, and those on a shortest path of joints from each to the base. */
+PartialStability::PartList PartialStability::findPaths(const PartList& parts, const std::vector<bool>& isPlaced) const
+{
+    constexpr std::uint32_t UNREACHED = 0xffffffff;
+    PartList reached;
+    PartList next(isPlaced.size(), UNREACHED); // towards the base
+    const auto reach = [&](std::uint32_t part, std::uint32_t from)
+    {
+        if (!isPlaced[part] || next[part] != UNREACHED) return;
+        next[part] = from;
+        reached.push_back(part);
+    };
+    for (std::uint32_t part = 0; part < isPlaced.size(); ++part)
+        if (_graph.isOnBase(part)) reach(part, part);
+    for (std::size_t index = 0; index < reached.size(); ++index)
+        for (const auto& links : {_graph.getJointsBelow(reached[index]), _graph.getJointsAbove(reached[index])})
+            for (const PartLink& link : links)
+                reach(link.part, reached[index]);
+    std::vector<bool> isFound(isPlaced.size(), false);
+    PartList paths;
+    for (std::uint32_t part : parts)
+        for (; part != UNREACHED && !isFound[part]; part = next[part])
+        {
+            isFound[part] = true;
+            paths.push_back(part);
+        }
+    for (const std::uint32_t part : parts)
+        if (next[part] == UNREACHED && !isFound[part]) paths.push_back(part);
+    return paths;
 }
 
 PartialStability::PartList PartialStability::toAnalysis(std::span<const std::uint32_t> parts) const

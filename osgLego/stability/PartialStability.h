@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/stability/ForceCorridor.h>
 #include <osgLego/stability/SpringBalance.h>
 #include <osgLego/stability/WeightFlow.h>
 
@@ -19,7 +20,8 @@ class StabilityAnalysis;
  *
  * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
  * others. First it is solved for few rigid bodies, such as those that moved as one when parts fell before: if bodies
- * fall, so do parts. WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such
+ * fall, so do parts. ForceCorridor solves it for new parts and those near them, with known forces between all others.
+ * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such
  * forces. The sum of two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of
  * which only the margin is known.
  *
@@ -27,8 +29,8 @@ class StabilityAnalysis;
 class PartialStability
 {
 public:
-    /** The most parts over all linear programs of parts, and bodies over all of bodies, which bounds the time. */
-    static constexpr std::size_t MOST_SOLVED = 60'000;
+    /** The most parts over all linear programs of all parts, and over all others, which bounds the time. */
+    static constexpr std::size_t MOST_SOLVED = 1'000'000;
 
     /** How the parts are built. */
     struct Setting
@@ -58,10 +60,13 @@ private:
     std::optional<PartList> findFallingNear(const std::vector<bool>& isPlaced);
     std::optional<PartList> findFallingBodies(const std::vector<bool>& isPlaced, PartList& bodies);
     std::optional<PartList> findAllFalling(const std::vector<bool>& isPlaced);
-    std::vector<bool> findNear(PartList parts, const std::vector<bool>& isPlaced) const;
+    std::vector<bool> findNear(PartList parts, const std::vector<bool>& isPlaced, int numJoints) const;
+    PartList findPaths(const PartList& parts, const std::vector<bool>& isPlaced) const;
     PartList toAnalysis(std::span<const std::uint32_t> parts) const;
     PartList fromAnalysis(std::span<const std::uint32_t> parts) const;
     bool isBalanced(const std::vector<bool>& isPlaced);
+    bool isBalancedNear(const std::vector<bool>& isPlaced, int numJoints);
+    void note(BearingForces forces);
     BearingForces createNoForces() const;
     void createAnalysis();
 
@@ -74,7 +79,9 @@ private:
     BearingJoints _joints;
     WeightFlow _flow;
     SpringBalance _springs;
+    ForceCorridor _corridor;
     BearingForces _forces;                        // those that were found last
+    BearingForces _known;                         // those that were found last and are no bounds
     BearingForces _proven;                        // bounds of those that the linear program found last
     std::vector<bool> _standing;                  // the parts that stood last
     PartList _falling;                            // those that fell last, and have not stood since

@@ -13,7 +13,8 @@ inline BearingForces createNoForces(const BearingJoints& joints, double floorPul
 {
     const std::size_t numParts = joints.getGraph().getNumParts();
     return {std::vector<bool>(numParts, false), std::vector<double>(joints.getPoints().size(), 0.0),
-            std::vector<VerticalLoad>(numParts, VerticalLoad::Zero()), floorPull};
+            std::vector<VerticalLoad>(numParts, VerticalLoad::Zero()),
+            std::vector<Eigen::Vector3d>(joints.getJoints().size(), Eigen::Vector3d::Zero()), floorPull};
 }
 
 /** A beam 2 x 8 of the given weight in newtons, on the last two studs of a heavy brick 2 x 8 on a table.
