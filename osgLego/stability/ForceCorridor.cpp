@@ -55,6 +55,15 @@ Eigen::Vector3d findSideways(const EquilibriumProgram& program, const Equilibriu
 
 } // namespace
 
+/** The parts of a corridor, and the forces on them. */
+struct ForceCorridor::Program
+{
+    std::vector<std::uint32_t> parts;
+    std::vector<Contact> contacts;   // first those of `joints`
+    std::vector<Wrench> loads;       // for each part, of the forces that are kept
+    std::vector<std::size_t> joints; // between the parts
+};
+
 ForceCorridor::ForceCorridor(const BearingJoints& joints, int cellPlates, std::function<bool()> isCancelled) :
     _joints(joints), _isCancelled(std::move(isCancelled))
 {
@@ -98,18 +107,15 @@ Wrench ForceCorridor::findWrench(const BearingForces& forces, std::size_t joint,
     return wrench;
 }
 
-std::optional<BearingForces> ForceCorridor::add(const BearingForces& start, const std::vector<bool>& isPlaced,
-                                                const std::vector<bool>& isInside) const
+ForceCorridor::Program ForceCorridor::createProgram(const BearingForces& start, const std::vector<bool>& isPlaced,
+                                                    const std::vector<bool>& isInside) const
 {
-    std::vector<std::uint32_t> parts;
-    std::vector<Contact> contacts;
-    std::vector<Wrench> loads; // of the forces that are kept
-    std::vector<std::size_t> joints;
+    Program program;
     for (std::uint32_t part = 0; part < isInside.size(); ++part)
     {
         if (!isInside[part]) continue;
-        parts.push_back(part);
-        Wrench& load = loads.emplace_back(Wrench::Zero());
+        program.parts.push_back(part);
+        Wrench& load = program.loads.emplace_back(Wrench::Zero());
         for (const std::uint32_t index : _joints.getJointsOf(part))
         {
             const BearingJoints::Joint& joint = _joints.getJoints()[index];
@@ -117,31 +123,37 @@ std::optional<BearingForces> ForceCorridor::add(const BearingForces& start, cons
             if (isPlaced[other] && !isInside[other])
                 load += (joint.upper == part ? 1.0 : -1.0) * findWrench(start, index, part);
             if (!isInside[other] || joint.lower != part) continue;
-            contacts.push_back({part, other, Contact::STUDS});
-            joints.push_back(index);
+            program.contacts.push_back({part, other, Contact::STUDS});
+            program.joints.push_back(index);
         }
     }
-    for (const std::uint32_t part : parts)
-        if (_joints.getGraph().isOnBase(part))
-            contacts.push_back(
-                {Contact::BASE, part, _joints.getBase() == BuildingBase::TABLE ? Contact::TABLE : Contact::STUDS});
-    if (contacts.empty()) return std::nullopt;
-    EquilibriumSearch search(_boxes, parts, contacts, _isCancelled, {}, loads);
+    const auto base = _joints.getBase() == BuildingBase::TABLE ? Contact::TABLE : Contact::STUDS;
+    for (const std::uint32_t part : program.parts)
+        if (_joints.getGraph().isOnBase(part)) program.contacts.push_back({Contact::BASE, part, base});
+    return program;
+}
+
+std::optional<BearingForces> ForceCorridor::add(const BearingForces& start, const std::vector<bool>& isPlaced,
+                                                const std::vector<bool>& isInside) const
+{
+    const Program own = createProgram(start, isPlaced, isInside);
+    if (own.contacts.empty()) return std::nullopt;
+    EquilibriumSearch search(_boxes, own.parts, own.contacts, _isCancelled, {}, own.loads);
     const std::optional<Equilibrium> found = search.findComplete(BearingForces::CAPACITY);
     if (!found) return std::nullopt;
     BearingForces forces = start;
     forces.isPlaced = isPlaced;
     const EquilibriumProgram& program = search.getProgram();
-    for (std::size_t index = 0; index < joints.size(); ++index)
+    for (std::size_t index = 0; index < own.joints.size(); ++index)
     {
         const EquilibriumProgram::Joint& joint = program.getJoints()[index];
         const std::vector<double> pressures = findPressures(program, joint, found->forces);
         std::copy(pressures.begin(), pressures.end(),
                   forces.pressures.begin() +
-                      static_cast<std::ptrdiff_t>(_joints.getJoints()[joints[index]].firstPoint));
-        forces.sideways[joints[index]] = findSideways(program, joint, found->forces);
+                      static_cast<std::ptrdiff_t>(_joints.getJoints()[own.joints[index]].firstPoint));
+        forces.sideways[own.joints[index]] = findSideways(program, joint, found->forces);
     }
-    for (const std::uint32_t part : parts)
+    for (const std::uint32_t part : own.parts)
         forces.floorLoads[part].setZero(); // the base bears its loads anyway, if those that are added are balanced
     if (_joints.getBase() == BuildingBase::PLATE) forces.floorPull = std::max(forces.floorPull, found->tension);
     return forces;

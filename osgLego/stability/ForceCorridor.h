@@ -34,6 +34,10 @@ public:
                                      const std::vector<bool>& isInside) const;
 
 private:
+    struct Program;
+
+    Program createProgram(const BearingForces& start, const std::vector<bool>& isPlaced,
+                          const std::vector<bool>& isInside) const;
     Eigen::Vector3d findCenter(std::uint32_t part) const;
     Eigen::Matrix<double, 6, 1> findWrench(const BearingForces& forces, std::size_t joint, std::uint32_t part) const;
 

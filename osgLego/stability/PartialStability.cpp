@@ -21,6 +21,9 @@ constexpr int NEAR = 2; // joints away
 // The widths of corridors about new parts and paths from them to the base, in joints.
 constexpr int NARROW = 2;
 constexpr int WIDE = 6;
+// How many times smaller than all parts in place: the programs of large corridors take as long as those of all parts,
+// and may find nothing.
+constexpr std::size_t LEAST_SMALLER = 3;
 
 std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
 {
@@ -95,7 +98,9 @@ bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int num
     for (const std::uint32_t part : listPlaced(isPlaced))
         if (!_known.isPlaced[part]) added.push_back(part);
     const std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
-    _numBodies += listPlaced(isInside).size();
+    const std::size_t numInside = listPlaced(isInside).size();
+    if (LEAST_SMALLER * numInside > listPlaced(isPlaced).size()) return false;
+    _numBodies += numInside;
     std::optional<BearingForces> forces = _corridor.add(_known, isPlaced, isInside);
     if (!forces) return false;
     note(std::move(*forces));
@@ -118,10 +123,11 @@ BearingForces PartialStability::createNoForces() const
 std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
     std::optional<PartList> falling = findFallingAgain(isPlaced);
-    if (falling && falling->empty() && !isBalanced(isPlaced) && !isBalancedNear(isPlaced, NARROW))
+    if (falling && falling->empty() && !isBalanced(isPlaced))
     {
         falling = findFallingNear(isPlaced);
-        if (falling && falling->empty() && !isBalancedNear(isPlaced, WIDE)) falling = findAllFalling(isPlaced);
+        if (falling && falling->empty() && !isBalancedNear(isPlaced, NARROW) && !isBalancedNear(isPlaced, WIDE))
+            falling = findAllFalling(isPlaced);
     }
     if (!falling) return std::nullopt;
     if (falling->empty())

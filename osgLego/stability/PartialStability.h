@@ -21,16 +21,16 @@ class StabilityAnalysis;
  * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
  * others. First it is solved for few rigid bodies, such as those that moved as one when parts fell before: if bodies
  * fall, so do parts. ForceCorridor solves it for new parts and those near them, with known forces between all others.
- * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such
- * forces. The sum of two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of
- * which only the margin is known.
+ * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. The sum of
+ * two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of which only the
+ * margin is known.
  *
  * One thread. */
 class PartialStability
 {
 public:
     /** The most parts over all linear programs of all parts, and over all others, which bounds the time. */
-    static constexpr std::size_t MOST_SOLVED = 1'000'000;
+    static constexpr std::size_t MOST_SOLVED = 120'000;
 
     /** How the parts are built. */
     struct Setting
