@@ -91,4 +91,12 @@ std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const st
     return forces;
 }
 
+BearingForces createNoForces(const BearingJoints& joints)
+{
+    const std::size_t numParts = joints.getGraph().getNumParts();
+    return {std::vector<bool>(numParts, false), std::vector<double>(joints.getPoints().size(), 0.0),
+            std::vector<VerticalLoad>(numParts, VerticalLoad::Zero()),
+            std::vector<Eigen::Vector3d>(joints.getJoints().size(), Eigen::Vector3d::Zero())};
+}
+
 } // namespace osgLego

@@ -76,4 +76,7 @@ struct BearingForces
     bool isBound = false;   //!< whether `pressures` are only known to be at least this much
 };
 
+/** Forces on no parts. */
+BearingForces createNoForces(const BearingJoints& joints);
+
 } // namespace osgLego

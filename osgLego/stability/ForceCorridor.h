@@ -1,7 +1,7 @@
 #pragma once
 
 #include <osgLego/stability/BearingJoints.h>
-#include <osgLego/stability/ContactFinder.h>
+#include <osgLego/stability/EquilibriumProgram.h>
 
 #include <functional>
 #include <optional>
@@ -39,7 +39,7 @@ private:
     Program createProgram(const BearingForces& start, const std::vector<bool>& isPlaced,
                           const std::vector<bool>& isInside) const;
     Eigen::Vector3d findCenter(std::uint32_t part) const;
-    Eigen::Matrix<double, 6, 1> findWrench(const BearingForces& forces, std::size_t joint, std::uint32_t part) const;
+    Wrench findWrench(const BearingForces& forces, std::size_t joint, std::uint32_t part) const;
 
     const BearingJoints& _joints;
     std::function<bool()> _isCancelled;

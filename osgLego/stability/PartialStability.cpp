@@ -69,7 +69,7 @@ PartialStability::PartialStability(const BrickModel& model, const std::vector<st
     _joints(graph, findWeights(model, parts), _setting.base), _flow(_joints), _springs(_joints),
     _corridor(_joints, getCellPlates(model.getGrid()), _setting.isCancelled), _standing(parts.size(), false)
 {
-    _forces = _known = _proven = createNoForces();
+    _forces = _known = _proven = createNoForces(_joints);
 }
 
 PartialStability::~PartialStability() = default;
@@ -77,15 +77,11 @@ PartialStability::~PartialStability() = default;
 /** Whether forces are found that keep parts in equilibrium. */
 bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
 {
-    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced))
-    {
-        if (!_forces.isBound) _known = _forces;
-        return true;
-    }
-    std::optional<BearingForces> forces = _springs.add(createNoForces(), isPlaced);
+    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced)) return true;
+    std::optional<BearingForces> forces = _springs.add(createNoForces(_joints), isPlaced);
     if (!forces && includes(isPlaced, _proven.isPlaced)) forces = _springs.add(_proven, isPlaced);
     if (!forces) return false;
-    note(std::move(*forces));
+    setForces(std::move(*forces));
     return true;
 }
 
@@ -93,31 +89,24 @@ bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
  * @param numJoints the width of the corridor. */
 bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int numJoints)
 {
-    if (_numBodies >= _setting.mostSolved || !includes(isPlaced, _known.isPlaced)) return false;
+    if (_numBodies >= _setting.mostSolved || !includes(isPlaced, getKnown().isPlaced)) return false;
     PartList added;
     for (const std::uint32_t part : listPlaced(isPlaced))
-        if (!_known.isPlaced[part]) added.push_back(part);
+        if (!getKnown().isPlaced[part]) added.push_back(part);
     const std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
     const std::size_t numInside = listPlaced(isInside).size();
     if (LEAST_SMALLER * numInside > listPlaced(isPlaced).size()) return false;
     _numBodies += numInside;
-    std::optional<BearingForces> forces = _corridor.add(_known, isPlaced, isInside);
+    std::optional<BearingForces> forces = _corridor.add(getKnown(), isPlaced, isInside);
     if (!forces) return false;
-    note(std::move(*forces));
+    setForces(std::move(*forces));
     return true;
 }
 
-void PartialStability::note(BearingForces forces)
+void PartialStability::setForces(BearingForces forces)
 {
+    if (forces.isBound && !_forces.isBound) _known = std::move(_forces);
     _forces = std::move(forces);
-    if (!_forces.isBound) _known = _forces;
-}
-
-BearingForces PartialStability::createNoForces() const
-{
-    return {std::vector<bool>(_parts.size(), false), std::vector<double>(_joints.getPoints().size(), 0.0),
-            std::vector<VerticalLoad>(_parts.size(), VerticalLoad::Zero()),
-            std::vector<Eigen::Vector3d>(_joints.getJoints().size(), Eigen::Vector3d::Zero())};
 }
 
 std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
@@ -212,12 +201,12 @@ std::optional<PartialStability::PartList> PartialStability::findAllFalling(const
         // Assume that every contact point, also with a base plate, pulls as much as the one that pulls most. The loads
         // on the base are unknown, but the base bears them; the forces added to them must be an equilibrium by
         // themselves.
-        _proven = createNoForces();
+        _proven = createNoForces(_joints);
         _proven.isPlaced = isPlaced;
         _proven.isBound = true;
         _proven.floorPull = (1.0 - report->margin) * StabilityReport::CAPACITY;
         _proven.pressures.assign(_proven.pressures.size(), -_proven.floorPull);
-        _forces = _proven;
+        setForces(_proven);
     }
     else
         _bodies = _analysis->getBodies();
@@ -249,7 +238,7 @@ std::vector<bool> PartialStability::findNear(PartList parts, const std::vector<b
     return isFound;
 }
 
-/** Parts, and those on a shortest path of joints from each to the base. */
+/** Parts, and those on a shortest path of joints from each to the base, if there is one. */
 PartialStability::PartList PartialStability::findPaths(const PartList& parts, const std::vector<bool>& isPlaced) const
 {
     constexpr std::uint32_t UNREACHED = 0xffffffff;
@@ -275,8 +264,6 @@ PartialStability::PartList PartialStability::findPaths(const PartList& parts, co
             isFound[part] = true;
             paths.push_back(part);
         }
-    for (const std::uint32_t part : parts)
-        if (next[part] == UNREACHED && !isFound[part]) paths.push_back(part);
     return paths;
 }
 

@@ -66,8 +66,8 @@ private:
     PartList fromAnalysis(std::span<const std::uint32_t> parts) const;
     bool isBalanced(const std::vector<bool>& isPlaced);
     bool isBalancedNear(const std::vector<bool>& isPlaced, int numJoints);
-    void note(BearingForces forces);
-    BearingForces createNoForces() const;
+    const BearingForces& getKnown() const { return _forces.isBound ? _known : _forces; }
+    void setForces(BearingForces forces);
     void createAnalysis();
 
     const BrickModel& _model;
@@ -81,7 +81,7 @@ private:
     SpringBalance _springs;
     ForceCorridor _corridor;
     BearingForces _forces;                        // those that were found last
-    BearingForces _known;                         // those that were found last and are no bounds
+    BearingForces _known;                         // the last ones that were no bounds, if `_forces` are bounds
     BearingForces _proven;                        // bounds of those that the linear program found last
     std::vector<bool> _standing;                  // the parts that stood last
     PartList _falling;                            // those that fell last, and have not stood since

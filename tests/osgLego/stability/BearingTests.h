@@ -9,12 +9,11 @@ namespace osgLego::test
 {
 
 /** Forces on no parts. @param floorPull pull at points of the base, in newtons. */
-inline BearingForces createNoForces(const BearingJoints& joints, double floorPull = 0.0)
+inline BearingForces createNoForces(const BearingJoints& joints, double floorPull)
 {
-    const std::size_t numParts = joints.getGraph().getNumParts();
-    return {std::vector<bool>(numParts, false), std::vector<double>(joints.getPoints().size(), 0.0),
-            std::vector<VerticalLoad>(numParts, VerticalLoad::Zero()),
-            std::vector<Eigen::Vector3d>(joints.getJoints().size(), Eigen::Vector3d::Zero()), floorPull};
+    BearingForces forces = osgLego::createNoForces(joints);
+    forces.floorPull = floorPull;
+    return forces;
 }
 
 /** A beam 2 x 8 of the given weight in newtons, on the last two studs of a heavy brick 2 x 8 on a table.
