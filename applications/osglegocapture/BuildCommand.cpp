@@ -139,10 +139,17 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
     return defects;
 }
 
-void drawInto(const CaptureOptions& options, const CaptureScene& scene, const std::string& file,
+void drawInto(const CaptureOptions& given, const CaptureScene& scene, const std::string& file,
               osg::GraphicsContext& context, const ProgressBar& progress)
 {
     progress.show("drawing");
+    CaptureOptions options = given;
+    if (!options.isSizeGiven)
+    {
+        const glm::ivec2 size = ScenePicture::fitSize(given, scene);
+        options.width = size.x;
+        options.height = size.y;
+    }
     ScenePicture picture(options, scene, context);
     OIIO::ImageBuf image;
     {

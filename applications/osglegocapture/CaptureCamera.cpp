@@ -26,7 +26,7 @@ double halfViewOf(double aspect)
 } // namespace
 
 CaptureCamera::CaptureCamera(const CaptureView& view, UpAxis upAxis, double aspect) :
-    _view(view), _aspect(aspect), _vertical(halfViewOf(aspect))
+    _view(view), _aspect(aspect), _sceneAspect(aspect), _vertical(halfViewOf(aspect))
 {
     const bool isYUp = upAxis == UpAxis::Y;
     const osg::Vec3d up = isYUp ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
@@ -74,6 +74,7 @@ void CaptureCamera::moveToFit(const osg::BoundingSphere& bound, const std::funct
     const std::vector<double>& reach = visitor.getReach();
     const double halfWidth = 0.5 * (reach[0] + reach[1]);
     const double halfHeight = 0.5 * (reach[2] + reach[3]);
+    if (halfHeight > 0.0) _sceneAspect = halfWidth / halfHeight;
     const double back = _view.orthographic ? _toEye * _eye : std::max(halfWidth / rightSlope, halfHeight / upSlope);
     _eye = _right * (0.5 * (reach[0] - reach[1])) + _up * (0.5 * (reach[2] - reach[3])) + _toEye * back;
     _target = _eye - _toEye * bound.radius();

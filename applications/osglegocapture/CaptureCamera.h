@@ -34,6 +34,10 @@ public:
      * @param addScene passes everything that must be in view to the visitor. */
     void moveToFit(const osg::BoundingSphere& bound, const std::function<void(SceneReach&)>& addScene);
 
+    /** The width of the scene in the view, divided by its height, after moveToFit(); the aspect if the scene is empty.
+     */
+    double getSceneAspect() const { return _sceneAspect; }
+
     void apply(osg::Camera& camera) const;
 
 private:
@@ -41,6 +45,7 @@ private:
 
     CaptureView _view;
     double _aspect;
+    double _sceneAspect;
     osg::Vec3d _right;
     osg::Vec3d _up;
     osg::Vec3d _toEye;

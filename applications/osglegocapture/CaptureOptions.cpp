@@ -148,7 +148,7 @@ void addPicture(CLI::App& app, CaptureOptions& options)
     app.add_option("-o,--output", options.output, "The picture to write; its extension is its format");
     app.add_option("--legolize", options.settingsText, "Settings of the bricks, as below")->type_name("SETTINGS");
     app.add_option("--size", toCallback([&](const std::string& text) { return readSize(text, options); }),
-                   "Pixels of the picture (1280x720)")
+                   "Pixels of the picture (1280x720; for --build, as many in the shape of the model)")
         ->type_name("WxH");
 }
 

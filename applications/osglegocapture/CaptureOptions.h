@@ -63,7 +63,8 @@ struct CaptureOptions
     std::string settingsText;             //!< those given; a model for `build` keeps them
     int width = 1280;
     int height = 720;
-    int samples = 4; //!< per pixel; the command line has no option for it
+    bool isSizeGiven = false; //!< whether the command line has a size, and not its default
+    int samples = 4;          //!< per pixel; the command line has no option for it
     CaptureView view;
     bool isViewGiven = false; //!< whether the command line has a view, and not its default
     CaptureProbe probe;

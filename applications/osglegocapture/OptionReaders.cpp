@@ -34,6 +34,7 @@ std::string readSize(const std::string& text, CaptureOptions& options)
         return badValue("--size", text, "WIDTHxHEIGHT in pixels, each 1 to 8192");
     options.width = width;
     options.height = height;
+    options.isSizeGiven = true;
     return {};
 }
 

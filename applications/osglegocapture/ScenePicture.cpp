@@ -4,6 +4,7 @@
 #include "ExitCode.h"
 #include "SceneReach.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -23,6 +24,22 @@ const osg::Vec4 BACKGROUND(0.66f, 0.72f, 0.79f, 1.0f);
 constexpr double BYTES_PER_PIXEL = 50.0;
 constexpr double OCCLUSION_BYTES_PER_PIXEL = 160.0;
 
+/** Throws CaptureError if no camera sees all of the scene. */
+CaptureCamera placeCamera(const CaptureOptions& options, const CaptureScene& scene, double aspect)
+{
+    const osg::BoundingSphere bound = scene.getBound();
+    if (!(bound.radius() < 0.0f) && !(std::isfinite(bound.radius()) && std::isfinite(bound.center().length())))
+        throw CaptureError(EXIT_BAD_INPUT,
+                           "the mesh has coordinates that are not finite or so large that no camera sees all of it; "
+                           "expected at most 1e+18, or bricks, which leave such triangles out");
+    CaptureCamera camera(options.view, scene.getUpAxis(), aspect);
+    if (options.view.distance > 0.0)
+        camera.moveToDistance(bound);
+    else
+        camera.moveToFit(bound, [&scene](SceneReach& reach) { scene.addTo(reach); });
+    return camera;
+}
+
 } // namespace
 
 ScenePicture::ScenePicture(const CaptureOptions& options, const CaptureScene& scene, osg::GraphicsContext& context) :
@@ -35,7 +52,7 @@ ScenePicture::ScenePicture(const CaptureOptions& options, const CaptureScene& sc
     const bool isFull = lego && lego->getSettings().view.look == Look::FULL;
     _renderer.setBrightness(isFull ? 1.0f : 0.7f);
     _renderer.setScene(scene.getNode());
-    placeCamera();
+    placeCamera(options, scene, static_cast<double>(options.width) / options.height).apply(_renderer.getCamera());
 }
 
 osg::ref_ptr<osg::Image> ScenePicture::draw()
@@ -52,27 +69,23 @@ osg::ref_ptr<osg::Image> ScenePicture::draw()
     return image;
 }
 
+glm::ivec2 ScenePicture::fitSize(const CaptureOptions& options, const CaptureScene& scene)
+{
+    constexpr double WIDEST = 16.0 / 9.0;
+    constexpr int NUM_STEPS =
+        4; // the shape of a scene depends on the distance, which depends on the shape of the picture
+    double aspect = 1.0;
+    for (int step = 0; step < NUM_STEPS; ++step)
+        aspect = std::clamp(placeCamera(options, scene, aspect).getSceneAspect(), 1.0 / WIDEST, WIDEST);
+    const double height = std::sqrt(static_cast<double>(options.width) * options.height / aspect);
+    return {std::lround(height * aspect), std::lround(height)};
+}
+
 double ScenePicture::estimateMemory(const CaptureOptions& options, const CaptureScene& scene)
 {
     const AmbientOcclusionScene* occlusion = scene.getOcclusionScene();
     const bool hasOcclusion = occlusion && occlusion->getEnabled();
     return (BYTES_PER_PIXEL + (hasOcclusion ? OCCLUSION_BYTES_PER_PIXEL : 0.0)) * options.width * options.height;
-}
-
-void ScenePicture::placeCamera()
-{
-    const osg::BoundingSphere bound = _scene.getBound();
-    if (!(bound.radius() < 0.0f) && !(std::isfinite(bound.radius()) && std::isfinite(bound.center().length())))
-        throw CaptureError(EXIT_BAD_INPUT,
-                           "the mesh has coordinates that are not finite or so large that no camera sees all of it; "
-                           "expected at most 1e+18, or bricks, which leave such triangles out");
-    const double aspect = static_cast<double>(_options.width) / _options.height;
-    CaptureCamera place(_options.view, _scene.getUpAxis(), aspect);
-    if (_options.view.distance > 0.0)
-        place.moveToDistance(bound);
-    else
-        place.moveToFit(bound, [this](SceneReach& reach) { _scene.addTo(reach); });
-    place.apply(_renderer.getCamera());
 }
 
 void ScenePicture::checkLegolized() const

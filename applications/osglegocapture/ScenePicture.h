@@ -5,6 +5,7 @@
 
 #include <common/PictureRenderer.h>
 
+#include <glm/vec2.hpp>
 #include <osg/GraphicsContext>
 #include <osg/Image>
 #include <osg/ref_ptr>
@@ -31,11 +32,14 @@ public:
     /** The time of a frame without legolization, in milliseconds, if the options have statistics; otherwise 0. */
     double getDrawingTime() const { return _drawingTime; }
 
+    /** The size of a picture with as many pixels as that of the options, in the shape of the scene: at most 16:9 or
+     * 9:16. */
+    static glm::ivec2 fitSize(const CaptureOptions& options, const CaptureScene& scene);
+
     /** The approximate memory that draw() needs for the pixels of the picture, mostly in GL buffers, in bytes. */
     static double estimateMemory(const CaptureOptions& options, const CaptureScene& scene);
 
 private:
-    void placeCamera();
     void checkLegolized() const;
 
     const CaptureOptions& _options;
