@@ -131,7 +131,8 @@ bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& sta
     layout.problem = std::move(supported.problem);
     layout.parts = std::move(supported.parts);
     statistics.support = {supported.stands,     supported.isLaidAgain,    supported.numHiddenCells,
-                          supported.numColumns, supported.numColumnParts, supported.numPropped};
+                          supported.numColumns, supported.numColumnParts, supported.numCarried,
+                          supported.numPropped};
     return true;
 }
 
