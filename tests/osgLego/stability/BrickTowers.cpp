@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 namespace osgLego::test
 {
@@ -47,12 +48,21 @@ osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts
     std::mt19937 random(seed);
     const auto choose = [&](unsigned int count) { return static_cast<int>(random() % count); };
     constexpr std::array<std::array<int, 2>, 8> SIZES{{{1, 1}, {2, 1}, {1, 4}, {2, 2}, {3, 2}, {2, 4}, {1, 6}, {6, 2}}};
+    constexpr int MOST_TRIES = 10000; // for a part, before the pile grows
+    int numLayers = 6;
+    int numTries = 0;
     std::vector<Part> parts;
     std::set<std::array<int, 3>> covered;
     while (static_cast<int>(parts.size()) < numParts)
     {
+        if (++numTries > MOST_TRIES)
+        {
+            // There may be no room left, but there always is on the top.
+            if (++numLayers > HEIGHT) throw std::invalid_argument("a tower can't have as many parts");
+            numTries = 0;
+        }
         const auto [width, depth] = SIZES[static_cast<std::size_t>(choose(SIZES.size()))];
-        const glm::ivec3 place(20 + choose(6), 20 + choose(6), choose(6));
+        const glm::ivec3 place(20 + choose(6), 20 + choose(6), choose(static_cast<unsigned int>(numLayers)));
         bool isFree = true;
         bool isHeld = place.z == 0 && parts.size() < 3;
         for (int y = place.y; y < place.y + depth; ++y)
@@ -62,6 +72,7 @@ osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts
                 isHeld = isHeld || covered.contains({x, y, place.z - 1});
             }
         if (!isFree || !isHeld) continue;
+        numTries = 0;
         parts.push_back(createBrick(place, width, depth));
         for (int y = place.y; y < place.y + depth; ++y)
             for (int x = place.x; x < place.x + width; ++x)

@@ -16,7 +16,8 @@ Part createBrick(const glm::ivec3& place, int width, int depth);
 /** A model of parts in a grid of bricks, or of plates. */
 osg::ref_ptr<const BrickModel> createPartModel(std::vector<Part> parts, double cellHeight = 1.2);
 
-/** A pile of random bricks, each on studs of others or on the ground. */
+/** A pile of random bricks, each on studs of others or on the ground; higher if there are many. Throws
+ * std::invalid_argument if it would be higher than 128 layers. */
 osg::ref_ptr<const BrickModel> createRandomTower(unsigned int seed, int numParts);
 
 /** A brick 1 x 8 with its first stud on a brick 1 x 1, and bricks piled on its last stud, 1 x 3 across and 1 x 1. */

@@ -1,3 +1,5 @@
+#include "BrickTowers.h"
+
 #include <osgLego/stability/JointGraph.h>
 
 #include <PartModels.h>
@@ -40,6 +42,18 @@ TEST(JointGraph, LinksPartsAcrossGapsOfAnyHeightButJoinsOnlyThoseThatTouch)
         EXPECT_EQ(graph.getJointsAbove(0).empty(), gap > 0);
         EXPECT_EQ(graph.getJointsBelow(1).empty(), gap > 0);
     }
+}
+
+TEST(JointGraph, JoinsEveryPartOfARandomTowerOfAnySize)
+{
+    for (const int numParts : {20, 200, 600})
+        for (const unsigned int seed : {0u, 1u, 2u, 3u})
+        {
+            const JointGraph graph(createBuildingBoxes(*createRandomTower(seed, numParts)));
+            ASSERT_EQ(graph.getNumParts(), static_cast<std::uint32_t>(numParts));
+            for (std::uint32_t part = 0; part < graph.getNumParts(); ++part)
+                EXPECT_FALSE(graph.getJointsAbove(part).empty() && graph.getJointsBelow(part).empty()) << part;
+        }
 }
 
 TEST(JointGraph, LinksTheNextPartOfEachColumnOfRandomModels)
