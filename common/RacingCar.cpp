@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <vector>
 
+#include <osg/CopyOp>
 #include <osg/Geode>
 #include <osg/Geometry>
 #include <osg/Group>
@@ -354,9 +356,7 @@ osg::ref_ptr<osg::Node> createWings()
     return wings;
 }
 
-} // namespace
-
-osg::ref_ptr<osg::Node> createRacingCar()
+osg::ref_ptr<const osg::Node> createParts()
 {
     osg::ref_ptr<osg::Group> car = new osg::Group;
     car->setName("racing car");
@@ -366,6 +366,31 @@ osg::ref_ptr<osg::Node> createRacingCar()
     car->addChild(createMetalParts());
     car->addChild(createWings());
     return car;
+}
+
+/** Copies nodes, drawables and state, each once, so that subgraphs that are shared stay so. */
+class CarCopy : public osg::CopyOp
+{
+public:
+    CarCopy() : CopyOp(DEEP_COPY_NODES | DEEP_COPY_DRAWABLES | DEEP_COPY_STATESETS) {}
+
+    osg::Node* operator()(const osg::Node* node) const override
+    {
+        osg::ref_ptr<osg::Node>& copy = _copies[node];
+        if (!copy) copy = CopyOp::operator()(node);
+        return copy;
+    }
+
+private:
+    mutable std::map<const osg::Node*, osg::ref_ptr<osg::Node>> _copies;
+};
+
+} // namespace
+
+osg::ref_ptr<osg::Node> createRacingCar()
+{
+    static const osg::ref_ptr<const osg::Node> CAR = createParts();
+    return osg::clone(CAR.get(), CarCopy());
 }
 
 } // namespace osgLego

@@ -12,8 +12,8 @@ namespace osgLego
  * The body has a texture, the tyres have vertex colours, and the rims, wings and pipes have Materials; the four wheels
  * share their subgraphs. `sample.legolize` shows it in bricks.
  *
- * May be called from any thread; the caller owns the result, except for the images of its textures, which all cars
- * share. */
+ * May be called from any thread. The caller owns nodes, drawables and state sets; all cars share their arrays, indices,
+ * textures and materials, which may be replaced, but must not be changed. */
 osg::ref_ptr<osg::Node> createRacingCar();
 
 } // namespace osgLego
