@@ -9,38 +9,38 @@
 namespace osgLego
 {
 
-/** Converts to and from the values of the JSON library. */
+/** Writes values, and converts from those of the JSON library. */
 class JsonFormat
 {
 public:
     using Json = nlohmann::ordered_json;
 
-    static Json toJson(const JsonValue& value)
+    /** Append a value. The library only writes values without elements: the destructors of its arrays and objects need
+     * memory, and end the program where there is none. */
+    static void append(const JsonValue& value, int indent, int level, std::string& text)
     {
-        switch (value._type)
-        {
-        case JsonValue::Type::NONE:
-            return nullptr;
-        case JsonValue::Type::BOOLEAN:
-            return value._integer != 0;
-        case JsonValue::Type::INTEGER:
-            return value._integer;
-        case JsonValue::Type::NUMBER:
-            return value._number;
-        case JsonValue::Type::TEXT:
-            return value._text;
-        case JsonValue::Type::ARRAY:
-        case JsonValue::Type::OBJECT:
-            break;
-        }
         const bool isArray = value._type == JsonValue::Type::ARRAY;
-        Json json = isArray ? Json::array() : Json::object();
+        if (!isArray && !value.isObject())
+        {
+            text += toJson(value).dump();
+            return;
+        }
+        const auto startLine = [&](int newLevel)
+        {
+            if (indent < 0) return;
+            text += '\n';
+            text.append(static_cast<std::size_t>(indent * newLevel), ' ');
+        };
+        text += isArray ? '[' : '{';
         for (std::size_t index = 0; index < value._elements.size(); ++index)
-            if (isArray)
-                json.push_back(toJson(value._elements[index]));
-            else
-                json[value._names[index]] = toJson(value._elements[index]);
-        return json;
+        {
+            if (index > 0) text += ',';
+            startLine(level + 1);
+            if (!isArray) text += Json(value._names[index]).dump() + (indent < 0 ? ":" : ": ");
+            append(value._elements[index], indent, level + 1, text);
+        }
+        if (!value._elements.empty()) startLine(level);
+        text += isArray ? ']' : '}';
     }
 
     static JsonValue fromJson(const Json& json)
@@ -63,6 +63,24 @@ public:
                 value[name] = fromJson(member);
         }
         return value;
+    }
+
+private:
+    static Json toJson(const JsonValue& value)
+    {
+        switch (value._type)
+        {
+        case JsonValue::Type::BOOLEAN:
+            return value._integer != 0;
+        case JsonValue::Type::INTEGER:
+            return value._integer;
+        case JsonValue::Type::NUMBER:
+            return value._number;
+        case JsonValue::Type::TEXT:
+            return value._text;
+        default:
+            return nullptr;
+        }
     }
 };
 
@@ -96,7 +114,9 @@ std::optional<JsonValue> JsonValue::parse(const std::string& text)
 
 std::string JsonValue::toString(int indent) const
 {
-    return JsonFormat::toJson(*this).dump(indent);
+    std::string text;
+    JsonFormat::append(*this, indent, 0, text);
+    return text;
 }
 
 const JsonValue* JsonValue::find(std::string_view name) const

@@ -179,7 +179,9 @@ osg::ref_ptr<osg::Geometry> createBrickGeometry(const BrickModel& model)
     for (const Brick& brick : model.getBricks())
         mesh.add(brick);
     osg::ref_ptr<osg::Geometry> geometry = mesh.createGeometry();
-    geometry->setUserData(new BrickModelHolder(model));
+    // The geometry needs memory before it owns the holder.
+    const osg::ref_ptr<BrickModelHolder> holder = new BrickModelHolder(model);
+    geometry->setUserData(holder);
     return geometry;
 }
 

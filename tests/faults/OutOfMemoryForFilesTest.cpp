@@ -5,8 +5,12 @@
 
 #include <PartModels.h>
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
+
+#include <unistd.h>
 
 #include <osg/NodeVisitor>
 #include <osgDB/Registry>
@@ -95,6 +99,34 @@ protected:
                          GetParam());
     }
 
+    /** The same, to a file, which is complete or not there. */
+    static void surviveWritingAFile(const std::string& extension)
+    {
+        const osg::ref_ptr<LegoNode> lego = createStoredNode(*createSmallModel(), "8,proportions=plate");
+        const std::string name = "osglego-" + std::to_string(getpid()) + '.' + extension;
+        const std::string file = std::filesystem::temp_directory_path() / name;
+        osgDB::ReaderWriter& format = *osgDB::Registry::instance()->getReaderWriterForExtension(extension);
+        osgDB::ReaderWriter::WriteResult written;
+        surviveShortages({.mayThrow = false,
+                          .prepare =
+                              [&]
+                          {
+                              std::filesystem::remove(file);
+                              written = {};
+                          },
+                          .work = [&] { written = format.writeNode(*lego, file, nullptr); },
+                          .getResult =
+                              [&]
+                          {
+                              std::ostringstream content;
+                              content << std::ifstream(file).rdbuf();
+                              return content.str();
+                          },
+                          .getMessage = [&] { return written.message(); }},
+                         GetParam());
+        std::filesystem::remove(file);
+    }
+
     static void surviveReading(const std::string& extension, bool mayThrow)
     {
         FileFormat format(extension);
@@ -122,6 +154,16 @@ TEST_P(OutOfMemoryForFiles, IsAMessageOfTheWriterOfLDraw)
 TEST_P(OutOfMemoryForFiles, IsAMessageOfTheReaderOfLDraw)
 {
     surviveReading("ldr", false);
+}
+
+TEST_P(OutOfMemoryForFiles, IsAMessageOfTheWriterOfGltf)
+{
+    surviveWriting("glb", false);
+}
+
+TEST_P(OutOfMemoryForFiles, LeavesNoIncompleteFileOfTheWriterOfGltf)
+{
+    surviveWritingAFile("glb");
 }
 
 // OSG itself throws there.
