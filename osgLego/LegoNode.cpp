@@ -290,7 +290,7 @@ LegoStatistics LegoNode::getStatistics(unsigned int contextID) const
 bool LegoNode::isLegolized(unsigned int contextID) const
 {
     const std::uint64_t revision = _pipeline->getRevision();
-    return !_pipeline->isDirty() && revision != 0 && _pipeline->getStore().getContext(contextID)->isOf(revision);
+    return !_pipeline->isDirty() && revision != 0 && _pipeline->getStore().getContext(contextID)->shows(revision);
 }
 
 bool LegoNode::isSupported(const osg::State& state)

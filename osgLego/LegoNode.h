@@ -105,7 +105,8 @@ public:
     void setLightProbe(const LightProbe* probe);
     osg::ref_ptr<const LightProbe> getLightProbe() const;
 
-    /** Remake the bricks in the next frame, even if no change of the source is detected. */
+    /** Remake the bricks in the next frame, even if no change of the source is detected. Shaders that could not be
+     * compiled are not tried again; see getFailure(). */
     void dirty();
 
     /** Whether there is anything to show in bricks: visible triangles in the source, or stored bricks. */
@@ -275,7 +276,9 @@ public:
      * isSupported(). */
     static std::string getMissing(const osg::State& state);
 
-    /** The reason, in one sentence, why a context draws the source instead of bricks; empty if it draws bricks. */
+    /** The reason, in one sentence, why a context draws the source instead of bricks; empty if it draws bricks. Bricks
+     * that have failed are tried again when they are remade. If shaders could not be compiled or linked, the context
+     * tries again after setSettings(), with any settings, or setStoredBricks(). */
     std::string getFailure(unsigned int contextID) const;
 
     void traverse(osg::NodeVisitor& visitor) override;

@@ -2,13 +2,24 @@
 
 #include <osgLego/gl/GlRequirements.h>
 
+#include <atomic>
+#include <utility>
+
 namespace osgLego
 {
+
+namespace
+{
+
+std::atomic<unsigned int> numAllowed{0}; // calls of ContextProgram::allowRetry()
+
+} // namespace
 
 void ContextProgram::apply(osg::State& state) const
 {
     prepare(state);
-    useForCore(state);
+    const ContextProgram* forCore = useForCore(state);
+    (forCore ? forCore : this)->retryIfAllowed(state);
     osg::Program::apply(state);
 }
 
@@ -21,16 +32,22 @@ void ContextProgram::compileGLObjects(osg::State& state) const
         osg::Program::compileGLObjects(state);
 }
 
-void ContextProgram::retry(osg::State& state)
+void ContextProgram::allowRetry()
 {
-    const auto* applied =
-        dynamic_cast<const ContextProgram*>(state.getLastAppliedAttribute(osg::StateAttribute::PROGRAM));
-    if (!applied || state.getLastAppliedProgramObject()) return;
-    const ContextProgram* forCore = applied->useForCore(state);
-    const ContextProgram& used = forCore ? *forCore : *applied;
-    for (unsigned int index = 0; index < used.getNumShaders(); ++index)
-        used.getShader(index)->getPCS(state)->requestCompile();
-    used.getPCP(state)->requestLink();
+    ++numAllowed;
+}
+
+void ContextProgram::retryIfAllowed(osg::State& state) const
+{
+    PerContextProgram& linked = *getPCP(state);
+    if (linked.isLinked()) return;
+    const std::lock_guard lock(_mutex);
+    const unsigned int attempt = numAllowed;
+    const bool isAllowed = std::exchange(_attempts[state.getContextID()], attempt) != attempt;
+    if (!isAllowed || linked.needsLink()) return;
+    for (unsigned int index = 0; index < getNumShaders(); ++index)
+        getShader(index)->getPCS(state)->requestCompile();
+    linked.requestLink();
 }
 
 /** Have the GL program released with its context, before it is created. */

@@ -3,6 +3,7 @@
 #include <osgLego/gl/SharedBetweenViewers.h>
 
 #include <functional>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -28,9 +29,9 @@ public:
     void apply(osg::State& state) const override;
     void compileGLObjects(osg::State& state) const override;
 
-    /** If the program that was applied last to a context could not be linked, have its shaders compiled and linked
-     * again when it is applied next: OSG would not try again. */
-    static void retry(osg::State& state);
+    /** Have each program that could not be linked in a context compiled and linked once more when it is applied there
+     * next: OSG would not try again. May be called from any thread. */
+    static void allowRetry();
 
 private:
     ~ContextProgram() override = default;
@@ -38,10 +39,12 @@ private:
     void prepare(const osg::State& state) const;
     /** Share the GL program of the program for core contexts, and return that program; null in other contexts. */
     const ContextProgram* useForCore(osg::State& state) const;
+    void retryIfAllowed(osg::State& state) const;
 
     Create _createForCore;
     mutable std::mutex _mutex;
     mutable osg::ref_ptr<ContextProgram> _forCore;
+    mutable std::map<unsigned int, unsigned int> _attempts; // the last one in each context that has failed
 };
 
 } // namespace osgLego

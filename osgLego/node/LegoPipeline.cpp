@@ -20,6 +20,7 @@ LegoPipeline::LegoPipeline(const LegoSettings& settings, const SettingsPalette& 
 
 void LegoPipeline::setSettings(const LegoSettings& settings, const SettingsPalette& palette)
 {
+    _store->retryPrograms();
     const bool showsStoredAgain = _source.setSettings(settings, palette);
     _display.setLook(settings.view.look, settings.view.drawing);
     setProgress(settings.view.progress);
@@ -83,6 +84,7 @@ void LegoPipeline::Announcement::operator()()
 
 void LegoPipeline::setStoredBricks(const BrickModel* bricks)
 {
+    _store->retryPrograms();
     if (!_source.setStored(bricks)) return;
     if (bricks)
         showStored(*bricks);
@@ -254,7 +256,7 @@ void LegoPipeline::prepareBuilding(const LegoSource* source)
 
 bool LegoPipeline::mustDrawSource(const osg::State& state, ContextBricks& bricks, std::uint64_t revision) const
 {
-    if (bricks.isUnsupported() || bricks.getFailedRevision() == revision) return true;
+    if (bricks.isUnsupported() || bricks.lacksPrograms() || bricks.getFailedRevision() == revision) return true;
     // Null until the context has been current; in such a first frame, drawing checks the requirements.
     const osg::GLExtensions* extensions = state.get<osg::GLExtensions>();
     const std::string missing = extensions ? GlRequirements::getMissingVersion(*extensions) : std::string();

@@ -1,6 +1,5 @@
 #include <osgLego/passes/LegolizationPass.h>
 
-#include <osgLego/gl/ContextProgram.h>
 #include <osgLego/gl/CoreVertexArray.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/passes/SurfaceBinding.h>
@@ -42,7 +41,10 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
     {
         const std::uint64_t revision = work.source->revision;
         context->work.reset();
-        shown.fail(revision, failure);
+        if (state.getLastAppliedProgramObject())
+            shown.fail(revision, failure);
+        else
+            shown.failPrograms(failure);
         return;
     }
     if (work.source->timing) glFinish();
@@ -59,10 +61,7 @@ void LegolizationPass::drawImplementation(osg::RenderInfo& renderInfo) const
 std::string LegolizationPass::runWithProgram(osg::State& state, Legolization& work) const
 {
     if (!state.getLastAppliedProgramObject())
-    {
-        ContextProgram::retry(state);
         return std::string("the shaders of ") + className() + " failed to compile";
-    }
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     const CoreVertexArray vertexArray(state);

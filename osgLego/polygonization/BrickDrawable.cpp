@@ -1,7 +1,6 @@
 #include <osgLego/polygonization/BrickDrawable.h>
 
 #include <osgLego/BrickGeometry.h>
-#include <osgLego/gl/ContextProgram.h>
 #include <osgLego/gl/GlRequirements.h>
 #include <osgLego/polygonization/BrickUniforms.h>
 #include <osgLego/polygonization/DepthPass.h>
@@ -74,8 +73,7 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     const Shown shown = getShown();
     if (!state.getLastAppliedProgramObject())
     {
-        ContextProgram::retry(state);
-        if (shown.bricks) bricks->fail(shown.bricks->getRevision(), "the shaders that draw bricks failed to compile");
+        bricks->failPrograms("the shaders that draw bricks failed to compile");
         return;
     }
     const std::lock_guard lock(bricks->getMutex());

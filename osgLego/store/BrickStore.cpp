@@ -1,5 +1,7 @@
 #include <osgLego/store/BrickStore.h>
 
+#include <osgLego/gl/ContextProgram.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -120,6 +122,14 @@ osg::ref_ptr<ContextBricks> BrickStore::getContext(unsigned int contextID) const
     osg::ref_ptr<ContextBricks>& bricks = _contexts[contextID];
     if (!bricks) bricks = new ContextBricks;
     return bricks;
+}
+
+void BrickStore::retryPrograms() const
+{
+    ContextProgram::allowRetry();
+    const std::lock_guard lock(_mutex);
+    for (const auto& [contextID, bricks] : _contexts)
+        bricks->retryPrograms();
 }
 
 void BrickStore::releaseGLObjects(osg::State* state) const

@@ -65,6 +65,9 @@ public:
     /** The bricks of a context ID; initially empty. */
     osg::ref_ptr<ContextBricks> getContext(unsigned int contextID) const;
 
+    /** Have each context try programs again that could not be compiled or linked there. */
+    void retryPrograms() const;
+
     /** Release the GL objects of one context, or of all contexts if `state` is null. */
     void releaseGLObjects(osg::State* state) const;
 

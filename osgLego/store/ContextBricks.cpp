@@ -48,6 +48,11 @@ std::string describeLackOfMemory(std::size_t numBricks)
            " bricks; expected a lower resolution";
 }
 
+void warnOfFailure(const std::string& why)
+{
+    OSG_WARN << "osgLego: " << why << "; the source is drawn instead of bricks" << std::endl;
+}
+
 } // namespace
 
 std::string ContextBricks::getFailure() const
@@ -270,8 +275,21 @@ void ContextBricks::fail(std::uint64_t revision, const std::string& why)
 void ContextBricks::setFailure(std::uint64_t revision, const std::string& why)
 {
     _failure = why;
-    if (_failedRevision.exchange(revision) != revision)
-        OSG_WARN << "osgLego: " << why << "; the source is drawn instead of bricks" << std::endl;
+    if (_failedRevision.exchange(revision) != revision) warnOfFailure(why);
+}
+
+void ContextBricks::failPrograms(const std::string& why)
+{
+    const std::lock_guard lock(_mutex);
+    if (_lacksPrograms.exchange(true)) return;
+    _failure = why;
+    warnOfFailure(why);
+}
+
+void ContextBricks::retryPrograms()
+{
+    const std::lock_guard lock(_mutex);
+    if (_lacksPrograms.exchange(false)) _failure.clear();
 }
 
 void ContextBricks::markUnsupported(unsigned int contextID, const std::string& why)
@@ -328,6 +346,7 @@ void ContextBricks::release()
     _failure.clear();
     _failedRevision = 0;
     _isUnsupported = false;
+    _lacksPrograms = false;
 }
 
 } // namespace osgLego

@@ -65,6 +65,13 @@ public:
     std::uint64_t getFailedRevision() const { return _failedRevision; }
     /** Whether the context lacks GL features that bricks need. */
     bool isUnsupported() const { return _isUnsupported; }
+    /** Whether programs could not be compiled or linked, since the last call of retryPrograms(). */
+    bool lacksPrograms() const { return _lacksPrograms; }
+    /** Whether the bricks of the source with this revision are shown, rather than the source because of a failure. */
+    bool shows(std::uint64_t revision) const
+    {
+        return isOf(revision) && _failedRevision != revision && !_isUnsupported && !_lacksPrograms;
+    }
     std::string getFailure() const;
     LegoStatistics getStatistics() const;
     osg::ref_ptr<const BrickModel> getModel() const;
@@ -107,6 +114,11 @@ public:
 
     /** Report once, with the reason, that a source can't be shown. Locks the mutex. */
     void fail(std::uint64_t revision, const std::string& why);
+    /** Report once that a program could not be compiled or linked, which is the same for every source. Locks the
+     * mutex. */
+    void failPrograms(const std::string& why);
+    /** Forget that programs have failed. Locks the mutex. */
+    void retryPrograms();
     /** Give up on the context, and report the reason once for all nodes in it. Locks the mutex. */
     void markUnsupported(unsigned int contextID, const std::string& why);
     /** Stop showing bricks. Locks the mutex. */
@@ -166,6 +178,7 @@ private:
     std::atomic<std::uint64_t> _revision{0};
     std::atomic<std::uint64_t> _failedRevision{0};
     std::atomic<bool> _isUnsupported{false};
+    std::atomic<bool> _lacksPrograms{false};
 };
 
 } // namespace osgLego

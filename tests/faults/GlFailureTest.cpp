@@ -57,6 +57,12 @@ std::ptrdiff_t countWarnings(const std::string& notices)
     return result;
 }
 
+void drawFrames(osgViewer::Viewer& viewer, int count)
+{
+    for (int frame = 0; frame < count; ++frame)
+        viewer.frame();
+}
+
 class GlFailure : public GlTest, public ::testing::WithParamInterface<Case>
 {
 protected:
@@ -79,6 +85,7 @@ protected:
         const bool hasFailed = GlFaults::end();
         expectOneMessage(*context, *lego, notices);
         if (!isCore) expectSourceOrBricks(*context, viewer, notices);
+        lego->setSettings(lego->getSettings());
         lego->dirty();
         drawFrames(viewer, 10); // after which passes are released
         const unsigned int contextID = context->getState()->getContextID();
@@ -94,15 +101,11 @@ protected:
     const std::vector<std::size_t>& getNumObjects() const { return _numObjects; }
 
 private:
-    static void drawFrames(osgViewer::Viewer& viewer, int count)
-    {
-        for (int frame = 0; frame < count; ++frame)
-            viewer.frame();
-    }
-
     static void expectOneMessage(const osg::GraphicsContext& context, const LegoNode& lego, const std::string& notices)
     {
-        const std::string failure = lego.getFailure(context.getState()->getContextID());
+        const unsigned int contextID = context.getState()->getContextID();
+        const std::string failure = lego.getFailure(contextID);
+        EXPECT_NE(lego.isLegolized(contextID), !failure.empty()) << failure;
         EXPECT_LE(countWarnings(notices), 1) << notices;
         if (failure.empty()) return;
         EXPECT_NE(notices.find(failure + "; the source is drawn instead of bricks"), std::string::npos) << notices;
@@ -152,6 +155,98 @@ INSTANTIATE_TEST_SUITE_P(Calls, GlFailure,
                                            Case{"ProgramOnCpu", "16,device=cpu", Kind::PROGRAM},
                                            Case{"FramebufferOnCpu", "16,device=cpu", Kind::FRAMEBUFFER},
                                            Case{"BufferOnCpu", "16,device=cpu", Kind::BUFFER}),
+                         [](const auto& failing) { return failing.param.name; });
+
+/** Several nodes whose bricks are remade in every frame, in contexts in which every call fails. */
+class GlFailures : public GlTest, public ::testing::WithParamInterface<Case>
+{
+protected:
+    static constexpr std::size_t NUM_NODES = 3;
+
+    /** Open a new context whose calls fail. @return the number of calls that have failed in some frames. */
+    std::size_t failInNewContext()
+    {
+        _context = createContext();
+        setUpViewer(_viewer, *_context, *_scene);
+        _context->makeCurrent();
+        GlFaults::beginAll(*_context, GetParam().kind);
+        return failInFrames(3);
+    }
+
+    std::size_t failInFrames(int count)
+    {
+        const std::size_t before = GlFaults::getNumFailed();
+        _notices += noticesOf([&] { drawFrames(_viewer, count); });
+        return GlFaults::getNumFailed() - before;
+    }
+
+    void expectFailure(const LegoNode& lego) const
+    {
+        const unsigned int contextID = _context->getState()->getContextID();
+        EXPECT_FALSE(lego.getFailure(contextID).empty());
+        EXPECT_FALSE(lego.isLegolized(contextID));
+    }
+
+    LegoNode& getNode(unsigned int index) { return dynamic_cast<LegoNode&>(*_scene->getChild(index)); }
+
+    void SetUp() override
+    {
+        for (std::size_t index = 0; index < NUM_NODES; ++index)
+        {
+            const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(GetParam().settings));
+            lego->setWaiting(true);
+            lego->setUpdateMode(LegoNode::UpdateMode::EVERY_FRAME);
+            lego->addChild(createSphere(6));
+            _scene->addChild(lego);
+        }
+    }
+
+    const std::string& getNotices() const { return _notices; }
+
+private:
+    const osg::ref_ptr<osg::Group> _scene = new osg::Group;
+    osg::ref_ptr<osg::GraphicsContext> _context;
+    osgViewer::Viewer _viewer;
+    std::string _notices;
+};
+
+TEST_P(GlFailures, AreNotTriedAgainBeforeTheSettingsAreSet)
+{
+    const std::size_t numFirst = failInNewContext();
+    EXPECT_GT(numFirst, 0u);
+    EXPECT_EQ(failInFrames(5), 0u);
+    for (unsigned int index = 0; index < NUM_NODES; ++index)
+        expectFailure(getNode(index));
+    EXPECT_EQ(countWarnings(getNotices()), static_cast<std::ptrdiff_t>(NUM_NODES)) << getNotices();
+    getNode(0).setSettings(getNode(0).getSettings());
+    const std::size_t numAgain = failInFrames(1);
+    EXPECT_GT(numAgain, 0u);
+    EXPECT_LE(numAgain, numFirst);
+    EXPECT_EQ(failInFrames(5), 0u);
+    expectFailure(getNode(0));
+    GlFaults::end();
+    for (unsigned int index = 0; index < NUM_NODES; ++index)
+        getNode(index).setSettings(getNode(index).getSettings());
+    failInFrames(2);
+    for (unsigned int index = 0; index < NUM_NODES; ++index)
+        EXPECT_EQ(getNode(index).getFailure(0), "");
+    takeGlMessages();
+}
+
+TEST_P(GlFailures, AreTriedAgainInANewContext)
+{
+    EXPECT_GT(failInNewContext(), 0u);
+    EXPECT_EQ(failInFrames(2), 0u);
+    EXPECT_GT(failInNewContext(), 0u);
+    GlFaults::end();
+    takeGlMessages();
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, GlFailures,
+                         ::testing::Values(Case{"ShaderOnGpu", "16,device=gpu", Kind::SHADER},
+                                           Case{"ProgramOnGpu", "16,device=gpu", Kind::PROGRAM},
+                                           Case{"ShaderOnCpu", "16,device=cpu", Kind::SHADER},
+                                           Case{"ProgramOnCpu", "16,device=cpu", Kind::PROGRAM}),
                          [](const auto& failing) { return failing.param.name; });
 
 } // namespace

@@ -14,19 +14,20 @@ constexpr int NONE = -1;
 
 std::atomic<int> wantedKind{NONE};
 std::atomic<std::size_t> numLeft{0}; // calls before the one that fails
-std::atomic<bool> hasFailed{false};
+std::atomic<bool> failAll{false};
+std::atomic<std::size_t> numFailed{0};
 std::atomic<bool> isOutOfMemory{false}; // until the next glGetError()
 
-/** Whether a call of a kind is the one that fails. */
+/** Whether a call of a kind is one that fails. */
 bool mustFail(GlFaults::Kind kind)
 {
-    if (wantedKind != static_cast<int>(kind) || hasFailed) return false;
+    if (wantedKind != static_cast<int>(kind) || (numFailed > 0 && !failAll)) return false;
     if (numLeft > 0)
     {
         --numLeft;
         return false;
     }
-    hasFailed = true;
+    ++numFailed;
     return true;
 }
 
@@ -112,16 +113,28 @@ void GlFaults::begin(osg::GraphicsContext& context, Kind kind, std::size_t call)
     replace(extensions.glBufferData, functions.bufferData, &bufferData);
     replace(extensions.glMapBufferRange, functions.mapBufferRange, &mapBufferRange);
     replace(extensions.glGetQueryObjectuiv, functions.getQuery, &getQuery);
-    hasFailed = false;
+    failAll = false;
+    numFailed = 0;
     isOutOfMemory = false;
     numLeft = call;
     wantedKind = static_cast<int>(kind);
 }
 
+void GlFaults::beginAll(osg::GraphicsContext& context, Kind kind)
+{
+    begin(context, kind, 0);
+    failAll = true;
+}
+
+std::size_t GlFaults::getNumFailed()
+{
+    return numFailed;
+}
+
 bool GlFaults::end()
 {
     wantedKind = NONE;
-    return hasFailed;
+    return numFailed > 0;
 }
 
 } // namespace osgLego::test

@@ -22,9 +22,13 @@ public:
         QUERY        //!< the result of a query is 0
     };
 
-    /** Let calls fail from now on, and watch those of a context, which is current.
+    /** Let a call fail from now on, and watch those of a context, which is current.
      * @param call the number of the call of this kind that fails, from 0 on. */
     static void begin(osg::GraphicsContext& context, Kind kind, std::size_t call);
+    /** The same, but every call of this kind fails. */
+    static void beginAll(osg::GraphicsContext& context, Kind kind);
+    /** The number of calls that have failed since then. */
+    static std::size_t getNumFailed();
     /** Let no more calls fail. @return whether one has failed since begin(). */
     static bool end();
 };
