@@ -242,6 +242,27 @@ TEST_P(GlFailures, AreTriedAgainInANewContext)
     takeGlMessages();
 }
 
+TEST_F(GlTest, NodesThatFailWithBricksOfTheSameSourceAreNotLegolized)
+{
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings("16,device=cpu,look=full"));
+    lego->setWaiting(true);
+    lego->addChild(createSphere(6));
+    osgViewer::Viewer viewer;
+    setUpViewer(viewer, *context, *lego);
+    drawFrames(viewer, 2);
+    const unsigned int contextID = context->getState()->getContextID();
+    ASSERT_TRUE(lego->isLegolized(contextID));
+    context->makeCurrent();
+    GlFaults::beginAll(*context, Kind::SHADER);
+    lego->setSettings(parseSettings("16,device=cpu,look=plain"));
+    noticesOf([&] { drawFrames(viewer, 2); });
+    EXPECT_TRUE(GlFaults::end());
+    EXPECT_NE(lego->getFailure(contextID), "");
+    EXPECT_FALSE(lego->isLegolized(contextID));
+    takeGlMessages();
+}
+
 INSTANTIATE_TEST_SUITE_P(Calls, GlFailures,
                          ::testing::Values(Case{"ShaderOnGpu", "16,device=gpu", Kind::SHADER},
                                            Case{"ProgramOnGpu", "16,device=gpu", Kind::PROGRAM},
