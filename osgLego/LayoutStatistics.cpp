@@ -42,12 +42,9 @@ std::vector<std::string> listChanges(const SupportStatistics& support)
     if (support.numHiddenCells > 0)
         changes.push_back(counted(support.numHiddenCells, "hidden cell was added", "hidden cells were added"));
     if (support.numColumns > 0)
-        changes.push_back(
-            counted(support.numColumns, "column", "columns") + " of " +
-            counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") + " added" +
-            (support.numCarried == 0
-                 ? ""
-                 : ", so that " + counted(support.numCarried, "part", "parts") + " can be built from below"));
+        changes.push_back(counted(support.numColumns, "column", "columns") + " of " +
+                          counted(support.numColumnParts, "part", "parts") +
+                          (support.numColumns == 1 ? " was" : " were") + " added");
     return changes;
 }
 

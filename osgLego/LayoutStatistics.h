@@ -20,7 +20,6 @@ struct SupportStatistics
     std::size_t numHiddenCells = 0; //!< cells added inside, where nobody sees them
     std::size_t numColumns = 0;     //!< columns added below the model
     std::size_t numColumnParts = 0; //!< their parts
-    std::size_t numCarried = 0;     //!< parts that would hang without columns, and can be built from bottom to top
     std::size_t numPropped = 0;     //!< pieces that stand on columns of their own alone, not as parts of the model
     double milliseconds = 0.0;      //!< the time taken
 };

@@ -64,7 +64,6 @@ JsonValue toJson(const LayoutStatistics& layout)
                            {"hiddenCells", layout.support->numHiddenCells},
                            {"columns", layout.support->numColumns},
                            {"columnParts", layout.support->numColumnParts},
-                           {"carriedParts", layout.support->numCarried},
                            {"propped", layout.support->numPropped},
                            {"milliseconds", rounded(layout.support->milliseconds)}};
     return json;

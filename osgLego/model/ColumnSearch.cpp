@@ -21,6 +21,35 @@ namespace
 constexpr std::size_t MOST_COLUMNS = 64;
 constexpr std::size_t MOST_REMOVALS = 16; // attempts: each computes the stability once
 
+void addCells(const LaidPart& part, std::vector<LayoutCell>& cells)
+{
+    for (int z = 0; z < part.size[2]; ++z)
+        for (int y = 0; y < part.size[1]; ++y)
+            for (int x = 0; x < part.size[0]; ++x)
+                cells.push_back(
+                    {{static_cast<std::uint16_t>(part.place[0] + x), static_cast<std::uint16_t>(part.place[1] + y),
+                      static_cast<std::uint16_t>(part.place[2] + z)},
+                     part.color});
+}
+
+/** A layout with columns. */
+SupportedLayout addTo(const SupportedLayout& bare, const std::vector<SupportColumn>& columns)
+{
+    SupportedLayout layout = bare;
+    for (const SupportColumn& column : columns)
+    {
+        const LaidParts parts = buildColumn(column, layout.problem.isOfPlates);
+        for (const LaidPart& part : parts)
+            addCells(part, layout.problem.cells);
+        layout.parts.insert(layout.parts.end(), parts.begin(), parts.end());
+        layout.numColumnParts += parts.size();
+    }
+    layout.numColumns = columns.size();
+    std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
+    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
+    return layout;
+}
+
 /** Groups of parts that touch each other, the largest first. @param members indices of parts. */
 std::vector<std::vector<std::uint32_t>> findGroups(const LaidParts& parts, const std::vector<std::uint32_t>& members)
 {
@@ -106,7 +135,7 @@ bool ColumnSearch::removeUnneeded()
     {
         std::vector<SupportColumn> columns = _columns;
         columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(index));
-        SupportedLayout layout = addColumns(_bare, columns);
+        SupportedLayout layout = addTo(_bare, columns);
         const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _isCancelled);
         if (!report) return false;
         if (!report->stands) continue;
@@ -120,7 +149,7 @@ bool ColumnSearch::removeUnneeded()
 /** Replace the columns by others if the model is more stable then. @return false if it was cancelled. */
 bool ColumnSearch::keepIfBetter(std::vector<SupportColumn> columns)
 {
-    SupportedLayout layout = addColumns(_bare, columns);
+    SupportedLayout layout = addTo(_bare, columns);
     const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _isCancelled);
     if (!report) return false;
     if (!standsBetter(*report, _report)) return true;

@@ -131,8 +131,7 @@ bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& sta
     layout.problem = std::move(supported.problem);
     layout.parts = std::move(supported.parts);
     statistics.support = {supported.stands,     supported.isLaidAgain,    supported.numHiddenCells,
-                          supported.numColumns, supported.numColumnParts, supported.numCarried,
-                          supported.numPropped};
+                          supported.numColumns, supported.numColumnParts, supported.numPropped};
     return true;
 }
 

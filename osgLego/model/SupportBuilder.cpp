@@ -1,6 +1,5 @@
 #include <osgLego/model/SupportBuilder.h>
 
-#include <osgLego/model/BuildingColumns.h>
 #include <osgLego/model/ColumnSearch.h>
 #include <osgLego/model/HiddenCells.h>
 #include <osgLego/model/LayoutPieces.h>
@@ -100,7 +99,6 @@ bool SupportBuilder::build(SupportedLayout& layout)
     if (!_report.stands && !thicken(layout)) return false;
     const LayoutPieces pieces(layout.parts);
     if (!_report.stands && !ColumnSearch(layout, _report, _options.isCancelled).run()) return false;
-    if (_report.stands && !BuildingColumns(layout, _options.isCancelled).run()) return false;
     layout.numPropped = countPropped(pieces, layout);
     layout.stands = _report.stands && layout.numPropped == 0;
     return true;

@@ -11,8 +11,7 @@ namespace osgLego
  *
  * First, parts near those that fall, and near the weakest joint, are laid again with greater costs of stacked seams, so
  * that bricks cross the weak place. Then cells are added there that nobody sees. Only if the model still falls are
- * columns added below it (ColumnSearch). Columns also carry large groups of parts that hang together (BuildingColumns).
- * No change adds pieces. Another layout that stands is left unchanged.
+ * columns added below it (ColumnSearch). No change adds pieces. A layout that stands is left unchanged.
  *
  * Usage:
  *

@@ -24,17 +24,6 @@ bool exists(const LayoutColor& color, int width)
     return (color.bricks >> bit & 1u) != 0 && (color.plates >> bit & 1u) != 0;
 }
 
-void addCells(const LaidPart& part, std::vector<LayoutCell>& cells)
-{
-    for (int z = 0; z < part.size[2]; ++z)
-        for (int y = 0; y < part.size[1]; ++y)
-            for (int x = 0; x < part.size[0]; ++x)
-                cells.push_back(
-                    {{static_cast<std::uint16_t>(part.place[0] + x), static_cast<std::uint16_t>(part.place[1] + y),
-                      static_cast<std::uint16_t>(part.place[2] + z)},
-                     part.color});
-}
-
 } // namespace
 
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
@@ -52,23 +41,6 @@ LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
         z += height;
     }
     return parts;
-}
-
-SupportedLayout addColumns(const SupportedLayout& present, const std::vector<SupportColumn>& columns)
-{
-    SupportedLayout layout = present;
-    for (const SupportColumn& column : columns)
-    {
-        const LaidParts parts = buildColumn(column, layout.problem.isOfPlates);
-        for (const LaidPart& part : parts)
-            addCells(part, layout.problem.cells);
-        layout.parts.insert(layout.parts.end(), parts.begin(), parts.end());
-        layout.numColumnParts += parts.size();
-    }
-    layout.numColumns += columns.size();
-    std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
-    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
-    return layout;
 }
 
 SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& parts) :
@@ -144,36 +116,23 @@ std::vector<int> SupportColumns::getVisibilities(const std::vector<SupportColumn
     return visibilities;
 }
 
-/** The columns of one cell below a part. */
-std::vector<SupportColumn> SupportColumns::findBelow(std::uint32_t index, const Filter& filter) const
-{
-    std::vector<SupportColumn> columns;
-    const LaidPart& part = _parts[index];
-    for (int y = 0; y < part.size[1]; ++y)
-        for (int x = 0; x < part.size[0]; ++x)
-        {
-            const SupportColumn column =
-                makeColumn({part.place[0] + x, part.place[1] + y, part.place[2] - 1}, 1, part.color);
-            if (column.height > 0 && (!filter || filter(column))) columns.push_back(column);
-        }
-    return columns;
-}
-
-bool SupportColumns::hasPlace(std::uint32_t part, const Filter& filter) const
-{
-    return !findBelow(part, filter).empty();
-}
-
-std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>& below, const Filter& filter) const
+std::vector<SupportColumn> SupportColumns::find(const std::vector<std::uint32_t>& below) const
 {
     std::vector<SupportColumn> places;
     glm::dvec2 middle(0.0);
     for (const std::uint32_t index : below)
-        for (const SupportColumn& column : findBelow(index, filter))
-        {
-            places.push_back(column);
-            middle += glm::dvec2(column.place.x, column.place.y);
-        }
+    {
+        const LaidPart& part = _parts[index];
+        for (int y = 0; y < part.size[1]; ++y)
+            for (int x = 0; x < part.size[0]; ++x)
+            {
+                const SupportColumn column =
+                    makeColumn({part.place[0] + x, part.place[1] + y, part.place[2] - 1}, 1, part.color);
+                if (column.height == 0) continue;
+                places.push_back(column);
+                middle += glm::dvec2(column.place.x, column.place.y);
+            }
+    }
     if (places.empty()) return {};
     middle /= static_cast<double>(places.size());
     const auto offsetOf = [&middle](const SupportColumn& column)

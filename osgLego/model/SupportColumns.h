@@ -1,10 +1,9 @@
 #pragma once
 
-#include <osgLego/model/SupportedLayout.h>
+#include <osgLego/layout/LayoutProblem.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <unordered_set>
 #include <vector>
 
@@ -26,33 +25,24 @@ struct SupportColumn
 /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
 
-/** A layout with more columns. */
-SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<SupportColumn>& columns);
-
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
  *
  * The layout must exist as long as this object. One thread. */
 class SupportColumns
 {
 public:
-    /** Whether a column may be added; if it is empty, every one. */
-    using Filter = std::function<bool(const SupportColumn& column)>;
-
     SupportColumns(const LayoutProblem& problem, const LaidParts& parts);
 
     /** Columns below some parts: first where the column is seen least, then in the middle and at the outermost places
      * in eight directions.
      * @param below indices of parts. @return none if no place below them is free. */
-    std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below, const Filter& filter = {}) const;
-    /** Whether there is a column of one cell below a part. */
-    bool hasPlace(std::uint32_t part, const Filter& filter) const;
+    std::vector<SupportColumn> find(const std::vector<std::uint32_t>& below) const;
 
     /** Mark the cells of a column as covered. */
     void add(const SupportColumn& column);
 
 private:
     bool isFree(const glm::ivec3& cell) const;
-    std::vector<SupportColumn> findBelow(std::uint32_t part, const Filter& filter) const;
     SupportColumn makeColumn(const glm::ivec3& top, int width, std::uint16_t color) const;
     std::vector<int> getVisibilities(const std::vector<SupportColumn>& columns) const;
     SupportColumn widen(const SupportColumn& column) const;

@@ -17,7 +17,6 @@ struct SupportedLayout
     std::size_t numHiddenCells = 0; //!< cells added where nobody sees them
     std::size_t numColumns = 0;     //!< columns added below the model
     std::size_t numColumnParts = 0; //!< their parts
-    std::size_t numCarried = 0;     //!< parts that hung, and that columns let be built from bottom to top
     std::size_t numPropped = 0;     //!< pieces of the model that stand on columns of their own alone
 };
 
