@@ -72,9 +72,9 @@ osg::ref_ptr<osg::Image> ScenePicture::draw()
 glm::ivec2 ScenePicture::fitSize(const CaptureOptions& options, const CaptureScene& scene)
 {
     constexpr double WIDEST = 16.0 / 9.0;
-    constexpr int NUM_STEPS =
-        4; // the shape of a scene depends on the distance, which depends on the shape of the picture
+    constexpr int NUM_STEPS = 4;
     double aspect = 1.0;
+    // The shape of a scene depends on the distance, which depends on the shape of the picture.
     for (int step = 0; step < NUM_STEPS; ++step)
         aspect = std::clamp(placeCamera(options, scene, aspect).getSceneAspect(), 1.0 / WIDEST, WIDEST);
     const double height = std::sqrt(static_cast<double>(options.width) * options.height / aspect);

@@ -43,6 +43,7 @@ TEST(RacingCar, StandsOnTheGroundAndIsPartlyTextured)
 void optimize(osg::Node& car, unsigned int options)
 {
     const osg::ref_ptr<osg::MatrixTransform> scene = new osg::MatrixTransform(osg::Matrixd::translate(1.0, 2.0, 3.0));
+    scene->setDataVariance(osg::Object::STATIC);
     scene->addChild(&car);
     osgUtil::Optimizer().optimize(scene, options);
 }

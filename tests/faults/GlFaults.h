@@ -27,7 +27,7 @@ public:
     static void begin(osg::GraphicsContext& context, Kind kind, std::size_t call);
     /** The same, but every call of this kind fails. */
     static void beginAll(osg::GraphicsContext& context, Kind kind);
-    /** The number of calls that have failed since then. */
+    /** The number of calls that have failed since begin() or beginAll(). */
     static std::size_t getNumFailed();
     /** Let no more calls fail. @return whether one has failed since begin(). */
     static bool end();
