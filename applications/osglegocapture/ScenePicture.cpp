@@ -71,6 +71,7 @@ osg::ref_ptr<osg::Image> ScenePicture::draw()
 
 glm::ivec2 ScenePicture::fitSize(const CaptureOptions& options, const CaptureScene& scene)
 {
+    if (options.view.distance > 0.0) return {options.width, options.height};
     constexpr double WIDEST = 16.0 / 9.0;
     constexpr int NUM_STEPS = 4;
     double aspect = 1.0;

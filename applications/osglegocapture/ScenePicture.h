@@ -33,7 +33,7 @@ public:
     double getDrawingTime() const { return _drawingTime; }
 
     /** The size of a picture with as many pixels as that of the options, in the shape of the scene: at most 16:9 or
-     * 9:16. */
+     * 9:16. If the view has a distance, which the scene need not fit, the size of the options. */
     static glm::ivec2 fitSize(const CaptureOptions& options, const CaptureScene& scene);
 
     /** The approximate memory that draw() needs for the pixels of the picture, mostly in GL buffers, in bytes. */
