@@ -152,6 +152,7 @@ void hollow(unsigned int shell, FilledCells& cells)
         cells.bricks[kept] = cells.bricks[index];
         cells.isInterior[kept++] = cells.isInterior[index];
     }
+    cells.isHollow = kept < cells.bricks.size();
     cells.numInterior -= cells.bricks.size() - kept;
     cells.bricks.resize(kept);
     cells.isInterior.resize(kept);

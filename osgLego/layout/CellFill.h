@@ -18,6 +18,7 @@ struct FilledCells
     std::vector<Brick> bricks;    //!< sorted by the number of their cell; `openSides` are not set
     std::vector<bool> isInterior; //!< of each brick; an interior cell has the colour of a covered cell in its row
     std::size_t numInterior = 0;
+    bool isHollow = false; //!< whether interior cells were left out inside a shell
 };
 
 /** Add interior cells to a model: empty cells from which every path through empty cells, side by side, ends at a

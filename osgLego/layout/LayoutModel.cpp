@@ -39,6 +39,7 @@ LayoutProblem createProblem(const FilledCells& cells, const BrickGrid& grid, con
     const auto size = exchangeAxes(std::array{grid.dimensions.x, grid.dimensions.y, grid.dimensions.z}, grid);
     problem.size = {size[0], size[1], size[2]};
     problem.isOfPlates = getCellPlates(grid) == 1;
+    problem.isHollow = cells.isHollow;
     std::unordered_map<std::uint32_t, std::uint16_t> indices;
     for (const PaletteColor& color : colors)
     {

@@ -40,6 +40,7 @@ struct LayoutProblem
     std::vector<LayoutColor> colors; //!< at least one
     /** False: a cell is as high as a brick. True: as high as a plate, and three plates may become a brick. */
     bool isOfPlates = false;
+    bool isHollow = false; //!< whether the cells are a shell, with empty cells inside
 
     /** The number of cells that may have any colour. */
     std::size_t countInterior() const
@@ -47,6 +48,8 @@ struct LayoutProblem
         return static_cast<std::size_t>(std::count_if(
             cells.begin(), cells.end(), [](const LayoutCell& cell) { return cell.color == LayoutCell::ANY_COLOR; }));
     }
+    /** Whether the inside of a surface is filled. */
+    bool isSolid() const { return !isHollow && countInterior() > 0; }
 };
 
 /** A part in the coordinates of a layout. */

@@ -1,13 +1,18 @@
 #include <osgLego/search/BestLayout.h>
 
-#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/PartColors.h>
 #include <osgLego/search/LayoutCosts.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace osgLego
 {
+
+void BestLayout::limit(const PartMap& map)
+{
+    _limits = computeFigures(map);
+}
 
 void BestLayout::add(const PartMap& map)
 {
@@ -22,9 +27,17 @@ void BestLayout::restore(PartMap& map)
     if (_map && _cost < computeCost(map)) map.swap(*_map);
 }
 
+LayoutFigures BestLayout::computeFigures(const PartMap& map) const
+{
+    return computeLayoutFigures(map.getLattice().getProblem(), collectParts(map, _sizes));
+}
+
 std::int64_t BestLayout::computeCost(const PartMap& map) const
 {
-    const LayoutFigures figures = computeLayoutFigures(map.getLattice().getProblem(), collectParts(map, _sizes));
+    const LayoutFigures figures = computeFigures(map);
+    if (_limits && (figures.parts > _limits->parts || figures.components > _limits->components ||
+                    figures.unavailable > _limits->unavailable))
+        return std::numeric_limits<std::int64_t>::max();
     const auto times = [](std::size_t count, std::int64_t cost) { return static_cast<std::int64_t>(count) * cost; };
     return times(figures.parts, LayoutCosts::PART) + times(figures.stackedLength, 2 * _seamCost) +
            times(figures.components, LayoutCosts::COMPONENT) + times(figures.unavailable, LayoutCosts::UNMADE);

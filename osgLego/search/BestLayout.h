@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/PartMap.h>
 #include <osgLego/layout/PartSizes.h>
 
@@ -17,16 +18,21 @@ public:
     /** @param seamCost the cost of half a unit of stacked seams. */
     BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
 
+    /** From now on, layouts with more parts, components or parts that were never made than this one are worse than any
+     * other. */
+    void limit(const PartMap& map);
     /** Keep a copy of a layout if it is the best so far. */
     void add(const PartMap& map);
     /** Exchange a layout for the best one, if that is better. */
     void restore(PartMap& map);
 
 private:
+    LayoutFigures computeFigures(const PartMap& map) const;
     std::int64_t computeCost(const PartMap& map) const;
 
     const PartSizes& _sizes;
     int _seamCost;
+    std::optional<LayoutFigures> _limits;
     std::optional<PartMap> _map;
     std::int64_t _cost = 0;
 };

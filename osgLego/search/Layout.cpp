@@ -6,6 +6,7 @@
 #include <osgLego/search/BestLayout.h>
 #include <osgLego/search/ComponentJoiner.h>
 #include <osgLego/search/LayoutCosts.h>
+#include <osgLego/search/SearchPhases.h>
 #include <osgLego/search/WindowSearch.h>
 
 #include <algorithm>
@@ -32,35 +33,54 @@ struct Work
 constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
                                     {100000, 2, 40, {1, 300}, {4, 1000}},
                                     {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
-constexpr int LONGEST_PHASE = 20;      // rounds with the same costs
-constexpr int FEWEST_ALTERNATING = 12; // rounds; fewer don't recover from rounds that ignore seams
-constexpr int NEIGHBORHOOD = 8;        // distance in cells from a change within which parts may change, too
+constexpr int NEIGHBORHOOD = 8; // distance in cells from a change within which parts may change, too
 
-/** Improve a layout of all cells.
- * @return false if it was cancelled. */
-bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+std::vector<SearchPhase> makePhases(const PartMap& map, const LayoutOptions& options)
 {
+    const LayoutProblem& problem = map.getLattice().getProblem();
     const Work& work = WORK[static_cast<std::size_t>(options.effort)];
+    const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
+    if (options.effort == Effort::BEST && problem.isSolid())
+        return lowerPhases(numRounds, options.bond * LayoutCosts::HALF_SEAM);
+    return alternatePhases(numRounds, options.bond * LayoutCosts::getHalfSeam(problem));
+}
+
+/** Improve a layout of all cells. The layouts at the end of phases that count seams are added to `best`, except the
+ * last one, which the map has then.
+ * @return false if it was cancelled. */
+bool search(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive,
+            BestLayout& best)
+{
     LayoutRandom random(options.seed);
     ComponentJoiner joiner(map, sizes);
+    const Work& work = WORK[static_cast<std::size_t>(options.effort)];
     const auto join = [&] { return joiner.joinAll(work.joins, isActive, random, options.isCancelled); };
     if (!join()) return false;
     if (options.isGreedy) return true;
-    WindowSearch search(map, sizes, options, isActive);
-    const int numRounds = std::clamp(work.numWindows / std::max(map.countParts(), 1), work.fewest, work.most);
-    const int phase = numRounds < FEWEST_ALTERNATING ? numRounds : std::min(numRounds / 2, LONGEST_PHASE);
-    const int seamCost = options.bond * LayoutCosts::getHalfSeam(map.getLattice().getProblem());
-    BestLayout best(sizes, seamCost);
-    for (int round = 0; round < numRounds; ++round)
+    WindowSearch windows(map, sizes, options, isActive);
+    const std::vector<SearchPhase> phases = makePhases(map, options);
+    int numRounds = 0;
+    for (const SearchPhase& phase : phases)
+        numRounds += phase.numRounds;
+    int round = 0;
+    for (const SearchPhase& phase : phases)
     {
-        // The search alternates between rounds that ignore seams and rounds that count them, to escape local minima.
-        const int roundsLeft = numRounds - 1 - round;
-        const bool hasSeams = roundsLeft / phase % 2 == 0;
-        if (!search.runRound(hasSeams ? seamCost : 0, work.windows)) return false;
-        if (hasSeams && roundsLeft > 0 && roundsLeft % phase == 0) best.add(map);
-        if (options.progress) options.progress(static_cast<double>(round + 1) / (numRounds + 1));
+        for (int i = 0; i < phase.numRounds; ++i)
+        {
+            if (!windows.runRound(phase.seamCost, work.windows)) return false;
+            if (options.progress) options.progress(static_cast<double>(++round) / (numRounds + 1));
+        }
+        if (phase.seamCost > 0 && &phase != &phases.back()) best.add(map);
     }
-    if (!join()) return false;
+    return join();
+}
+
+/** Improve a layout with an effort other than Effort::BEST.
+ * @return false if it was cancelled. */
+bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+{
+    BestLayout best(sizes, options.bond * LayoutCosts::getHalfSeam(map.getLattice().getProblem()));
+    if (!search(map, sizes, options, isActive, best)) return false;
     best.restore(map);
     return true;
 }
@@ -73,8 +93,13 @@ bool improveMost(PartMap& map, const PartSizes& sizes, const LayoutOptions& opti
     normal.effort = Effort::NORMAL;
     normal.progress = {};
     PartMap other(map);
-    if (!improve(other, sizes, normal, isActive) || !improve(map, sizes, options, isActive)) return false;
-    BestLayout best(sizes, options.bond * LayoutCosts::getHalfSeam(map.getLattice().getProblem()));
+    if (!improve(other, sizes, normal, isActive)) return false;
+    const LayoutProblem& problem = map.getLattice().getProblem();
+    const bool isSolid = problem.isSolid();
+    BestLayout best(sizes, options.bond *
+                               (isSolid ? LayoutCosts::HALF_SEAM_OF_BEST_SOLID : LayoutCosts::getHalfSeam(problem)));
+    if (isSolid) best.limit(other);
+    if (!search(map, sizes, options, isActive, best)) return false;
     best.add(other);
     best.restore(map);
     return true;

@@ -15,8 +15,8 @@ int LayoutCosts::getHalfSeam(const LayoutProblem& problem)
 int LayoutCosts::getLeaf(const LayoutProblem& problem)
 {
     const std::size_t numInside = problem.countInterior();
-    const bool isShell = numInside > 0 && numInside < problem.cells.size() / 2;
-    return isShell ? LEAF_OF_SHELL : LEAF;
+    const bool isThin = numInside > 0 && numInside < problem.cells.size() / 2;
+    return problem.isHollow && isThin ? LEAF_OF_SHELL : LEAF;
 }
 
 } // namespace osgLego

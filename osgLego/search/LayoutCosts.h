@@ -14,8 +14,11 @@ struct LayoutCosts
     static constexpr int HALF_SEAM = 1000;
     static constexpr int HALF_SEAM_OF_SMALL_SOLID = 500;
     static constexpr int COMPONENT = 10 * PART;
-    /** The cost of a part that is joined to a single other part. LEAF_OF_SHELL applies to models whose interior is
-     * smaller than their surface; in other models, such parts are harder to avoid and matter less. */
+    /** The cost by which layouts of solid models are compared with Effort::BEST. With the other costs, they have up to
+     * a twentieth more parts, to avoid stacked seams. */
+    static constexpr int HALF_SEAM_OF_BEST_SOLID = 250;
+    /** The cost of a part that is joined to a single other part. LEAF_OF_SHELL applies to hollow models whose interior
+     * cells are fewer than those of their surface; in other models, such parts are harder to avoid and matter less. */
     static constexpr int LEAF_OF_SHELL = 9000;
     static constexpr int LEAF = 2000;
     static constexpr int UNMADE = 3 * PART;  //!< a part of one cell in a colour in which it was never made
@@ -23,7 +26,7 @@ struct LayoutCosts
 
     /** HALF_SEAM_OF_SMALL_SOLID for a small model of which more than a fifth is interior, otherwise HALF_SEAM. */
     static int getHalfSeam(const LayoutProblem& problem);
-    /** LEAF_OF_SHELL for a model of which some, but less than half, is interior, otherwise LEAF. */
+    /** LEAF_OF_SHELL for a hollow model of which some, but less than half, is interior, otherwise LEAF. */
     static int getLeaf(const LayoutProblem& problem);
 };
 

@@ -84,6 +84,16 @@ TEST(CellFill, AShellIsAsThickAsTheSettingSays)
     EXPECT_EQ(fill(*box, Fill::SHELL, 1024).bricks.size(), 12u * 12u * 12u);
 }
 
+TEST(CellFill, OnlyAShellThatLeavesCellsOutIsHollow)
+{
+    const osg::ref_ptr<const BrickModel> box = createBox({12, 12, 12});
+    EXPECT_FALSE(fill(*box, Fill::SURFACE).isHollow);
+    EXPECT_FALSE(fill(*box, Fill::SOLID).isHollow);
+    EXPECT_TRUE(fill(*box, Fill::SHELL, 1).isHollow);
+    EXPECT_TRUE(fill(*box, Fill::SHELL, 5).isHollow);
+    EXPECT_FALSE(fill(*box, Fill::SHELL, 6).isHollow);
+}
+
 TEST(CellFill, AHoleInTheWallLetsTheOutsideIn)
 {
     const auto createHolly = [](const glm::ivec3& hole)

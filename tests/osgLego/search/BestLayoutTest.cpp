@@ -105,6 +105,35 @@ TEST(BestLayout, IsTheBestOfAll)
     EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay({4, 2})));
 }
 
+TEST(BestLayout, WithMorePartsThanTheLimitIsWorseThanAnyOther)
+{
+    // Six stacked seams cost more than a part.
+    const Rows rows(14, 3);
+    const std::vector<int> manyParts{1, 8, 4, 1, 2, 2, 2, 2, 2, 2, 2, 1, 2, 2, 2, 2, 2, 2, 1};
+    const std::vector<int> manySeams{1, 8, 4, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2};
+    BestLayout best(rows.sizes, LayoutCosts::HALF_SEAM);
+    best.limit(rows.lay(manySeams));
+    best.add(rows.lay(manyParts));
+    best.add(rows.lay(manySeams));
+    PartMap map = rows.lay(manyParts);
+    best.restore(map);
+    EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay(manySeams)));
+}
+
+TEST(BestLayout, WithMoreComponentsThanTheLimitIsWorseThanAnyOther)
+{
+    // Thirteen parts cost more than a component.
+    const Rows rows(16, 2);
+    const std::vector<int> joined{1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 2, 1, 1, 1, 4, 8, 4};
+    const std::vector<int> apart{8, 8, 8, 8};
+    BestLayout best(rows.sizes, LayoutCosts::HALF_SEAM);
+    PartMap map = rows.lay(apart);
+    best.limit(rows.lay(joined));
+    best.add(rows.lay(joined));
+    best.restore(map);
+    EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay(joined)));
+}
+
 TEST(BestLayout, WithoutAnyLeavesTheLayout)
 {
     const Rows rows(6, 1);

@@ -26,12 +26,20 @@ TEST(LayoutCosts, HalfAStackedSeamCostsLessInSmallSolidModels)
     EXPECT_EQ(LayoutCosts::getHalfSeam(makeProblem(1000, 999)), 1000);
 }
 
-TEST(LayoutCosts, APartThatHangsOnASingleOneCostsMoreInShells)
+TEST(LayoutCosts, APartThatHangsOnASingleOneCostsMoreInHollowShells)
 {
-    EXPECT_EQ(LayoutCosts::getLeaf(makeProblem(100, 0)), 2000);
-    EXPECT_EQ(LayoutCosts::getLeaf(makeProblem(100, 1)), 9000);
-    EXPECT_EQ(LayoutCosts::getLeaf(makeProblem(100, 49)), 9000);
-    EXPECT_EQ(LayoutCosts::getLeaf(makeProblem(100, 50)), 2000);
+    const auto getLeaf = [](std::size_t numInside, bool isHollow)
+    {
+        LayoutProblem problem = makeProblem(100, numInside);
+        problem.isHollow = isHollow;
+        return LayoutCosts::getLeaf(problem);
+    };
+    EXPECT_EQ(getLeaf(0, true), 2000);
+    EXPECT_EQ(getLeaf(1, true), 9000);
+    EXPECT_EQ(getLeaf(49, true), 9000);
+    EXPECT_EQ(getLeaf(50, true), 2000);
+    for (const std::size_t numInside : {0, 1, 49, 50})
+        EXPECT_EQ(getLeaf(numInside, false), 2000);
 }
 
 } // namespace

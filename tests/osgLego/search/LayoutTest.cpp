@@ -257,6 +257,7 @@ TEST(Layout, OfAShellHangsFewPartsOnASingleOne)
     // The same cells, with and without an interior colour: leaves cost more in shells.
     LayoutProblem surface = makeDome(14, 2);
     LayoutProblem shell = surface;
+    shell.isHollow = true;
     for (std::size_t cell = 0; cell < shell.cells.size(); cell += 3)
         shell.cells[cell].color = LayoutCell::ANY_COLOR;
     const LaidParts hanging = layOut(surface, {});

@@ -223,6 +223,7 @@ LayoutProblem makeProblem(const std::string& characters, bool isOfPlates, unsign
     LayoutProblem problem = createRandomProblem({7, 6, 4}, characters, seed);
     problem.colors = {LayoutColor{0x7fe, 0x7ff}, LayoutColor{0x2b, 0x16}, LayoutColor{}};
     problem.isOfPlates = isOfPlates;
+    problem.isHollow = true;
     return problem;
 }
 
@@ -233,7 +234,7 @@ TEST(WindowBuilder, ListsThePartsOfALayerAtTheCostOfTheirSeamsAndContacts)
     std::mt19937 random(1);
     for (unsigned int seed = 0; seed < 60; ++seed)
     {
-        // Of all cells, none, a third and nearly all may have any colour: 2000 for a leaf, and 9000 in a shell.
+        // Of all cells, none, a third and nearly all may have any colour: 2000 for a leaf, and 9000 in a thin shell.
         const char* const characters = seed % 3 == 0 ? "aaaaab." : seed % 3 == 1 ? "aaac**." : "*****c.";
         LaidMap laid(makeProblem(characters, seed % 2 == 0, seed));
         laid.layRandomly(random);
