@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <tuple>
 
 namespace osgLego
 {
@@ -35,9 +36,9 @@ LayoutFigures BestLayout::computeFigures(const PartMap& map) const
 std::int64_t BestLayout::computeCost(const PartMap& map) const
 {
     const LayoutFigures figures = computeFigures(map);
-    if (_limits && (figures.parts > _limits->parts || figures.components > _limits->components ||
-                    figures.unavailable > _limits->unavailable))
-        return std::numeric_limits<std::int64_t>::max();
+    const auto rank = [](const LayoutFigures& layout)
+    { return std::tuple(layout.components, layout.unavailable, layout.parts); };
+    if (_limits && rank(figures) > rank(*_limits)) return std::numeric_limits<std::int64_t>::max();
     const auto times = [](std::size_t count, std::int64_t cost) { return static_cast<std::int64_t>(count) * cost; };
     return times(figures.parts, LayoutCosts::PART) + times(figures.stackedLength, 2 * _seamCost) +
            times(figures.components, LayoutCosts::COMPONENT) + times(figures.unavailable, LayoutCosts::UNMADE);

@@ -18,8 +18,8 @@ public:
     /** @param seamCost the cost of half a unit of stacked seams. */
     BestLayout(const PartSizes& sizes, int seamCost) : _sizes(sizes), _seamCost(seamCost) {}
 
-    /** From now on, layouts with more parts, components or parts that were never made than this one are worse than any
-     * other. */
+    /** From now on, layouts with more components than this one are worse than any other; of those with as many, those
+     * with more parts that were never made; of these, those with more parts. */
     void limit(const PartMap& map);
     /** Keep a copy of a layout if it is the best so far. */
     void add(const PartMap& map);

@@ -5,6 +5,7 @@
 #include <osgLego/search/LayoutCosts.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -120,18 +121,21 @@ TEST(BestLayout, WithMorePartsThanTheLimitIsWorseThanAnyOther)
     EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay(manySeams)));
 }
 
-TEST(BestLayout, WithMoreComponentsThanTheLimitIsWorseThanAnyOther)
+TEST(BestLayout, WithMoreComponentsThanTheLimitIsWorseThanOneWithMoreParts)
 {
     // Thirteen parts cost more than a component.
     const Rows rows(16, 2);
     const std::vector<int> joined{1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 2, 1, 1, 1, 4, 8, 4};
     const std::vector<int> apart{8, 8, 8, 8};
-    BestLayout best(rows.sizes, LayoutCosts::HALF_SEAM);
-    PartMap map = rows.lay(apart);
-    best.limit(rows.lay(joined));
-    best.add(rows.lay(joined));
-    best.restore(map);
-    EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay(joined)));
+    for (const auto& [limit, expected] : {std::pair(joined, joined), std::pair(apart, apart)})
+    {
+        BestLayout best(rows.sizes, LayoutCosts::HALF_SEAM);
+        best.limit(rows.lay(limit));
+        best.add(rows.lay(joined));
+        PartMap map = rows.lay(apart);
+        best.restore(map);
+        EXPECT_EQ(rows.getParts(map), rows.getParts(rows.lay(expected)));
+    }
 }
 
 TEST(BestLayout, WithoutAnyLeavesTheLayout)
