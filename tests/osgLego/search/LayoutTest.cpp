@@ -265,6 +265,27 @@ TEST(Layout, OfAShellHangsFewPartsOnASingleOne)
     EXPECT_LT(LaidModel(shell, held).countLeaves(), LaidModel(surface, hanging).countLeaves());
 }
 
+TEST(Layout, OfASolidHasStackedSeamsWithTheBestEffortToHaveFewerParts)
+{
+    // Above squares of two colours in turn, four squares have six stacked seams. Halves at both ends avoid them.
+    constexpr std::uint16_t HALF_AND_SQUARE = 0b1000010;
+    const LayoutProblem problem =
+        makeCells({8, 2, 3},
+                  [](int x, int, int z)
+                  {
+                      if (z == 0) return x == 0 ? static_cast<int>(LayoutCell::ANY_COLOR) : 0;
+                      return z == 1 ? x / 2 % 2 : 2;
+                  },
+                  {LayoutColor{}, LayoutColor{}, LayoutColor{HALF_AND_SQUARE, HALF_AND_SQUARE}});
+    const auto countOnTop = [&](Effort effort)
+    {
+        const LaidParts parts = layOut(problem, makeOptions(effort));
+        return std::count_if(parts.begin(), parts.end(), [](const LaidPart& part) { return part.place[2] == 2; });
+    };
+    EXPECT_EQ(countOnTop(Effort::NORMAL), 5);
+    EXPECT_EQ(countOnTop(Effort::BEST), 4);
+}
+
 TEST(Layout, KeepsAllPartsOfThePreviousLayoutOfTheSameCells)
 {
     const LayoutProblem problem = makeRandomCells({20, 20, 6}, 90, 2);
