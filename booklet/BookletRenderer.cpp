@@ -1,5 +1,9 @@
 #include "BookletRenderer.h"
 
+#include "BookletFailure.h"
+
+#include <string>
+
 #include <osg/Quat>
 
 namespace osgLego
@@ -43,7 +47,8 @@ osg::ref_ptr<LightProbe> createSky(UpAxis up, const BookletCamera& camera)
 } // namespace
 
 BookletRenderer::BookletRenderer(osg::GraphicsContext& context) :
-    _renderer(context), _occlusion(new AmbientOcclusionScene), _lego(createNode()), _base(createNode())
+    _context(&context), _renderer(context), _occlusion(new AmbientOcclusionScene), _lego(createNode()),
+    _base(createNode())
 {
     _occlusion->addChild(_lego);
     _renderer.setScene(*_occlusion);
@@ -65,6 +70,15 @@ void BookletRenderer::place(const BookletCamera& camera, const BookletFrame& fra
     _occlusion->setLightProbe(sky);
     for (LegoNode* node : {_lego.get(), _base.get()})
         node->setLightProbe(sky); // for pictures without ambient occlusion
+}
+
+/** Without bricks, the picture would be empty or show others. */
+void BookletRenderer::checkDrawn() const
+{
+    const unsigned int contextID = _context->getState()->getContextID();
+    for (const LegoNode* node : {_lego.get(), _base.get()})
+        if (const std::string failure = node->getFailure(contextID); !failure.empty())
+            throw BookletFailure(BookletError::Reason::NO_GL, "the pictures can't be drawn: " + failure);
 }
 
 void BookletRenderer::setBase(const BrickModel* base)
@@ -92,14 +106,18 @@ osg::ref_ptr<osg::Image> BookletRenderer::draw(const BookletCamera& camera, cons
                                                const glm::ivec2& size)
 {
     place(camera, frame);
-    return _renderer.draw(size, WHITE);
+    osg::ref_ptr<osg::Image> picture = _renderer.draw(size, WHITE);
+    checkDrawn();
+    return picture;
 }
 
 osg::ref_ptr<osg::Image> BookletRenderer::drawTransparent(const BookletCamera& camera, const BookletFrame& frame,
                                                           const glm::ivec2& size)
 {
     place(camera, frame);
-    return _renderer.drawTransparent(size);
+    osg::ref_ptr<osg::Image> picture = _renderer.drawTransparent(size);
+    checkDrawn();
+    return picture;
 }
 
 } // namespace osgLego

@@ -41,6 +41,7 @@ public:
 
     /** Draw the model over white.
      * @param size in pixels.
+     * @throws BookletFailure if bricks can't be drawn, such as without memory of GL, as drawTransparent() does.
      * @return 8-bit RGB, bottom row first. */
     osg::ref_ptr<osg::Image> draw(const BookletCamera& camera, const BookletFrame& frame, const glm::ivec2& size);
     /** Likewise over a transparent background. @return 8-bit RGBA with straight alpha. */
@@ -49,7 +50,9 @@ public:
 
 private:
     void place(const BookletCamera& camera, const BookletFrame& frame);
+    void checkDrawn() const;
 
+    osg::ref_ptr<osg::GraphicsContext> _context;
     PictureRenderer _renderer;
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     osg::ref_ptr<LegoNode> _lego;

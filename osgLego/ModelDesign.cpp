@@ -30,10 +30,10 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
          << "  parts pieces  stands surface  colour unlikeness\n";
     for (const DesignCandidate& candidate : candidates)
         text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
-             << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.layout.numComponents
-             << std::setw(8) << describeStability(candidate) << std::setprecision(2) << std::setw(6)
-             << 100.0 * candidate.surfaceError << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError
-             << std::setw(11) << std::setprecision(2) << candidate.getError() << '\n';
+             << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.numPieces << std::setw(8)
+             << describeStability(candidate) << std::setprecision(2) << std::setw(6) << 100.0 * candidate.surfaceError
+             << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError << std::setw(11)
+             << std::setprecision(2) << candidate.getError() << '\n';
     return text.str();
 }
 
@@ -47,12 +47,11 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
            (best.stability.safe ? " safely" : "");
 }
 
-/** Pieces may lean on each other, and a base plate may hold them. */
+/** Pieces may lean on each other. */
 std::string explainStability(const DesignCandidate& best)
 {
     if (best.isWhole() || !best.stability.stands) return best.stability.toString();
-    return "the model is " + std::to_string(best.layout.numComponents) +
-           " pieces that no part joins: they stand, but not as one";
+    return "the model is " + std::to_string(best.numPieces) + " pieces that no part joins: they stand, but not as one";
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <osgLego/LegoSettings.h>
 #include <osgLego/StabilityReport.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct OSGLEGO_EXPORT DesignCandidate
     osg::ref_ptr<const BrickModel> model; //!< made of parts
     LayoutStatistics layout;              //!< the figures of its parts
     StabilityReport stability;            //!< on the base of DesignOptions
+    std::size_t numPieces = 0;            //!< of the layout; a base plate joins those that stand on it
     /** The distance between the outer sides of bricks and the mesh: the root of the mean square over their area, as a
      * share of the longest side of the mesh. */
     double surfaceError = 0.0;
@@ -30,8 +32,8 @@ struct OSGLEGO_EXPORT DesignCandidate
     /** The unlikeness of the model to the mesh, by which candidates are compared: `surfaceError` in percent, and a
      * tenth of `colorError`. */
     double getError() const { return 100.0 * surfaceError + 0.1 * colorError; }
-    /** Whether the model is one piece. */
-    bool isWhole() const { return layout.numComponents == 1; }
+    /** Whether the model is one piece, with its base plate if that is the base. */
+    bool isWhole() const { return numPieces == 1; }
     /** Whether the model can be built and stays up: it is one piece and stands. */
     bool isSound() const { return isWhole() && stability.stands; }
 };

@@ -126,7 +126,7 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
         defects.push_back(fmt::format("the model has {} parts, more than the {} of --parts", best.layout.numParts,
                                       *options.buildParts));
     const char* standing = best.isWhole() ? "the model stands" : "its pieces stand";
-    if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.layout.numComponents));
+    if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.numPieces));
     if (best.stability.falls())
         defects.push_back(fmt::format("{} of {} parts fall", best.stability.falling.size(), best.layout.numParts));
     else if (!best.stability.stands)

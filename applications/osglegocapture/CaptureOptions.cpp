@@ -136,6 +136,16 @@ CLI::callback_t toCallback(const Reader& reader)
     };
 }
 
+/** Throws if an option has the name of another one for its value: CLI11 takes what follows, whatever it is. */
+void checkValues(const CLI::App& app)
+{
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& value : option->results())
+            if (value.starts_with('-') && app.get_option_no_throw(value))
+                throw CLI::ValidationError(option->get_name() + " has no value before " + value + "; expected " +
+                                           option->get_name() + " " + option->get_type_name());
+}
+
 // The options of the help text, in its order, by subject.
 
 /** The mesh, its bricks and the picture of them. */
@@ -145,7 +155,8 @@ void addPicture(CLI::App& app, CaptureOptions& options)
     app.add_option("-O", options.readerOptions,
                    "Options for the reader of MESH, including .legolize, as osgviewer's -O")
         ->type_name("OPTIONS");
-    app.add_option("-o,--output", options.output, "The picture to write; its extension is its format");
+    app.add_option("-o,--output", options.output, "The picture to write; its extension is its format")
+        ->type_name("FILE");
     app.add_option("--legolize", options.settingsText, "Settings of the bricks, as below")->type_name("SETTINGS");
     app.add_option("--size", toCallback([&](const std::string& text) { return readSize(text, options); }),
                    "Pixels of the picture (1280x720; for --build, as many in the shape of the model)")
@@ -329,6 +340,7 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
     try
     {
         app.parse(argc, argv);
+        checkValues(app);
         if (app.count("--legolize") > 0 || !options.build.empty()) readSettings(options);
         checkCombination(options, app.count("--threshold") > 0);
         // A mesh has no grid.

@@ -1,6 +1,7 @@
 #include <osgLego/design/DesignSearch.h>
 
 #include <osgLego/Stability.h>
+#include <osgLego/design/PieceCount.h>
 #include <osgLego/design/ResolutionSearch.h>
 #include <osgLego/model/CpuBricks.h>
 
@@ -44,7 +45,7 @@ bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
     const auto rank = [](const DesignCandidate& candidate)
     {
         constexpr double VISIBLE = 0.01;
-        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), candidate.layout.numComponents,
+        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), candidate.numPieces,
                           std::lround(candidate.getError() / VISIBLE), candidate.layout.numParts);
     };
     return rank(a) < rank(b);
@@ -246,7 +247,13 @@ DesignCandidate DesignSearch::measure(const LegoSettings& settings, const Laid& 
         computeStability(*laid.model, {_options.base, _options.isCancelled});
     checkCancelled();
     const SurfaceDifference difference = _surface->compare(*laid.model);
-    return {settings, laid.model, laid.layout, *stability, difference.distance / _longestSide, difference.color};
+    return {settings,
+            laid.model,
+            laid.layout,
+            *stability,
+            countPieces(*laid.model, _options.base),
+            difference.distance / _longestSide,
+            difference.color};
 }
 
 void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings)

@@ -31,6 +31,9 @@ public:
     };
     static constexpr std::array<Side, 4> LEVEL_SIDES{EAST, WEST, NORTH, SOUTH};
 
+    /** Whether a side of LEVEL_SIDES is along x, not along y. */
+    static constexpr bool isAlongX(Side side) { return side == EAST || side == WEST; }
+
     explicit CellLattice(const LayoutProblem& problem);
 
     const LayoutProblem& getProblem() const { return _problem; }
@@ -45,6 +48,17 @@ public:
     std::uint16_t getColor(Index cell) const { return get(cell).color; }
     /** The cell beside a cell, or NONE. */
     Index getNeighbor(Index cell, Side side) const { return _neighbors[static_cast<std::size_t>(cell)][side]; }
+    /** Whether there is a cell directly above or below a cell, so that every layout connects its part to another,
+     * unless one part covers both. */
+    bool isInColumn(Index cell) const { return getNeighbor(cell, ABOVE) != NONE || getNeighbor(cell, BELOW) != NONE; }
+    /** The cell at a number of steps from a cell, or NONE if there is no cell there or on the way. Returns NONE for
+     * NONE. */
+    Index move(Index cell, Side side, int steps) const
+    {
+        for (; steps > 0 && cell != NONE; --steps)
+            cell = getNeighbor(cell, side);
+        return cell;
+    }
 
 private:
     const LayoutCell& get(Index cell) const { return _problem.cells[static_cast<std::size_t>(cell)]; }

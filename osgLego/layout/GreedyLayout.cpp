@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace osgLego
 {
@@ -51,62 +52,123 @@ bool fits(const PartMap& map, const PartSizes& sizes, Index anchor, const PartSh
     return sizes.isAllowed(shape, color);
 }
 
-void layAll(PartMap& map, const PartSizes& sizes, Index begin, Index end, const PartShape& shape)
+/** The number of cells in a row from a cell on, itself included, up to the length of the longest part. */
+struct RowLengths
 {
-    for (Index cell = begin; cell < end; ++cell)
-        if (map.getAnchor(cell) == CellLattice::NONE && fits(map, sizes, cell, shape)) map.lay(cell, shape);
+    std::uint8_t east = 0;
+    std::uint8_t north = 0;
+};
+
+/** Whether enough cells exist above a cell for a part of a height. */
+bool hasColumn(const CellLattice& lattice, Index cell, int height)
+{
+    for (; height > 1 && cell != CellLattice::NONE; --height)
+        cell = lattice.getNeighbor(cell, CellLattice::ABOVE);
+    return cell != CellLattice::NONE;
 }
 
-/** Lay parts of one height whose lowest cells are in [begin, end). */
-void layLayers(PartMap& map, const PartSizes& sizes, Index begin, Index end, int height)
+/** Find the rows of columns of a height whose lowest cells have colours that one part may cover: most parts that don't
+ * fit are longer than these rows. */
+std::vector<RowLengths> findRows(const CellLattice& lattice, int height)
+{
+    std::vector<RowLengths> rows(static_cast<std::size_t>(lattice.getNumCells()));
+    const auto extend = [&](Index cell, CellLattice::Side side, std::uint8_t RowLengths::*length)
+    {
+        std::uint8_t& own = rows[static_cast<std::size_t>(cell)].*length;
+        own = 1;
+        const Index other = lattice.getNeighbor(cell, side);
+        if (other == CellLattice::NONE || !PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) return;
+        own = static_cast<std::uint8_t>(
+            std::min(rows[static_cast<std::size_t>(other)].*length + 1, int{PartSizes::LONGEST}));
+    };
+    for (Index cell = lattice.getNumCells(); cell-- > 0;)
+        if (hasColumn(lattice, cell, height))
+        {
+            extend(cell, CellLattice::EAST, &RowLengths::east);
+            extend(cell, CellLattice::NORTH, &RowLengths::north);
+        }
+    return rows;
+}
+
+/** Lay parts of a shape on cells, where they fit. */
+void layAll(PartMap& map, const PartSizes& sizes, const std::vector<RowLengths>& rows, const std::vector<Index>& cells,
+            const PartShape& shape)
+{
+    for (const Index cell : cells)
+    {
+        const RowLengths& row = rows[static_cast<std::size_t>(cell)];
+        if (row.east >= shape.width && row.north >= shape.depth && map.getAnchor(cell) == CellLattice::NONE &&
+            fits(map, sizes, cell, shape))
+            map.lay(cell, shape);
+    }
+}
+
+/** Lay parts of one height whose lowest cells are in [begin, end).
+ * @param rows those of columns of this height. */
+void layLayers(PartMap& map, const PartSizes& sizes, const std::vector<RowLengths>& rows, Index begin, Index end,
+               int height)
 {
     if (begin == end) return;
+    const auto isCovered = [&map](Index cell) { return map.getAnchor(cell) != CellLattice::NONE; };
+    std::vector<Index> cells;
+    for (Index cell = begin; cell < end; ++cell)
+        if (rows[static_cast<std::size_t>(cell)].east > 0 && !isCovered(cell)) cells.push_back(cell);
     const bool isAlongX = map.getLattice().getZ(begin) / height % 2 == 1;
     for (const auto& [shorter, longer] : getSizesByArea())
     {
         const auto width = static_cast<std::uint8_t>(isAlongX ? longer : shorter);
         const auto depth = static_cast<std::uint8_t>(isAlongX ? shorter : longer);
-        const auto cells = static_cast<std::uint8_t>(height);
-        layAll(map, sizes, begin, end, {width, depth, cells});
-        if (shorter != longer) layAll(map, sizes, begin, end, {depth, width, cells});
+        const auto numLayers = static_cast<std::uint8_t>(height);
+        layAll(map, sizes, rows, cells, {width, depth, numLayers});
+        if (shorter != longer) layAll(map, sizes, rows, cells, {depth, width, numLayers});
+        std::erase_if(cells, isCovered);
     }
 }
 
-void layPlates(PartMap& map, const PartSizes& sizes)
+void layPlates(PartMap& map, const PartSizes& sizes, const std::vector<RowLengths>& rows)
 {
     const CellLattice& lattice = map.getLattice();
     forEachIndex(static_cast<std::size_t>(lattice.getNumLayers()),
                  [&](std::size_t index)
                  {
                      const auto z = static_cast<int>(index);
-                     layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1);
+                     layLayers(map, sizes, rows, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), 1);
                  });
 }
 
 /** Lay bricks of three layers each, from a layer on, and plates in the rest. Bricks at other heights would leave gaps
  * between each other. */
-void layBricksAndPlates(PartMap& map, const PartSizes& sizes, int firstLayer)
+void layBricksAndPlates(PartMap& map, const PartSizes& sizes, const std::vector<RowLengths>& rowsOfBricks,
+                        const std::vector<RowLengths>& rowsOfPlates, int firstLayer)
 {
     const CellLattice& lattice = map.getLattice();
-    for (int z = firstLayer; z < lattice.getNumLayers(); z += PartSizes::BRICK_PLATES)
-        layLayers(map, sizes, lattice.getLayerStart(z), lattice.getLayerStart(z + 1), PartSizes::BRICK_PLATES);
-    layPlates(map, sizes);
+    const auto numLayers = static_cast<std::size_t>(std::max(lattice.getNumLayers() - firstLayer, 0));
+    forEachIndex((numLayers + 2) / 3,
+                 [&](std::size_t index)
+                 {
+                     const int z = firstLayer + static_cast<int>(index) * PartSizes::BRICK_PLATES;
+                     layLayers(map, sizes, rowsOfBricks, lattice.getLayerStart(z), lattice.getLayerStart(z + 1),
+                               PartSizes::BRICK_PLATES);
+                 });
+    layPlates(map, sizes, rowsOfPlates);
 }
 
 } // namespace
 
 void layGreedily(PartMap& map, const PartSizes& sizes)
 {
+    const std::vector<RowLengths> rowsOfPlates = findRows(map.getLattice(), 1);
     if (sizes.getHeights().size() == 1)
     {
-        layPlates(map, sizes);
+        layPlates(map, sizes, rowsOfPlates);
         return;
     }
+    const std::vector<RowLengths> rowsOfBricks = findRows(map.getLattice(), PartSizes::BRICK_PLATES);
     const PartMap start = map;
     for (int firstLayer = 0; firstLayer < PartSizes::BRICK_PLATES; ++firstLayer)
     {
         PartMap candidate = start;
-        layBricksAndPlates(candidate, sizes, firstLayer);
+        layBricksAndPlates(candidate, sizes, rowsOfBricks, rowsOfPlates, firstLayer);
         if (firstLayer == 0 || candidate.countParts() < map.countParts()) map.swap(candidate);
     }
 }

@@ -28,6 +28,21 @@ PartMap::Index PartMap::countParts() const
     return count;
 }
 
+bool PartMap::isAlone(Index anchor) const
+{
+    bool isAlone = true;
+    visitPart(anchor,
+              [&](Index cell)
+              {
+                  for (const auto side : {CellLattice::ABOVE, CellLattice::BELOW})
+                  {
+                      const Index other = _lattice.getNeighbor(cell, side);
+                      isAlone &= other == CellLattice::NONE || getAnchor(other) == anchor;
+                  }
+              });
+    return isAlone;
+}
+
 void PartMap::swap(PartMap& other)
 {
     _anchors.swap(other._anchors);

@@ -26,6 +26,8 @@ public:
     const PartShape& getShape(Index anchor) const { return _shapes[static_cast<std::size_t>(anchor)]; }
     /** LayoutCell::ANY_COLOR if all its cells have that. */
     std::uint16_t getColor(Index anchor) const;
+    /** Whether a part touches no other part above or below. */
+    bool isAlone(Index anchor) const;
     Index countParts() const;
 
     /** Exchange the parts with those of a layout of the same cells. */

@@ -74,6 +74,9 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     if (!state.getLastAppliedProgramObject())
     {
         bricks->failPrograms("the shaders that draw bricks failed to compile");
+        // Triangles that are drawn instead may replace others, which are deleted. OSG compares addresses of arrays, so
+        // that it may take new ones for those that it has set.
+        state.disableAllVertexArrays();
         return;
     }
     const std::lock_guard lock(bricks->getMutex());

@@ -32,28 +32,12 @@ ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isAct
         for (const auto side : {CellLattice::EAST, CellLattice::NORTH})
         {
             const Index other = lattice.getNeighbor(cell, side);
-            if (other == CellLattice::NONE || _components.find(cell) == _components.find(other)) continue;
+            if (other == CellLattice::NONE || _map.getAnchor(cell) == _map.getAnchor(other)) continue;
+            if (_components.find(cell) == _components.find(other)) continue;
             if (PartSizes::join(lattice.getColor(cell), lattice.getColor(other))) pairs.emplace_back(cell, other);
         }
     }
     return pairs;
-}
-
-/** Whether a part touches no other part above or below. */
-bool ComponentJoiner::isAlone(Index anchor) const
-{
-    const CellLattice& lattice = _map.getLattice();
-    bool isAlone = true;
-    _map.visitPart(anchor,
-                   [&](Index cell)
-                   {
-                       for (const auto side : {CellLattice::ABOVE, CellLattice::BELOW})
-                       {
-                           const Index other = lattice.getNeighbor(cell, side);
-                           isAlone &= other == CellLattice::NONE || _map.getAnchor(other) == anchor;
-                       }
-                   });
-    return isAlone;
 }
 
 bool ComponentJoiner::join(Index cell, Index other, const Limits& limits, const std::vector<bool>& isActive,
@@ -92,7 +76,7 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
             const Index otherAnchor = _map.getAnchor(other);
             // If each part touches no other part above or below, the cost of parts alone makes window search merge
             // them.
-            if (anchor == otherAnchor || (isAlone(anchor) && isAlone(otherAnchor))) continue;
+            if (anchor == otherAnchor || (_map.isAlone(anchor) && _map.isAlone(otherAnchor))) continue;
             if (join(cell, other, limits, isActive, random)) _components.join(cell, other);
         }
     }

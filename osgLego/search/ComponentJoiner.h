@@ -41,7 +41,6 @@ private:
 
     void findComponents();
     Pairs findPairs(const std::vector<bool>& isActive);
-    bool isAlone(Index anchor) const;
     bool join(Index cell, Index other, const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random);
 
     PartMap& _map;

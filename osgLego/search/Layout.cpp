@@ -3,7 +3,9 @@
 #include <osgLego/layout/GreedyLayout.h>
 #include <osgLego/layout/KeptParts.h>
 #include <osgLego/layout/PartColors.h>
+#include <osgLego/layout/ReachingParts.h>
 #include <osgLego/search/BestLayout.h>
+#include <osgLego/search/BridgeJoiner.h>
 #include <osgLego/search/ComponentJoiner.h>
 #include <osgLego/search/LayoutCosts.h>
 #include <osgLego/search/SearchPhases.h>
@@ -30,10 +32,18 @@ struct Work
     ComponentJoiner::Limits joins;
 };
 
-constexpr std::array<Work, 3> WORK{{{4000, 0, 2, {3, 100}, {1, 100}},
-                                    {100000, 2, 40, {1, 300}, {4, 1000}},
-                                    {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
+constexpr std::array<Work, 3> WORK{
+    {{4100, 0, 3, {3, 100}, {1, 40}}, {100000, 2, 40, {1, 300}, {4, 1000}}, {1500000, 12, 250, {1, 2000}, {8, 10000}}}};
+constexpr ComponentJoiner::Limits JOINS_OF_DRAFT{1, 100};
 constexpr int NEIGHBORHOOD = 8; // distance in cells from a change within which parts may change, too
+
+/** Join components of a greedy layout, and do nothing else.
+ * @return false if it was cancelled. */
+bool joinOnly(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
+{
+    LayoutRandom random(options.seed);
+    return ComponentJoiner(map, sizes).joinAll(JOINS_OF_DRAFT, isActive, random, options.isCancelled);
+}
 
 std::vector<SearchPhase> makePhases(const PartMap& map, const LayoutOptions& options)
 {
@@ -55,8 +65,13 @@ bool search(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, 
     ComponentJoiner joiner(map, sizes);
     const Work& work = WORK[static_cast<std::size_t>(options.effort)];
     const auto join = [&] { return joiner.joinAll(work.joins, isActive, random, options.isCancelled); };
-    if (!join()) return false;
-    if (options.isGreedy) return true;
+    // Bridges need less time than as many attempts to join would.
+    if (options.effort == Effort::INSTANT)
+    {
+        if (!BridgeJoiner(map, sizes).joinAll(isActive, random, options.isCancelled)) return false;
+    }
+    else if (!join())
+        return false;
     WindowSearch windows(map, sizes, options, isActive);
     const std::vector<SearchPhase> phases = makePhases(map, options);
     int numRounds = 0;
@@ -117,8 +132,9 @@ LaidParts layOut(const LayoutProblem& problem, const LayoutOptions& options, con
     keepParts(map, sizes, previous);
     std::vector<bool> isActive;
     if (!previous.empty()) isActive = findChangedCells(map, NEIGHBORHOOD);
+    if (options.effort == Effort::INSTANT && !options.isGreedy) layReachingParts(map, sizes);
     layGreedily(map, sizes);
-    const auto improveLayout = options.effort == Effort::BEST ? improveMost : improve;
+    const auto improveLayout = options.isGreedy ? joinOnly : options.effort == Effort::BEST ? improveMost : improve;
     if (!improveLayout(map, sizes, options, isActive) || isCancelled()) return {};
     if (options.progress) options.progress(1.0);
     return collectParts(map, sizes);

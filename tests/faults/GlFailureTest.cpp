@@ -1,5 +1,6 @@
 #include "GlFaults.h"
 
+#include <osgLego/CpuLegolizer.h>
 #include <osgLego/LegoNode.h>
 
 #include <GlDebug.h>
@@ -260,6 +261,29 @@ TEST_F(GlTest, NodesThatFailWithBricksOfTheSameSourceAreNotLegolized)
     EXPECT_TRUE(GlFaults::end());
     EXPECT_NE(lego->getFailure(contextID), "");
     EXPECT_FALSE(lego->isLegolized(contextID));
+    takeGlMessages();
+}
+
+TEST_F(GlTest, StoredBricksThatFailLeaveNoVertexArrays)
+{
+    const osg::ref_ptr<osg::Node> sphere = createSphere(6);
+    const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+    const osg::ref_ptr<LegoNode> lego = new LegoNode;
+    lego->setWaiting(true);
+    osgViewer::Viewer viewer;
+    setUpViewer(viewer, *context, *sphere);
+    viewer.setSceneData(lego);
+    context->makeCurrent();
+    GlFaults::beginAll(*context, Kind::PROGRAM);
+    lego->setStoredBricks(legolizeOnCpu(*sphere, parseSettings("8")));
+    noticesOf([&] { drawFrames(viewer, 2); });
+    EXPECT_GT(countDrawn(*readPixels(*context)), 1000u);
+    EXPECT_TRUE(glIsEnabled(GL_VERTEX_ARRAY));
+    // Programs fail again in this frame, before triangles are drawn in the next one.
+    lego->setStoredBricks(legolizeOnCpu(*sphere, parseSettings("9")));
+    noticesOf([&] { drawFrames(viewer, 1); });
+    EXPECT_FALSE(glIsEnabled(GL_VERTEX_ARRAY));
+    GlFaults::end();
     takeGlMessages();
 }
 

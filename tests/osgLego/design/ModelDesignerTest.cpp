@@ -127,6 +127,23 @@ TEST(ModelDesigner, OfModelsInPiecesOneThatStandsIsChosen)
     EXPECT_EQ(text.find("the model stands safely"), std::string::npos) << text;
 }
 
+TEST(ModelDesigner, ABasePlateJoinsThePiecesOfAFlatSheet)
+{
+    const osg::ref_ptr<osg::ShapeDrawable> sheet = new osg::ShapeDrawable(new osg::Box(osg::Vec3(), 12, 9, 0.1f));
+    DesignOptions options;
+    options.numParts = 40;
+    options.settings = "proportions=plate,fill=surface,colors=8";
+    for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+    {
+        options.base = base;
+        std::string error;
+        const std::optional<ModelDesign> design = designModel(*sheet, options, error);
+        ASSERT_TRUE(design) << error;
+        EXPECT_EQ(design->getBest().isSound(), base == BuildingBase::PLATE) << design->toString();
+        EXPECT_GT(design->getBest().layout.numComponents, 1u);
+    }
+}
+
 TEST(ModelDesigner, ALatticeMakesTheModelThatTheSettingsMake)
 {
     DesignOptions options;

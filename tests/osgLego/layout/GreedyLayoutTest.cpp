@@ -4,6 +4,8 @@
 
 #include <osgLego/layout/GreedyLayout.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -68,6 +70,72 @@ TEST(GreedyLayout, CoversAllCellsEvenIfItsTaskIsCancelled)
 TEST(GreedyLayout, PrefersWideParts)
 {
     EXPECT_EQ(lay(drawProblem({{"aaaa", "aa.."}})), (LaidParts{{{0, 0, 0}, {2, 2, 1}, 0}, {{2, 0, 0}, {2, 1, 1}, 0}}));
+}
+
+/** Lays parts greedily in a plain way. */
+struct PlainGreedyLayout : LaidMap
+{
+    using LaidMap::LaidMap;
+
+    void layAll(int firstLayer)
+    {
+        if (sizes.getHeights().size() > 1)
+            for (int z = firstLayer; z < problem.size.z; z += 3)
+                layLayer(z, 3);
+        for (int z = 0; z < problem.size.z; ++z)
+            layLayer(z, 1);
+    }
+
+private:
+    void layLayer(int z, int height)
+    {
+        constexpr std::array<std::array<int, 2>, 11> SIZES{
+            {{2, 8}, {2, 6}, {2, 4}, {1, 8}, {2, 3}, {1, 6}, {2, 2}, {1, 4}, {1, 3}, {1, 2}, {1, 1}}};
+        const bool isAlongX = z / height % 2 == 1;
+        for (const auto& [shorter, longer] : SIZES)
+            for (const bool isLongAlongX : {isAlongX, !isAlongX})
+                for (CellLattice::Index cell = 0; cell < lattice.getNumCells(); ++cell)
+                    if (lattice.getZ(cell) == z)
+                        tryAt(cell, {static_cast<std::uint8_t>(isLongAlongX ? longer : shorter),
+                                     static_cast<std::uint8_t>(isLongAlongX ? shorter : longer),
+                                     static_cast<std::uint8_t>(height)});
+    }
+
+    void tryAt(CellLattice::Index cell, const PartShape& shape)
+    {
+        std::uint16_t color = LayoutCell::ANY_COLOR;
+        for (int z = 0; z < shape.height; ++z)
+            for (int y = 0; y < shape.depth; ++y)
+                for (int x = 0; x < shape.width; ++x)
+                {
+                    const CellLattice::Index column = lattice.move(cell, CellLattice::ABOVE, z);
+                    const CellLattice::Index row = lattice.move(column, CellLattice::NORTH, y);
+                    const CellLattice::Index covered = lattice.move(row, CellLattice::EAST, x);
+                    if (covered == CellLattice::NONE || map.getAnchor(covered) != CellLattice::NONE) return;
+                    const auto joint = PartSizes::join(color, lattice.getColor(covered));
+                    if (!joint) return;
+                    color = *joint;
+                }
+        if (sizes.isAllowed(shape, color)) map.lay(cell, shape);
+    }
+};
+
+TEST(GreedyLayout, LaysTheLargestPartThatFitsInEachPlace)
+{
+    for (unsigned int seed = 0; seed < 30; ++seed)
+    {
+        LayoutProblem problem = createRandomProblem({14, 12, 7}, seed % 3 == 0 ? "aaaaaaaaaa.*" : "aaaaaaab*", seed);
+        problem.isOfPlates = seed % 2 == 1;
+        LaidParts fewest;
+        for (int firstLayer = 0; firstLayer < 3; ++firstLayer)
+        {
+            PlainGreedyLayout laid(problem);
+            laid.layAll(firstLayer);
+            const LaidParts parts = laid.getParts();
+            if (firstLayer == 0 || parts.size() < fewest.size()) fewest = parts;
+        }
+        EXPECT_EQ(lay(problem), fewest) << "model " << seed;
+    }
 }
 
 TEST(GreedyLayout, LaysBricksAtTheHeightsThatNeedTheFewestParts)

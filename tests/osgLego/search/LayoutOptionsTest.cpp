@@ -103,9 +103,9 @@ TEST(LayoutOptions, AnEffortHasAsManyRoundsAsTheNumberOfPartsAllows)
                options);
         return numReports - 1;
     };
-    EXPECT_EQ(countRounds(1, Effort::INSTANT), 2);
-    EXPECT_EQ(countRounds(4000, Effort::INSTANT), 1);
-    EXPECT_EQ(countRounds(4001, Effort::INSTANT), 0);
+    EXPECT_EQ(countRounds(1, Effort::INSTANT), 3);
+    EXPECT_EQ(countRounds(4100, Effort::INSTANT), 1);
+    EXPECT_EQ(countRounds(4101, Effort::INSTANT), 0);
     EXPECT_EQ(countRounds(1, Effort::NORMAL), 40);
     EXPECT_EQ(countRounds(20000, Effort::NORMAL), 5);
     EXPECT_EQ(countRounds(60000, Effort::NORMAL), 2);

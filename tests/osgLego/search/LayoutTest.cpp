@@ -99,6 +99,13 @@ std::int64_t findLeastCostOfRow(const LayoutProblem& problem)
 
 } // namespace
 
+/** Stairs along x, each of which overlaps the next one by a cell. */
+LayoutProblem makeStairs(int width, int depth, int numStairs)
+{
+    return makeCells({numStairs * width + 1, depth, numStairs},
+                     [=](int x, int, int z) { return x >= z * width && x <= (z + 1) * width ? 0 : NO_CELL; });
+}
+
 TEST(Layout, OfNoCellsHasNoParts)
 {
     EXPECT_TRUE(layOut(makeCells({4, 4, 4}, [](int, int, int) { return -1; }), {}).empty());
@@ -193,12 +200,30 @@ TEST(Layout, ConnectsColumnsOfTwoColorsWhereOneLayerAllowsIt)
 
 TEST(Layout, JoinsComponentsAgainAfterItsRounds)
 {
-    // The greedy layout of each of these models, in a row of rows, consists of two towers. One phase joins 100 of them.
-    constexpr int NUM_MODELS = 150;
+    // The greedy layout of each of these models, in a row of rows, consists of two towers. One phase joins at most
+    // 1000.
+    constexpr int NUM_MODELS = 1100;
     const LayoutProblem problem = makeCells(
         {4, 2 * NUM_MODELS, 2}, [](int, int y, int) { return y % 2 == 0 ? 0 : NO_CELL; }, {LayoutColor{0b11, 0b11}});
-    const LaidParts parts = layOut(problem, makeOptions(Effort::INSTANT));
+    const LaidParts parts = layOut(problem, makeOptions(Effort::NORMAL));
     EXPECT_EQ(LaidModel(problem, parts).countComponents(), NUM_MODELS);
+}
+
+TEST(Layout, OfInstantEffortJoinsTheManyPiecesOfAGreedyOne)
+{
+    for (const bool isOfPlates : {false, true})
+        for (const int width : {3, 5, 7})
+        {
+            LayoutProblem problem = makeStairs(width, 60, 20);
+            problem.isOfPlates = isOfPlates;
+            LayoutOptions options = makeOptions(Effort::INSTANT);
+            const LaidParts joined = layOut(problem, options);
+            expectValid(problem, joined);
+            EXPECT_EQ(LaidModel(problem, joined).countComponents(), 1) << "width " << width;
+            options.isGreedy = true;
+            const LaidParts draft = layOut(problem, options);
+            EXPECT_GT(LaidModel(problem, draft).countComponents(), 20) << "width " << width;
+        }
 }
 
 TEST(Layout, LeavesCellsApartThatNoPartCanCover)
