@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 namespace osgLego
 {
@@ -91,6 +92,9 @@ void BlockCholesky::forEachUpwards(const Function& function) const
                                ++index)
                               function(index);
                       });
+    // A cancelled group of tasks, such as that of a program that ends, leaves subtrees out; nobody uses the result
+    // then.
+    if (tbb::is_current_task_group_canceling()) return;
     for (const std::uint32_t index : _others)
         function(index);
 }
