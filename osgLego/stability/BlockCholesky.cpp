@@ -1,13 +1,11 @@
 #include <osgLego/stability/BlockCholesky.h>
 
+#include <osgLego/data/ParallelLoop.h>
 #include <osgLego/stability/StripKernels.h>
 
 #include <algorithm>
 #include <atomic>
 #include <utility>
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
 
 namespace osgLego
 {
@@ -84,17 +82,13 @@ void BlockCholesky::chooseSubtrees()
 template <class Function>
 void BlockCholesky::forEachUpwards(const Function& function) const
 {
-    tbb::parallel_for(std::size_t(0), _subtrees.size(),
-                      [&](std::size_t subtree)
-                      {
-                          const std::uint32_t root = _subtrees[subtree];
-                          for (std::uint32_t index = _tree.getSupernodes()[root].firstDescendant; index <= root;
-                               ++index)
-                              function(index);
-                      });
-    // A cancelled group of tasks, such as that of a program that ends, leaves subtrees out; nobody uses the result
-    // then.
-    if (tbb::is_current_task_group_canceling()) return;
+    forEachIndex(_subtrees.size(),
+                 [&](std::size_t subtree)
+                 {
+                     const std::uint32_t root = _subtrees[subtree];
+                     for (std::uint32_t index = _tree.getSupernodes()[root].firstDescendant; index <= root; ++index)
+                         function(index);
+                 });
     for (const std::uint32_t index : _others)
         function(index);
 }
@@ -187,13 +181,13 @@ void BlockCholesky::solve(Eigen::VectorXd& vector) const
     forEachUpwards([&](std::size_t index) { solveForwards(index, permuted, shares); });
     for (auto index = _others.rbegin(); index != _others.rend(); ++index)
         solveBackwards(*index, permuted);
-    tbb::parallel_for(std::size_t(0), _subtrees.size(),
-                      [&](std::size_t subtree)
-                      {
-                          const std::uint32_t root = _subtrees[subtree];
-                          for (std::uint32_t index = root + 1; index-- > _tree.getSupernodes()[root].firstDescendant;)
-                              solveBackwards(index, permuted);
-                      });
+    forEachIndex(_subtrees.size(),
+                 [&](std::size_t subtree)
+                 {
+                     const std::uint32_t root = _subtrees[subtree];
+                     for (std::uint32_t index = root + 1; index-- > _tree.getSupernodes()[root].firstDescendant;)
+                         solveBackwards(index, permuted);
+                 });
     for (std::size_t row = 0; row < ranks.size(); ++row)
         vector.segment<6>(6 * static_cast<Eigen::Index>(row)) =
             permuted.segment<6>(6 * static_cast<Eigen::Index>(ranks[row]));

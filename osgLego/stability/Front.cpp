@@ -1,12 +1,11 @@
 #include <osgLego/stability/Front.h>
 
+#include <osgLego/data/ParallelLoop.h>
 #include <osgLego/stability/StripKernels.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-
-#include <tbb/parallel_for.h>
 
 namespace osgLego
 {
@@ -37,7 +36,8 @@ std::size_t findStripStart(std::size_t strip, std::size_t numColumns)
 template <class Function>
 void forEach(std::size_t first, std::size_t end, std::size_t work, const Function& function)
 {
-    if (work >= LEAST_PARALLEL_WORK) return tbb::parallel_for(first, end, function);
+    if (work >= LEAST_PARALLEL_WORK)
+        return forEachIndex(end - first, [&](std::size_t index) { function(first + index); });
     for (std::size_t index = first; index < end; ++index)
         function(index);
 }

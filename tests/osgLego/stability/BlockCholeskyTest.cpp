@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 namespace osgLego::test
 {
@@ -219,6 +220,22 @@ TEST(BlockCholesky, SolutionsDoNotDependOnTheNumberOfThreads)
     }
     for (const Eigen::VectorXd& solution : solutions)
         EXPECT_EQ(solution, solutions.front());
+}
+
+TEST(BlockCholesky, SolutionsAreCompleteEvenIfTheTaskThatComputesThemIsCancelled)
+{
+    const GridMatrix matrix(11);
+    BlockCholesky cholesky(matrix.getNumBlocks(), matrix.getPlaces());
+    const Eigen::VectorXd expected = matrix.solve(cholesky);
+    Eigen::VectorXd solution;
+    tbb::task_group group;
+    group.run_and_wait(
+        [&]
+        {
+            group.cancel();
+            solution = matrix.solve(cholesky);
+        });
+    EXPECT_EQ(solution, expected);
 }
 
 TEST(BlockCholesky, CanBeCancelledWithinADenseMatrix)
