@@ -59,14 +59,6 @@ struct RowLengths
     std::uint8_t north = 0;
 };
 
-/** Whether enough cells exist above a cell for a part of a height. */
-bool hasColumn(const CellLattice& lattice, Index cell, int height)
-{
-    for (; height > 1 && cell != CellLattice::NONE; --height)
-        cell = lattice.getNeighbor(cell, CellLattice::ABOVE);
-    return cell != CellLattice::NONE;
-}
-
 /** Find the rows of columns of a height whose lowest cells have colours that one part may cover: most parts that don't
  * fit are longer than these rows. */
 std::vector<RowLengths> findRows(const CellLattice& lattice, int height)
@@ -82,7 +74,7 @@ std::vector<RowLengths> findRows(const CellLattice& lattice, int height)
             std::min(rows[static_cast<std::size_t>(other)].*length + 1, int{PartSizes::LONGEST}));
     };
     for (Index cell = lattice.getNumCells(); cell-- > 0;)
-        if (hasColumn(lattice, cell, height))
+        if (lattice.move(cell, CellLattice::ABOVE, height - 1) != CellLattice::NONE)
         {
             extend(cell, CellLattice::EAST, &RowLengths::east);
             extend(cell, CellLattice::NORTH, &RowLengths::north);
@@ -143,7 +135,7 @@ void layBricksAndPlates(PartMap& map, const PartSizes& sizes, const std::vector<
 {
     const CellLattice& lattice = map.getLattice();
     const auto numLayers = static_cast<std::size_t>(std::max(lattice.getNumLayers() - firstLayer, 0));
-    forEachIndex((numLayers + 2) / 3,
+    forEachIndex((numLayers + PartSizes::BRICK_PLATES - 1) / PartSizes::BRICK_PLATES,
                  [&](std::size_t index)
                  {
                      const int z = firstLayer + static_cast<int>(index) * PartSizes::BRICK_PLATES;

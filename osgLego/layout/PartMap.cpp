@@ -28,6 +28,17 @@ PartMap::Index PartMap::countParts() const
     return count;
 }
 
+void PartMap::findComponents(UnionFind& components) const
+{
+    components.reset(static_cast<std::size_t>(_lattice.getNumCells()));
+    for (Index cell = 0; cell < _lattice.getNumCells(); ++cell)
+    {
+        components.join(cell, getAnchor(cell));
+        const Index above = _lattice.getNeighbor(cell, CellLattice::ABOVE);
+        if (above != CellLattice::NONE) components.join(cell, above);
+    }
+}
+
 bool PartMap::isAlone(Index anchor) const
 {
     bool isAlone = true;

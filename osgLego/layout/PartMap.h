@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/data/UnionFind.h>
 #include <osgLego/layout/CellLattice.h>
 #include <osgLego/layout/PartSizes.h>
 
@@ -29,6 +30,9 @@ public:
     /** Whether a part touches no other part above or below. */
     bool isAlone(Index anchor) const;
     Index countParts() const;
+    /** Find the components of a layout that covers all cells: sets of cells that are in one part or above each other.
+     */
+    void findComponents(UnionFind& components) const;
 
     /** Exchange the parts with those of a layout of the same cells. */
     void swap(PartMap& other);

@@ -26,13 +26,7 @@ BridgeJoiner::BridgeJoiner(PartMap& map, const PartSizes& sizes) :
 void BridgeJoiner::findComponents()
 {
     const CellLattice& lattice = _map.getLattice();
-    _components.reset(static_cast<std::size_t>(lattice.getNumCells()));
-    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
-    {
-        if (!_map.isAnchor(cell)) _components.join(cell, _map.getAnchor(cell));
-        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
-        if (above != CellLattice::NONE) _components.join(cell, above);
-    }
+    _map.findComponents(_components);
     _numCells.assign(static_cast<std::size_t>(lattice.getNumCells()), 0);
     for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
         ++_numCells[static_cast<std::size_t>(_components.find(cell))];
@@ -48,8 +42,7 @@ void BridgeJoiner::findSeams(const std::vector<bool>& isActive, LayoutRandom& ra
         addSeam(cell, CellLattice::EAST);
         addSeam(cell, CellLattice::NORTH);
     }
-    for (std::size_t i = _seams.size(); i > 1; --i)
-        std::swap(_seams[i - 1], _seams[random.below(i)]);
+    random.shuffle(_seams);
     std::ranges::stable_sort(_seams, [](const Seam& a, const Seam& b)
                              { return std::pair(a.numCells, a.component) < std::pair(b.numCells, b.component); });
 }

@@ -9,18 +9,6 @@ namespace osgLego
 
 ComponentJoiner::ComponentJoiner(PartMap& map, const PartSizes& sizes) : _map(map), _window(map, sizes) {}
 
-void ComponentJoiner::findComponents()
-{
-    const CellLattice& lattice = _map.getLattice();
-    _components.reset(static_cast<std::size_t>(lattice.getNumCells()));
-    for (Index cell = 0; cell < lattice.getNumCells(); ++cell)
-    {
-        _components.join(cell, _map.getAnchor(cell));
-        const Index above = lattice.getNeighbor(cell, CellLattice::ABOVE);
-        if (above != CellLattice::NONE) _components.join(cell, above);
-    }
-}
-
 /** Pairs of neighbouring cells that are in different components and that one part may cover. */
 ComponentJoiner::Pairs ComponentJoiner::findPairs(const std::vector<bool>& isActive)
 {
@@ -63,10 +51,9 @@ bool ComponentJoiner::joinAll(const Limits& limits, const std::vector<bool>& isA
     for (int numAttempts = -1; numAttempts < _numAttempts;)
     {
         numAttempts = _numAttempts;
-        findComponents();
+        _map.findComponents(_components);
         Pairs pairs = findPairs(isActive);
-        for (std::size_t i = pairs.size(); i > 1; --i)
-            std::swap(pairs[i - 1], pairs[random.below(i)]);
+        random.shuffle(pairs);
         for (const auto& [cell, other] : pairs)
         {
             if (isCancelled && isCancelled()) return false;

@@ -39,7 +39,6 @@ public:
 private:
     using Pairs = std::vector<std::pair<Index, Index>>;
 
-    void findComponents();
     Pairs findPairs(const std::vector<bool>& isActive);
     bool join(Index cell, Index other, const Limits& limits, const std::vector<bool>& isActive, LayoutRandom& random);
 

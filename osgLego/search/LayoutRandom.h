@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace osgLego
 {
@@ -21,6 +24,13 @@ public:
     }
     /** A number from 0 to count - 1. @param count 1 to 2^32. */
     std::size_t below(std::size_t count) { return static_cast<std::size_t>((next() >> 32) * count >> 32); }
+    /** Put elements into a random order (Fisher and Yates). */
+    template <typename Element>
+    void shuffle(std::vector<Element>& elements)
+    {
+        for (std::size_t i = elements.size(); i > 1; --i)
+            std::swap(elements[i - 1], elements[below(i)]);
+    }
 
 private:
     std::uint64_t _state;

@@ -1,6 +1,10 @@
 #include "LaidMap.h"
 
+#include "LaidModel.h"
+
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 namespace osgLego
 {
@@ -39,6 +43,14 @@ bool LaidMap::fits(CellLattice::Index anchor, const PartShape& shape) const
         ++numCells;
     }
     return numCells == shape.getNumCells() && sizes.isAllowed(shape, color);
+}
+
+int LaidMap::countComponents() const
+{
+    const LaidParts parts = getParts();
+    const LaidModel model(problem, parts);
+    EXPECT_EQ(model.findMistake(), "");
+    return model.countComponents();
 }
 
 } // namespace osgLego

@@ -21,6 +21,8 @@ struct LaidMap
     void layRandomly(std::mt19937& random);
     /** All cells must be covered. */
     LaidParts getParts() const { return collectParts(map, sizes); }
+    /** Count the components. Fails if a cell is not covered once by a part that exists. */
+    int countComponents() const;
 
     const LayoutProblem problem;
     const CellLattice lattice{problem};

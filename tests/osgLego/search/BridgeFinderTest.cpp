@@ -57,7 +57,8 @@ TEST(BridgeFinder, FindsBridgesThatJoinComponents)
     for (unsigned int seed = 0; seed < 40; ++seed)
     {
         RandomLayout laid(seed % 2 == 0 ? "aaab.." : "aa...", seed % 4 < 2, seed);
-        UnionFind components = laid.findComponents();
+        UnionFind components;
+        laid.map.findComponents(components);
         BridgeFinder finder(laid.map, laid.sizes, components);
         for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)
             for (const auto side : {CellLattice::EAST, CellLattice::NORTH})
@@ -74,7 +75,7 @@ TEST(BridgeFinder, FindsBridgesThatJoinComponents)
                 EXPECT_EQ(laid.map.getAnchor(cell), laid.map.getAnchor(other));
                 ASSERT_LT(laid.countComponents(), numComponents) << "model " << seed;
                 EXPECT_LE(laid.map.countParts(), numParts + 2);
-                components = laid.findComponents();
+                laid.map.findComponents(components);
             }
     }
     EXPECT_GT(numFound, 30);

@@ -34,12 +34,6 @@ struct LayoutRow : LaidMap
             }
     }
 
-    int countComponents() const
-    {
-        const LaidParts parts = getParts();
-        return LaidModel(problem, parts).countComponents();
-    }
-
     LayoutRegion region{0, lattice.getNumLayers(), 0, 1, 0, 0, nullptr};
 };
 

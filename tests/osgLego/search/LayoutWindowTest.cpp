@@ -1,4 +1,5 @@
 #include "LayoutRow.h"
+#include "RandomLayout.h"
 
 #include <Layouts.h>
 
@@ -42,33 +43,6 @@ TEST(LayoutWindow, LaysFewerPartsThatSeparateNone)
     EXPECT_EQ(row.countComponents(), 1);
 }
 
-/** Random parts of random cells. */
-struct RandomMap : LaidMap
-{
-    RandomMap(const std::string& characters, bool isOfPlates, std::mt19937& random) :
-        LaidMap(makeProblem(characters, isOfPlates, random))
-    {
-        layRandomly(random);
-    }
-
-    static LayoutProblem makeProblem(const std::string& characters, bool isOfPlates, std::mt19937& random)
-    {
-        LayoutProblem cells = createRandomProblem({6, 5, 4}, characters, static_cast<unsigned int>(random()));
-        cells.isOfPlates = isOfPlates;
-        return cells;
-    }
-
-    int countComponents() const
-    {
-        const LaidParts parts = getParts();
-        const LaidModel model(problem, parts);
-        EXPECT_EQ(model.findMistake(), "");
-        return model.countComponents();
-    }
-
-    LayoutRegion region{0, 4, 0, 5, 0, 0, nullptr};
-};
-
 TEST(LayoutWindow, NeverSeparatesParts)
 {
     std::mt19937 engine(5);
@@ -76,7 +50,8 @@ TEST(LayoutWindow, NeverSeparatesParts)
     int numChanges = 0;
     for (int i = 0; i < 24; ++i)
     {
-        RandomMap laid(i % 3 == 0 ? "aaaaaa*." : "aab..", i % 2 == 0, engine);
+        RandomLayout laid({6, 5, 4}, i % 3 == 0 ? "aaaaaa*." : "aab..", i % 2 == 0, static_cast<unsigned int>(engine()),
+                          engine);
         LayoutWindow window(laid.map, laid.sizes);
         int numComponents = laid.countComponents();
         for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)
@@ -99,7 +74,7 @@ TEST(LayoutWindow, JoinsTwoCellsByOnePart)
     int numJoined = 0;
     for (int i = 0; i < 40; ++i)
     {
-        RandomMap laid("aab..", i % 2 == 0, engine);
+        RandomLayout laid({6, 5, 4}, "aab..", i % 2 == 0, static_cast<unsigned int>(engine()), engine);
         LayoutWindow window(laid.map, laid.sizes);
         int numComponents = laid.countComponents();
         for (CellLattice::Index cell = 0; cell < laid.lattice.getNumCells(); ++cell)

@@ -134,7 +134,8 @@ TEST(PartCut, NeverSeparatesPartsIfItKeepsConnections)
                     [&](const PartCut::Piece& piece)
                     {
                         if (!cut.cover(piece, laid.region)) return;
-                        UnionFind components = laid.findComponents();
+                        UnionFind components;
+                        laid.map.findComponents(components);
                         const bool touchesSeveral = cut.touchesSeveral(components);
                         if (!cut.divide() || !cut.touchesAll()) return;
                         if (!cut.keepsConnections())
