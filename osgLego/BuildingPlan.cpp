@@ -87,20 +87,43 @@ osg::ref_ptr<const BuildingPlan> BuildingPlan::create(std::size_t numParts, std:
     plan->_steps = std::move(steps);
     plan->_submodels = std::move(submodels);
     plan->_unheld = std::move(unheld);
+    plan->measureSubmodels(plan->_steps, 1);
     return plan;
+}
+
+/** Take the size and the depth of submodels of steps into account. @param depth that of the submodels. */
+void BuildingPlan::measureSubmodels(const std::vector<BuildingStep>& steps, std::size_t depth)
+{
+    for (const BuildingStep& step : steps)
+        for (const std::uint32_t submodel : step.submodels)
+        {
+            std::size_t numParts = 0;
+            for (const BuildingStep& own : _submodels[submodel].steps)
+                for (const std::uint32_t part : getPlacedParts(own))
+                    numParts += std::binary_search(_unheld.begin(), _unheld.end(), part) ? 0 : 1;
+            if (numParts == 0) continue;
+            _largestSubmodel = std::max(_largestSubmodel, numParts);
+            _deepestSubmodel = std::max(_deepestSubmodel, depth);
+            measureSubmodels(_submodels[submodel].steps, depth + 1);
+        }
+}
+
+std::size_t BuildingPlan::countSteps(bool (*isCounted)(const BuildingStep&)) const
+{
+    auto number = std::count_if(_steps.begin(), _steps.end(), isCounted);
+    for (const Submodel& submodel : _submodels)
+        number += std::count_if(submodel.steps.begin(), submodel.steps.end(), isCounted);
+    return static_cast<std::size_t>(number);
 }
 
 std::size_t BuildingPlan::getNumUnchecked() const
 {
-    const auto count = [](const std::vector<BuildingStep>& steps)
-    {
-        return static_cast<std::size_t>(
-            std::count_if(steps.begin(), steps.end(), [](const BuildingStep& step) { return !step.isChecked; }));
-    };
-    std::size_t number = count(_steps);
-    for (const Submodel& submodel : _submodels)
-        number += count(submodel.steps);
-    return number;
+    return countSteps([](const BuildingStep& step) { return !step.isChecked; });
+}
+
+std::size_t BuildingPlan::getNumFalling() const
+{
+    return countSteps([](const BuildingStep& step) { return !step.stands; });
 }
 
 std::vector<std::uint32_t> BuildingPlan::getPlacedParts(const BuildingStep& step) const

@@ -60,6 +60,11 @@ struct Submodel
 class OSGLEGO_EXPORT BuildingPlan : public osg::Referenced
 {
 public:
+    static constexpr std::size_t MOST_SUBMODEL_PARTS = 150; //!< of a submodel that is easy to handle
+    /** Submodels within each other that are easy to follow: 1 for a submodel of the model, 2 for one within such a
+     * submodel, and so on. */
+    static constexpr std::size_t DEEPEST_SUBMODEL = 3;
+
     /** Create a plan.
      * @param numParts the number of parts in the model.
      * @param unheld parts, in ascending order, that nothing holds when they are placed.
@@ -79,6 +84,16 @@ public:
     /** The number of steps, with those of submodels, that are not `isChecked`: it is unknown whether the partial model
      * stands after them. */
     std::size_t getNumUnchecked() const;
+    /** The number of steps, with those of submodels, after which the partial model does not stand. */
+    std::size_t getNumFalling() const;
+
+    /** The parts of the largest submodel; 0 without submodels. Parts that nothing holds are not counted, here and in
+     * getDeepestSubmodel(). */
+    std::size_t getLargestSubmodel() const { return _largestSubmodel; }
+    /** How deep submodels are nested; 0 without submodels. */
+    std::size_t getDeepestSubmodel() const { return _deepestSubmodel; }
+    /** Whether all submodels are within MOST_SUBMODEL_PARTS and DEEPEST_SUBMODEL. */
+    bool keepsLimits() const { return _largestSubmodel <= MOST_SUBMODEL_PARTS && _deepestSubmodel <= DEEPEST_SUBMODEL; }
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
     std::vector<std::uint32_t> getPlacedParts(const BuildingStep& step) const;
@@ -93,12 +108,17 @@ private:
     BuildingPlan() = default;
     ~BuildingPlan() override = default;
 
+    void measureSubmodels(const std::vector<BuildingStep>& steps, std::size_t depth);
+    std::size_t countSteps(bool (*isCounted)(const BuildingStep&)) const;
+
     std::vector<BuildingStep> _steps;
     std::vector<Submodel> _submodels;
     std::vector<std::uint32_t> _unheld;
     std::vector<std::uint32_t> _order;
     std::vector<std::uint32_t> _ranks;
     std::vector<std::size_t> _numPlaced;
+    std::size_t _largestSubmodel = 0;
+    std::size_t _deepestSubmodel = 0;
 };
 
 } // namespace osgLego

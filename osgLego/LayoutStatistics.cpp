@@ -1,5 +1,7 @@
 #include <osgLego/LayoutStatistics.h>
 
+#include <osgLego/BuildingPlan.h>
+
 #include <iomanip>
 #include <sstream>
 #include <vector>
@@ -42,9 +44,12 @@ std::vector<std::string> listChanges(const SupportStatistics& support)
     if (support.numHiddenCells > 0)
         changes.push_back(counted(support.numHiddenCells, "hidden cell was added", "hidden cells were added"));
     if (support.numColumns > 0)
-        changes.push_back(counted(support.numColumns, "column", "columns") + " of " +
-                          counted(support.numColumnParts, "part", "parts") +
-                          (support.numColumns == 1 ? " was" : " were") + " added");
+        changes.push_back(
+            counted(support.numColumns, "column", "columns") + " of " +
+            counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") + " added" +
+            (support.numBuildingColumns == 0 ? ""
+                                             : ", " + std::to_string(support.numBuildingColumns) +
+                                                   " of them for smaller submodels of the building plan"));
     return changes;
 }
 
@@ -63,6 +68,19 @@ std::string describe(const SupportStatistics& support)
                counted(support.numPropped, "loose piece stands on a column of its own",
                        "loose pieces stand on columns of their own");
     return text + (support.stands ? "; the model stands" : "; the model still falls");
+}
+
+/** A line on submodels beyond the limits; empty if there are none. */
+std::string describeSubmodels(const SupportStatistics& support)
+{
+    if (support.largestSubmodel <= BuildingPlan::MOST_SUBMODEL_PARTS &&
+        support.deepestSubmodel <= BuildingPlan::DEEPEST_SUBMODEL)
+        return {};
+    return "\nbuilding: submodels of up to " + counted(support.largestSubmodel, "part", "parts") + ", nested " +
+           std::to_string(support.deepestSubmodel) + " deep, where " +
+           std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts and " +
+           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
+           " levels are easy: no columns were found that help without more steps to hold by hand";
 }
 
 } // namespace
@@ -86,7 +104,7 @@ std::string LayoutStatistics::toString() const
              << counted(numUnavailable, "part has a size that was never made in its colour",
                         "parts have sizes that were never made in their colour");
     if (connection) text << '\n' << describe(*connection);
-    if (support) text << '\n' << describe(*support);
+    if (support) text << '\n' << describe(*support) << describeSubmodels(*support);
     return text.str();
 }
 

@@ -15,13 +15,18 @@ namespace osgLego
 /** The means by which a model was made to stand (LegoSettings::Parts::support). */
 struct SupportStatistics
 {
-    bool stands = true;             //!< whether it stands now, without pieces of `numPropped`
-    bool isLaidAgain = false;       //!< whether some parts were laid again
-    std::size_t numHiddenCells = 0; //!< cells added inside, where nobody sees them
-    std::size_t numColumns = 0;     //!< columns added below the model
-    std::size_t numColumnParts = 0; //!< their parts
-    std::size_t numPropped = 0;     //!< pieces that stand on columns of their own alone, not as parts of the model
-    double milliseconds = 0.0;      //!< the time taken
+    bool stands = true;                 //!< whether it stands now, without pieces of `numPropped`
+    bool isLaidAgain = false;           //!< whether some parts were laid again
+    std::size_t numHiddenCells = 0;     //!< cells added inside, where nobody sees them
+    std::size_t numColumns = 0;         //!< columns added below the model
+    std::size_t numColumnParts = 0;     //!< their parts
+    std::size_t numPropped = 0;         //!< pieces that stand on columns of their own alone, not as parts of the model
+    std::size_t numBuildingColumns = 0; //!< of these, columns that keep submodels of the building plan small
+    /** Parts of the largest submodel of the building plan; 0 if there is none, or if building was not planned: of
+     * models that fall, and of large ones. */
+    std::size_t largestSubmodel = 0;
+    std::size_t deepestSubmodel = 0; //!< how deep its submodels are nested; likewise
+    double milliseconds = 0.0;       //!< the time taken
 };
 
 /** A piece of a model that nothing joins to the rest. */

@@ -19,6 +19,14 @@ std::string describeStability(const DesignCandidate& candidate)
     return stability.falls() ? "no" : "unknown";
 }
 
+/** Parts of the largest submodel and how deep submodels are nested, such as `95x2`; `-` without a plan. */
+std::string describeSubmodels(const DesignCandidate& candidate)
+{
+    if (!candidate.plan) return "-";
+    return std::to_string(candidate.plan->getLargestSubmodel()) + "x" +
+           std::to_string(candidate.plan->getDeepestSubmodel());
+}
+
 /** A row for each candidate, below a header. */
 std::string listCandidates(const std::vector<DesignCandidate>& candidates)
 {
@@ -27,13 +35,13 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
         width = std::max(width, candidate.settings.toString().size());
     std::ostringstream text;
     text << std::fixed << std::left << std::setw(static_cast<int>(width)) << "settings" << std::right
-         << "  parts pieces  stands surface  colour unlikeness\n";
+         << "  parts pieces  stands submodel surface  colour unlikeness\n";
     for (const DesignCandidate& candidate : candidates)
         text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
              << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.numPieces << std::setw(8)
-             << describeStability(candidate) << std::setprecision(2) << std::setw(6) << 100.0 * candidate.surfaceError
-             << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError << std::setw(11)
-             << std::setprecision(2) << candidate.getError() << '\n';
+             << describeStability(candidate) << std::setw(9) << describeSubmodels(candidate) << std::setprecision(2)
+             << std::setw(6) << 100.0 * candidate.surfaceError << " %" << std::setw(8) << std::setprecision(1)
+             << candidate.colorError << std::setw(11) << std::setprecision(2) << candidate.getError() << '\n';
     return text.str();
 }
 
@@ -44,7 +52,24 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
     if (!best.isWhole()) return "none" + of + " is one piece; this one is most like the mesh";
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
-           (best.stability.safe ? " safely" : "");
+           (best.stability.safe ? " safely" : "") +
+           (best.plan && !best.exceedsLimits() ? ", and whose submodels are small" : "");
+}
+
+/** Lines on building by hand; empty without a plan. */
+std::string explainBuilding(const DesignCandidate& best)
+{
+    if (!best.plan) return {};
+    std::string text = "building: " + std::to_string(best.plan->getSteps().size()) + " steps, and " +
+                       std::to_string(best.plan->getSubmodels().size()) + " submodels of up to " +
+                       std::to_string(best.plan->getLargestSubmodel()) + " parts, nested " +
+                       std::to_string(best.plan->getDeepestSubmodel()) + " deep; hold the model or a submodel after " +
+                       std::to_string(best.plan->getNumFalling()) + " steps\n";
+    if (best.exceedsLimits())
+        text += "submodels exceed " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts or " +
+                std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
+                " levels: no model that stands as well keeps these limits, and columns below this one do not help\n";
+    return text;
 }
 
 /** Pieces may lean on each other. */
@@ -60,9 +85,11 @@ std::string ModelDesign::toString() const
 {
     const DesignCandidate& best = getBest();
     return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size()) + "\n" +
-           best.layout.toString() + "\n" + explainStability(best) + "\n\n" +
+           best.layout.toString() + "\n" + explainStability(best) + "\n" + explainBuilding(best) + "\n" +
            "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
-           "CIEDE2000; unlikeness: surface, and a tenth of colour; the first model is the chosen one\n" +
+           "CIEDE2000; unlikeness: surface, and a tenth of colour; submodel: parts of the largest, and how deep "
+           "submodels are\n"
+           "nested, of models whose building was planned; the first model is the chosen one\n" +
            listCandidates(candidates);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
 #include <osgLego/Export.h>
 #include <osgLego/LayoutStatistics.h>
 #include <osgLego/LegoSettings.h>
@@ -23,6 +24,8 @@ struct OSGLEGO_EXPORT DesignCandidate
     LayoutStatistics layout;              //!< the figures of its parts
     StabilityReport stability;            //!< on the base of DesignOptions
     std::size_t numPieces = 0;            //!< of the layout; a base plate joins those that stand on it
+    /** The order of building on that base; null if it was not planned, as for candidates that can't become the best. */
+    osg::ref_ptr<const BuildingPlan> plan;
     /** The distance between the outer sides of bricks and the mesh: the root of the mean square over their area, as a
      * share of the longest side of the mesh. */
     double surfaceError = 0.0;
@@ -36,13 +39,15 @@ struct OSGLEGO_EXPORT DesignCandidate
     bool isWhole() const { return numPieces == 1; }
     /** Whether the model can be built and stays up: it is one piece and stands. */
     bool isSound() const { return isWhole() && stability.stands; }
+    /** Whether the plan has submodels beyond the limits of BuildingPlan. */
+    bool exceedsLimits() const { return plan && !plan->keepsLimits(); }
 };
 
 /** The models of a mesh that were compared, and the one that was chosen. */
 struct OSGLEGO_EXPORT ModelDesign
 {
-    /** The best first: sound models before others, and those more like the mesh before those less like it. Not empty.
-     */
+    /** The best first: sound models before others, those whose submodels keep the limits of BuildingPlan before others,
+     * and those more like the mesh before those less like it. Not empty. */
     std::vector<DesignCandidate> candidates;
 
     const DesignCandidate& getBest() const { return candidates.front(); }

@@ -57,7 +57,6 @@ void PlanFigures::addSteps(const BrickModel& model, const BuildingPlan& plan, co
     PartList placed;
     std::vector<bool> isPlaced(_joined.size(), false);
     const PartList& unheld = plan.getUnheldParts();
-    deepestSubmodel = std::max(deepestSubmodel, depth);
     for (const BuildingStep& step : steps)
     {
         for (const std::uint32_t submodel : step.submodels)
@@ -73,9 +72,7 @@ void PlanFigures::addSteps(const BrickModel& model, const BuildingPlan& plan, co
         if (!step.stands && !step.isFromBelow && !placed.empty())
             numFallingPieces = std::max(numFallingPieces, countFallingPieces(model, placed));
     }
-    if (depth == 0) return;
-    if (placed.size() == 2) ++numPairs;
-    largestSubmodel = std::max(largestSubmodel, placed.size());
+    if (depth > 0 && placed.size() == 2) ++numPairs;
 }
 
 } // namespace osgLego

@@ -14,8 +14,6 @@ namespace osgLego
 struct PlanFigures
 {
     std::size_t numPairs = 0;         //!< submodels of two parts
-    std::size_t largestSubmodel = 0;  //!< parts of the largest submodel
-    std::size_t deepestSubmodel = 0;  //!< 1 for a submodel of the model, 2 for one within such a submodel, and so on
     std::size_t mostLooseParts = 0;   //!< after a step, parts joined to no other, though one to come joins them
     std::size_t numFallingPieces = 0; //!< most pieces that joints connect, with parts that fall after a step
 

@@ -64,6 +64,9 @@ JsonValue toJson(const LayoutStatistics& layout)
                            {"hiddenCells", layout.support->numHiddenCells},
                            {"columns", layout.support->numColumns},
                            {"columnParts", layout.support->numColumnParts},
+                           {"buildingColumns", layout.support->numBuildingColumns},
+                           {"largestSubmodel", layout.support->largestSubmodel},
+                           {"deepestSubmodel", layout.support->deepestSubmodel},
                            {"propped", layout.support->numPropped},
                            {"milliseconds", rounded(layout.support->milliseconds)}};
     return json;

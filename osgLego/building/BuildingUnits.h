@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osgLego/BuildingPlan.h>
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/JointGraph.h>
 
@@ -33,7 +34,7 @@ class BuildingUnits
 public:
     static constexpr std::uint32_t NONE = 0xffffffff;
     static constexpr std::size_t MOST_IN_HAND = 3; //!< parts that are joined in one hand; more become a submodel
-    static constexpr std::size_t MOST_PARTS = 150; //!< of a submodel
+    static constexpr std::size_t MOST_PARTS = BuildingPlan::MOST_SUBMODEL_PARTS;
 
     struct Unit
     {

@@ -19,12 +19,10 @@ namespace
 // Larger models are shown from one direction: the search for hidden parts would take longer than planning.
 constexpr std::size_t MOST_VIEWED = 20'000;
 
-constexpr std::size_t DEEPEST = 3; // of submodels within each other
-
 /** The most parts of submodels in a sequence within which others are, or of parts that are joined in one hand. */
 std::size_t getMostParts(std::size_t depth)
 {
-    return depth < DEEPEST ? BuildingUnits::MOST_PARTS : BuildingUnits::MOST_IN_HAND;
+    return depth < BuildingPlan::DEEPEST_SUBMODEL ? BuildingUnits::MOST_PARTS : BuildingUnits::MOST_IN_HAND;
 }
 
 /** The area on which boxes stand, in studs. */

@@ -1,5 +1,6 @@
 #include <osgLego/design/DesignSearch.h>
 
+#include <osgLego/BuildingPlanner.h>
 #include <osgLego/Stability.h>
 #include <osgLego/design/PieceCount.h>
 #include <osgLego/design/ResolutionSearch.h>
@@ -38,15 +39,16 @@ bool standsSafely(const DesignCandidate& candidate)
     return rankStability(candidate.stability) == 0;
 }
 
-/** Models of one piece before others, then those that stand, those of fewer pieces, and those more like the mesh; among
- * those that look alike, the one of fewer parts. */
+/** Models of one piece before others, then those that stand, those of fewer pieces, those whose submodels keep the
+ * limits, as far as it is known, and those more like the mesh; among those that look alike, the one of fewer parts. */
 bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
 {
     const auto rank = [](const DesignCandidate& candidate)
     {
         constexpr double VISIBLE = 0.01;
         return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), candidate.numPieces,
-                          std::lround(candidate.getError() / VISIBLE), candidate.layout.numParts);
+                          candidate.exceedsLimits(), std::lround(candidate.getError() / VISIBLE),
+                          candidate.layout.numParts);
     };
     return rank(a) < rank(b);
 }
@@ -132,6 +134,7 @@ ModelDesign DesignSearch::run()
     readSurface(settings.front().grid.upAxis);
     makeCandidates(settings);
     supportBetter();
+    planBest();
     report(1.0);
     return {std::move(_candidates)};
 }
@@ -252,6 +255,7 @@ DesignCandidate DesignSearch::measure(const LegoSettings& settings, const Laid& 
             laid.layout,
             *stability,
             countPieces(*laid.model, _options.base),
+            nullptr,
             difference.distance / _longestSide,
             difference.color};
 }
@@ -295,6 +299,33 @@ void DesignSearch::supportBetter()
         report((1.0 - SHARE_OF_MODELS) * static_cast<double>(AT_ONCE) / static_cast<double>(MOST_SUPPORTED));
         if (standsSafely(_candidates.front())) return;
     }
+}
+
+/** Plan how the best model is built. While submodels exceed the limits, support the model, which may change that, and
+ * go on with the next one that stands as well. */
+void DesignSearch::planBest()
+{
+    constexpr std::size_t MOST_PLANNED = 2000; // parts
+    while (!_candidates.front().plan && _candidates.front().isSound() &&
+           _candidates.front().layout.numParts <= MOST_PLANNED)
+    {
+        DesignCandidate candidate = std::move(_candidates.front());
+        _candidates.erase(_candidates.begin());
+        planBuildingOf(candidate);
+        const bool needsSupport = candidate.exceedsLimits() && !candidate.settings.parts.support;
+        const LegoSettings settings = candidate.settings;
+        addCandidate(std::move(candidate));
+        if (needsSupport) addCandidate(makeSupported(settings));
+    }
+}
+
+void DesignSearch::planBuildingOf(DesignCandidate& candidate) const
+{
+    PlanningOptions options;
+    options.base = _options.base;
+    options.isCancelled = _options.isCancelled;
+    candidate.plan = planBuilding(*candidate.model, options);
+    checkCancelled();
 }
 
 void DesignSearch::checkCancelled() const

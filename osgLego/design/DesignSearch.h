@@ -60,6 +60,8 @@ private:
     void makeCandidates(const std::vector<LegoSettings>& settings);
     void addCandidate(DesignCandidate candidate);
     void supportBetter();
+    void planBest();
+    void planBuildingOf(DesignCandidate& candidate) const;
     void checkCancelled() const;
     void report(double share);
 

@@ -1,15 +1,10 @@
 #include <osgLego/model/ColumnSearch.h>
 
-#include <osgLego/data/CellKeys.h>
-#include <osgLego/data/UnionFind.h>
-#include <osgLego/model/LaidBox.h>
 #include <osgLego/model/LayoutStanding.h>
+#include <osgLego/model/PartGroups.h>
 
-#include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace osgLego
@@ -20,59 +15,6 @@ namespace
 
 constexpr std::size_t MOST_COLUMNS = 64;
 constexpr std::size_t MOST_REMOVALS = 16; // attempts: each computes the stability once
-
-void addCells(const LaidPart& part, std::vector<LayoutCell>& cells)
-{
-    for (int z = 0; z < part.size[2]; ++z)
-        for (int y = 0; y < part.size[1]; ++y)
-            for (int x = 0; x < part.size[0]; ++x)
-                cells.push_back(
-                    {{static_cast<std::uint16_t>(part.place[0] + x), static_cast<std::uint16_t>(part.place[1] + y),
-                      static_cast<std::uint16_t>(part.place[2] + z)},
-                     part.color});
-}
-
-/** A layout with columns. */
-SupportedLayout addTo(const SupportedLayout& bare, const std::vector<SupportColumn>& columns)
-{
-    SupportedLayout layout = bare;
-    for (const SupportColumn& column : columns)
-    {
-        const LaidParts parts = buildColumn(column, layout.problem.isOfPlates);
-        for (const LaidPart& part : parts)
-            addCells(part, layout.problem.cells);
-        layout.parts.insert(layout.parts.end(), parts.begin(), parts.end());
-        layout.numColumnParts += parts.size();
-    }
-    layout.numColumns = columns.size();
-    std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
-    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
-    return layout;
-}
-
-/** Groups of parts that touch each other, the largest first. @param members indices of parts. */
-std::vector<std::vector<std::uint32_t>> findGroups(const LaidParts& parts, const std::vector<std::uint32_t>& members)
-{
-    std::unordered_map<CellKey, std::int32_t> cells;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        visitCells(toBox(parts[members[i]]),
-                   [&](const glm::ivec3& cell) { cells.emplace(toCellKey(cell), static_cast<std::int32_t>(i)); });
-    UnionFind sets;
-    sets.reset(members.size());
-    for (const auto& [key, member] : cells)
-        for (const CellKey step : {CELL_RIGHT, CELL_BEHIND, CELL_ABOVE})
-            if (const auto next = cells.find(key + step); next != cells.end()) sets.join(member, next->second);
-    std::map<std::int32_t, std::vector<std::uint32_t>> byRoot;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        byRoot[sets.find(static_cast<std::int32_t>(i))].push_back(members[i]);
-    std::vector<std::vector<std::uint32_t>> groups;
-    groups.reserve(byRoot.size());
-    for (auto& [root, group] : byRoot)
-        groups.push_back(std::move(group));
-    std::stable_sort(groups.begin(), groups.end(),
-                     [](const auto& group, const auto& other) { return group.size() > other.size(); });
-    return groups;
-}
 
 } // namespace
 
@@ -103,7 +45,7 @@ bool ColumnSearch::addBelowGroups()
 {
     std::vector<SupportColumn> columns = _columns;
     SupportColumns places(_layout.problem, _layout.parts);
-    for (const std::vector<std::uint32_t>& group : findGroups(_layout.parts, _report.falling))
+    for (const std::vector<std::uint32_t>& group : findTouchingGroups(_layout.parts, _report.falling))
     {
         if (columns.size() == MOST_COLUMNS) break;
         const std::vector<SupportColumn> found = places.find(group);
@@ -135,7 +77,7 @@ bool ColumnSearch::removeUnneeded()
     {
         std::vector<SupportColumn> columns = _columns;
         columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(index));
-        SupportedLayout layout = addTo(_bare, columns);
+        SupportedLayout layout = addColumns(_bare, columns);
         const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _isCancelled);
         if (!report) return false;
         if (!report->stands) continue;
@@ -149,7 +91,7 @@ bool ColumnSearch::removeUnneeded()
 /** Replace the columns by others if the model is more stable then. @return false if it was cancelled. */
 bool ColumnSearch::keepIfBetter(std::vector<SupportColumn> columns)
 {
-    SupportedLayout layout = addTo(_bare, columns);
+    SupportedLayout layout = addColumns(_bare, columns);
     const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _isCancelled);
     if (!report) return false;
     if (!standsBetter(*report, _report)) return true;

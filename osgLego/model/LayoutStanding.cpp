@@ -7,8 +7,7 @@
 namespace osgLego
 {
 
-std::optional<StabilityReport> computeStanding(const LayoutProblem& problem, const LaidParts& parts,
-                                               const std::function<bool()>& isCancelled)
+osg::ref_ptr<const BrickModel> createStandingModel(const LayoutProblem& problem, const LaidParts& parts)
 {
     // In a grid with the axes of the layout, a model has its parts in the same order as the layout.
     BrickGrid grid;
@@ -18,7 +17,13 @@ std::optional<StabilityReport> computeStanding(const LayoutProblem& problem, con
     real.reserve(parts.size());
     for (const LaidPart& part : parts)
         real.push_back({part.place, part.size});
-    return computeStability(*BrickModel::createOfParts(grid, std::move(real)), {BuildingBase::TABLE, isCancelled});
+    return BrickModel::createOfParts(grid, std::move(real));
+}
+
+std::optional<StabilityReport> computeStanding(const LayoutProblem& problem, const LaidParts& parts,
+                                               const std::function<bool()>& isCancelled)
+{
+    return computeStability(*createStandingModel(problem, parts), {BuildingBase::TABLE, isCancelled});
 }
 
 bool standsBetter(const StabilityReport& report, const StabilityReport& other)

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <osgLego/BrickModel.h>
 #include <osgLego/StabilityReport.h>
 #include <osgLego/layout/LayoutProblem.h>
 
 #include <functional>
 #include <optional>
 
+#include <osg/ref_ptr>
+
 namespace osgLego
 {
+
+/** The model of a layout in a grid with the axes of the layout. Its parts have the indices that they have in `parts`.
+ * @param problem of bricks or plates. */
+osg::ref_ptr<const BrickModel> createStandingModel(const LayoutProblem& problem, const LaidParts& parts);
 
 /** Compute whether a layout stands on a table.
  * @param problem of bricks or plates.

@@ -3,6 +3,7 @@
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/LayoutFigures.h>
 #include <osgLego/layout/LayoutModel.h>
+#include <osgLego/model/BuildingColumns.h>
 #include <osgLego/model/ConnectionBuilder.h>
 #include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/SupportBuilder.h>
@@ -123,15 +124,24 @@ bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const B
     return true;
 }
 
-/** Change a falling layout so that it stands. @return false if it was cancelled. */
-bool support(const LayoutOptions& options, Layout& layout, LayoutStatistics& statistics)
+/** Change a layout so that it stands, and is easy to build. @return false if it was cancelled. */
+bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& createModel, Layout& layout,
+             LayoutStatistics& statistics)
 {
     SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
     if (!SupportBuilder(options).build(supported)) return false;
+    if (supported.stands && !BuildingColumns(supported, createModel, options.isCancelled).run()) return false;
     layout.problem = std::move(supported.problem);
     layout.parts = std::move(supported.parts);
-    statistics.support = {supported.stands,     supported.isLaidAgain,    supported.numHiddenCells,
-                          supported.numColumns, supported.numColumnParts, supported.numPropped};
+    statistics.support = {.stands = supported.stands,
+                          .isLaidAgain = supported.isLaidAgain,
+                          .numHiddenCells = supported.numHiddenCells,
+                          .numColumns = supported.numColumns,
+                          .numColumnParts = supported.numColumnParts,
+                          .numPropped = supported.numPropped,
+                          .numBuildingColumns = supported.numBuildingColumns,
+                          .largestSubmodel = supported.largestSubmodel,
+                          .deepestSubmodel = supported.deepestSubmodel};
     return true;
 }
 
@@ -238,7 +248,8 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     stopwatch.lap();
     if (_settings.parts.support)
     {
-        if (!support(options, *layout, statistics)) return nullptr;
+        const auto createBare = [&](const LaidParts& parts) { return createModel(parts, grid, colors); };
+        if (!support(options, createBare, *layout, statistics)) return nullptr;
         statistics.support->milliseconds = stopwatch.lap();
     }
     statistics.numInterior = cells.numInterior;

@@ -24,6 +24,17 @@ bool exists(const LayoutColor& color, int width)
     return (color.bricks >> bit & 1u) != 0 && (color.plates >> bit & 1u) != 0;
 }
 
+void addCells(const LaidPart& part, std::vector<LayoutCell>& cells)
+{
+    for (int z = 0; z < part.size[2]; ++z)
+        for (int y = 0; y < part.size[1]; ++y)
+            for (int x = 0; x < part.size[0]; ++x)
+                cells.push_back(
+                    {{static_cast<std::uint16_t>(part.place[0] + x), static_cast<std::uint16_t>(part.place[1] + y),
+                      static_cast<std::uint16_t>(part.place[2] + z)},
+                     part.color});
+}
+
 } // namespace
 
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
@@ -41,6 +52,23 @@ LaidParts buildColumn(const SupportColumn& column, bool isOfPlates)
         z += height;
     }
     return parts;
+}
+
+SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<SupportColumn>& columns)
+{
+    SupportedLayout result = layout;
+    for (const SupportColumn& column : columns)
+    {
+        const LaidParts parts = buildColumn(column, layout.problem.isOfPlates);
+        for (const LaidPart& part : parts)
+            addCells(part, result.problem.cells);
+        result.parts.insert(result.parts.end(), parts.begin(), parts.end());
+        result.numColumnParts += parts.size();
+    }
+    result.numColumns += columns.size();
+    std::sort(result.parts.begin(), result.parts.end(), isPlacedBefore<LaidPart>);
+    std::sort(result.problem.cells.begin(), result.problem.cells.end(), isPlacedBefore<LayoutCell>);
+    return result;
 }
 
 SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& parts) :

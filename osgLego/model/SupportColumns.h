@@ -1,6 +1,6 @@
 #pragma once
 
-#include <osgLego/layout/LayoutProblem.h>
+#include <osgLego/model/SupportedLayout.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +24,9 @@ struct SupportColumn
 
 /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
+
+/** A layout with more columns. */
+SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<SupportColumn>& columns);
 
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
  *

@@ -7,6 +7,7 @@
 #include <random>
 
 #include <osg/Geode>
+#include <osg/ShapeDrawable>
 #include <osg/Texture2D>
 #include <osgDB/FileUtils>
 #include <osgDB/ReadFile>
@@ -192,6 +193,22 @@ osg::ref_ptr<osg::Node> readBunny()
     const char* folder = std::getenv("OSGLEGO_TEST_MODELS");
     const std::string fileName = std::string(folder ? folder : OSGLEGO_TEST_MODELS) + "/bunny.ply";
     return osgDB::fileExists(fileName) ? osgDB::readRefNodeFile(fileName) : nullptr;
+}
+
+osg::ref_ptr<osg::Node> createBridge()
+{
+    constexpr float BRICK_HEIGHT = 1.2f; // in studs
+    constexpr float GAP = 0.02f;         // to the borders of cells
+    const osg::ref_ptr<osg::Group> bridge = new osg::Group;
+    const auto addBox = [&bridge](const osg::Vec3& lower, const osg::Vec3& upper)
+    {
+        const osg::Vec3 size = upper - lower;
+        bridge->addChild(new osg::ShapeDrawable(new osg::Box((lower + upper) * 0.5f, size.x(), size.y(), size.z())));
+    };
+    addBox({0, 0, 0}, {2 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
+    addBox({66 + GAP, 0, 0}, {68 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
+    addBox({0, 0, 2 * BRICK_HEIGHT}, {68 - GAP, 7 - GAP, 10 * BRICK_HEIGHT - GAP});
+    return bridge;
 }
 
 } // namespace osgLego::test

@@ -33,4 +33,8 @@ osg::ref_ptr<osg::Node> createCoincidingCorners();
 /** The Stanford bunny, or null if it was not downloaded. */
 osg::ref_ptr<osg::Node> readBunny();
 
+/** A bridge on two narrow posts. In 68 cells of solid bricks, it needs a submodel of more than 150 parts, since each
+ * post tips over with a part of the bridge alone. */
+osg::ref_ptr<osg::Node> createBridge();
+
 } // namespace osgLego::test

@@ -1,5 +1,6 @@
 #include <osgLego/BuildingPlan.h>
 
+#include <numeric>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,38 @@ TEST(BuildingPlan, EveryStepMustPlaceSomething)
     EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}), createStep({})}));
     EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}, {0})}, {{{createStep({})}}}));
     EXPECT_FALSE(BuildingPlan::create(1, {createStep({0}, {0})}, {{}}));
+}
+
+TEST(BuildingPlan, MeasuresSubmodelsWithoutPartsThatNothingHolds)
+{
+    // Submodel 0 contains 1, and 2 is a piece that nothing holds.
+    const std::vector<Submodel> submodels{
+        {{createStep({1, 2}), createStep({}, {1})}}, {{createStep({3, 4})}}, {{createStep({5, 6, 7, 8, 9})}}};
+    BuildingStep falling = createStep({0}, {0});
+    falling.stands = false;
+    const auto plan = BuildingPlan::create(10, {falling, createStep({}, {2})}, submodels, {5, 6, 7, 8, 9});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->getLargestSubmodel(), 4u);
+    EXPECT_EQ(plan->getDeepestSubmodel(), 2u);
+    EXPECT_EQ(plan->getNumFalling(), 1u);
+    EXPECT_TRUE(plan->keepsLimits());
+    EXPECT_EQ(BuildingPlan::create(1, {createStep({0})})->getDeepestSubmodel(), 0u);
+}
+
+TEST(BuildingPlan, LimitsAreFoundToBeExceeded)
+{
+    const auto keepsLimits = [](std::size_t numParts, std::uint32_t depth)
+    {
+        std::vector<std::uint32_t> parts(numParts);
+        std::iota(parts.begin(), parts.end(), 0u);
+        std::vector<Submodel> submodels{{{createStep(parts)}}};
+        while (submodels.size() < depth)
+            submodels.push_back({{createStep({}, {static_cast<std::uint32_t>(submodels.size() - 1)})}});
+        return BuildingPlan::create(numParts, {createStep({}, {depth - 1})}, submodels)->keepsLimits();
+    };
+    EXPECT_TRUE(keepsLimits(150, 3));
+    EXPECT_FALSE(keepsLimits(151, 1));
+    EXPECT_FALSE(keepsLimits(1, 4));
 }
 
 TEST(BuildingPlan, ThereAreFourTurns)

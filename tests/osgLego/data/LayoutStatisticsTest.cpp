@@ -57,6 +57,23 @@ TEST(LayoutStatistics, TheReportSaysHowTheModelWasMadeToStand)
               "support: 2 columns of 8 parts were added; 2 loose pieces stand on columns of their own");
 }
 
+TEST(LayoutStatistics, TheReportTellsOfColumnsForSubmodelsAndOfSubmodelsBeyondTheLimits)
+{
+    LayoutStatistics layout;
+    layout.support = {
+        .numColumns = 3, .numColumnParts = 9, .numBuildingColumns = 2, .largestSubmodel = 150, .deepestSubmodel = 3};
+    const auto describe = [&] { return layout.toString().substr(layout.toString().find("support")); };
+    EXPECT_EQ(describe(), "support: 3 columns of 9 parts were added, 2 of them for smaller submodels of the building "
+                          "plan; the model stands");
+    layout.support = {.largestSubmodel = 151, .deepestSubmodel = 1};
+    EXPECT_EQ(describe(),
+              "support: the model stands without it\n"
+              "building: submodels of up to 151 parts, nested 1 deep, where 150 parts and 3 levels are easy: "
+              "no columns were found that help without more steps to hold by hand");
+    layout.support = {.largestSubmodel = 8, .deepestSubmodel = 4};
+    EXPECT_NE(describe().find("submodels of up to 8 parts, nested 4 deep"), std::string::npos);
+}
+
 TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)
 {
     LayoutStatistics layout;

@@ -1,9 +1,12 @@
 #include <osgLego/ModelDesigner.h>
 
+#include <osgLego/BuildingPlanner.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
 
 #include <common/RacingCar.h>
+
+#include <Meshes.h>
 
 #include <algorithm>
 #include <limits>
@@ -106,6 +109,26 @@ TEST(ModelDesigner, AModelThatFallsIsSupported)
     const std::string text = design->toString();
     EXPECT_NE(text.find("chosen: " + design->getBest().settings.toString()), std::string::npos);
     EXPECT_NE(text.find("support=on"), std::string::npos);
+}
+
+TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
+{
+    DesignOptions options;
+    options.settings = "68,proportions=brick,fill=solid,colors=1";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*test::createBridge(), options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    EXPECT_TRUE(best.isSound());
+    EXPECT_TRUE(best.settings.parts.support);
+    ASSERT_TRUE(best.plan);
+    EXPECT_FALSE(best.exceedsLimits());
+    EXPECT_TRUE(planBuilding(*best.model)->keepsLimits());
+    ASSERT_EQ(design->candidates.size(), 2u);
+    EXPECT_TRUE(design->candidates[1].exceedsLimits());
+    EXPECT_EQ(design->toString().find("submodels exceed"), std::string::npos);
+    const std::string without = ModelDesign{{design->candidates[1]}}.toString();
+    EXPECT_NE(without.find("submodels exceed 150 parts or 3 levels"), std::string::npos) << without;
 }
 
 TEST(ModelDesigner, OfModelsInPiecesOneThatStandsIsChosen)

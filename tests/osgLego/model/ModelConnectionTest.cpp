@@ -1,3 +1,4 @@
+#include <osgLego/BuildingPlanner.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
 
@@ -99,6 +100,27 @@ TEST(ModelConnection, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
         for (const Brick& brick : bare->getBricks())
             EXPECT_TRUE(model->find(brick.getCell()));
     }
+}
+
+TEST(ModelConnection, SupportAddsColumnsWhereTheBuildingPlanWouldNeedALargeSubmodel)
+{
+    const std::string settings = "68,parts=bricks,proportions=brick,fill=solid,colors=1";
+    const osg::ref_ptr<osg::Node> bridge = createBridge();
+    const auto bare = lay(*bridge, settings + ",connect=on");
+    ASSERT_TRUE(computeStability(*bare)->stands);
+    const auto before = planBuilding(*bare);
+    ASSERT_GT(before->getLargestSubmodel(), BuildingPlan::MOST_SUBMODEL_PARTS);
+    LegoStatistics statistics;
+    const auto model = lay(*bridge, settings + ",support=on", &statistics);
+    EXPECT_TRUE(computeStability(*model)->stands);
+    const auto after = planBuilding(*model);
+    EXPECT_TRUE(after->keepsLimits());
+    EXPECT_LE(after->getNumFalling(), before->getNumFalling());
+    const SupportStatistics& support = *statistics.layout->support;
+    EXPECT_GT(support.numBuildingColumns, 0u);
+    EXPECT_EQ(support.numColumns, support.numBuildingColumns);
+    EXPECT_EQ(support.largestSubmodel, after->getLargestSubmodel());
+    EXPECT_EQ(support.deepestSubmodel, after->getDeepestSubmodel());
 }
 
 TEST(ModelConnection, SupportAddsNoColumnWithoutWhichTheModelStands)

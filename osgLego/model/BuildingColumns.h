@@ -1,0 +1,58 @@
+#pragma once
+
+#include <osgLego/BrickModel.h>
+#include <osgLego/BuildingPlan.h>
+#include <osgLego/model/SupportedLayout.h>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep.
+ *
+ * LayerColumns proposes columns, with several sizes of submodels; the building plan judges them. Columns are added only
+ * if submodels then exceed the limits of BuildingPlan less, no more parts fall after a step, and there are no more
+ * pieces.
+ *
+ * Usage:
+ *
+ *     BuildingColumns columns(layout, [&](const LaidParts& parts) { return createModel(parts, grid, colors); },
+ *                             isCancelled);
+ *     if (!columns.run()) ... // cancelled
+ *
+ * The layout and `isCancelled` must exist as long as this object. One thread, which uses all threads that oneTBB gives
+ * it. */
+class BuildingColumns
+{
+public:
+    /** Larger layouts are left unchanged, since planning takes long. */
+    static constexpr std::size_t MOST_PARTS = 2000;
+
+    /** Makes the model that is built; the plan depends on its axes. */
+    using CreateModel = std::function<osg::ref_ptr<const BrickModel>(const LaidParts& parts)>;
+
+    BuildingColumns(SupportedLayout& layout, CreateModel createModel, const std::function<bool()>& isCancelled) :
+        _layout(layout), _createModel(std::move(createModel)), _isCancelled(isCancelled)
+    {
+    }
+
+    /** @return false if it was cancelled. */
+    bool run();
+
+private:
+    osg::ref_ptr<const BuildingPlan> plan(const SupportedLayout& layout) const;
+    bool replaceIfBetter(const SupportedLayout& other);
+    bool isCancelled() const { return _isCancelled && _isCancelled(); }
+
+    SupportedLayout& _layout;
+    CreateModel _createModel;
+    const std::function<bool()>& _isCancelled;
+    osg::ref_ptr<const BuildingPlan> _plan; //!< of the layout
+};
+
+} // namespace osgLego

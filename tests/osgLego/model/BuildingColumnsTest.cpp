@@ -1,0 +1,115 @@
+#include <osgLego/BuildingPlanner.h>
+#include <osgLego/layout/LayoutCheck.h>
+#include <osgLego/model/BuildingColumns.h>
+#include <osgLego/model/LayoutPieces.h>
+#include <osgLego/model/LayoutStanding.h>
+
+#include <algorithm>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace osgLego
+{
+
+namespace
+{
+
+const std::function<bool()> NEVER;
+
+/** Add a box of bricks of at most 2x2 cells, which cross the joints of the layer below. */
+void addBox(SupportedLayout& layout, const glm::ivec3& lower, const glm::ivec3& upper)
+{
+    for (int z = lower.z; z < upper.z; ++z)
+    {
+        for (int y = lower.y; y < upper.y; ++y)
+            for (int x = lower.x; x < upper.x; ++x)
+                layout.problem.cells.push_back(
+                    {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)}, 0});
+        for (int y = lower.y - z % 2; y < upper.y; y += 2)
+            for (int x = lower.x - z % 2; x < upper.x; x += 2)
+            {
+                const glm::ivec2 first = glm::max(glm::ivec2(x, y), glm::ivec2(lower));
+                const glm::ivec2 size = glm::min(glm::ivec2(x, y) + 2, glm::ivec2(upper)) - first;
+                layout.parts.push_back({{static_cast<std::uint16_t>(first.x), static_cast<std::uint16_t>(first.y),
+                                         static_cast<std::uint16_t>(z)},
+                                        {static_cast<std::uint8_t>(size.x), static_cast<std::uint8_t>(size.y), 1}});
+            }
+    }
+}
+
+/** A bridge on two narrow posts, each of which tips over with a part of the bridge alone.
+ * @param length in cells. */
+SupportedLayout createBridge(int length)
+{
+    constexpr int DEPTH = 4;
+    constexpr int CLEARANCE = 2;
+    constexpr int TOP = 8;
+    SupportedLayout layout;
+    layout.problem.size = {length, DEPTH, TOP};
+    layout.problem.colors.emplace_back();
+    addBox(layout, {0, 0, 0}, {2, DEPTH, CLEARANCE});
+    addBox(layout, {length - 2, 0, 0}, {length, DEPTH, CLEARANCE});
+    addBox(layout, {0, 0, CLEARANCE}, {length, DEPTH, TOP});
+    std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
+    std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
+    return layout;
+}
+
+osg::ref_ptr<const BuildingPlan> plan(const SupportedLayout& layout)
+{
+    return planBuilding(*createStandingModel(layout.problem, layout.parts));
+}
+
+bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancelled)
+{
+    const auto createModel = [&layout](const LaidParts& parts) { return createStandingModel(layout.problem, parts); };
+    return BuildingColumns(layout, createModel, isCancelled).run();
+}
+
+TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
+{
+    SupportedLayout layout = createBridge(32);
+    ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    ASSERT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
+    const osg::ref_ptr<const BuildingPlan> before = plan(layout);
+    ASSERT_FALSE(before->keepsLimits());
+    const std::size_t numCells = layout.problem.cells.size();
+    ASSERT_TRUE(addColumnsTo(layout, NEVER));
+    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    EXPECT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
+    EXPECT_EQ(LayoutPieces(layout.parts).getCount(), 1u);
+    EXPECT_LE(layout.problem.cells.size(), numCells + numCells / 10);
+    EXPECT_GT(layout.numBuildingColumns, 0u);
+    EXPECT_EQ(layout.numBuildingColumns, layout.numColumns);
+    const osg::ref_ptr<const BuildingPlan> after = plan(layout);
+    EXPECT_TRUE(after->keepsLimits());
+    EXPECT_LE(after->getNumFalling(), before->getNumFalling());
+    EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
+    EXPECT_EQ(layout.deepestSubmodel, after->getDeepestSubmodel());
+}
+
+TEST(BuildingColumns, AreNotAddedToASmallModel)
+{
+    SupportedLayout layout = createBridge(12);
+    ASSERT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
+    const LaidParts parts = layout.parts;
+    ASSERT_TRUE(addColumnsTo(layout, NEVER));
+    EXPECT_EQ(layout.parts, parts);
+    EXPECT_EQ(layout.numColumns, 0u);
+    EXPECT_EQ(layout.numBuildingColumns, 0u);
+    EXPECT_GT(layout.largestSubmodel, 0u);
+}
+
+TEST(BuildingColumns, StopWhenTheyAreCancelled)
+{
+    SupportedLayout layout = createBridge(12);
+    const LaidParts parts = layout.parts;
+    const std::function<bool()> always = [] { return true; };
+    EXPECT_FALSE(addColumnsTo(layout, always));
+    EXPECT_EQ(layout.parts, parts);
+}
+
+} // namespace
+
+} // namespace osgLego
