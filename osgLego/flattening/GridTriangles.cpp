@@ -2,7 +2,6 @@
 
 #include <osgLego/data/SharedObjects.h>
 #include <osgLego/flattening/GridFrame.h>
-#include <osgLego/flattening/SubdivisionPattern.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,14 +120,32 @@ private:
     std::vector<GridBatch>& _batches;
 };
 
-/** The use of a part of a triangle that is too long for single precision. */
-PartUse decide(const GridFrame& frame, const GridFrame::Corners& corners)
+/** Halve a triangle that is too long for single precision at its longest edge, and its parts again, until they are
+ * short enough. Cuts at all long edges, as in subdivision, would make a sliver of three long edges into as many parts
+ * as the square of its length. */
+template <typename Keep>
+void halveToFit(const GridFrame& frame, const GridFrame::Corners& corners, const Keep& keep)
 {
-    if (!frame.mayReachGrid(corners)) return PartUse::DROPPED;
-    return frame.mustCut(corners) ? PartUse::CUT : PartUse::KEPT;
+    if (!frame.mayReachGrid(corners)) return;
+    if (!frame.mustCut(corners))
+    {
+        keep(corners);
+        return;
+    }
+    std::size_t longest = 0;
+    const auto getLength = [&corners](std::size_t edge)
+    { return squaredLength(corners[edge], corners[(edge + 1) % 3]); };
+    for (const std::size_t edge : {std::size_t(1), std::size_t(2)})
+        if (getLength(edge) > getLength(longest)) longest = edge;
+    const SceneVertex& a = corners[longest];
+    const SceneVertex& b = corners[(longest + 1) % 3];
+    const SceneVertex& c = corners[(longest + 2) % 3];
+    const SceneVertex middle = midpoint(a, b);
+    halveToFit(frame, {a, middle, c}, keep);
+    halveToFit(frame, {middle, b, c}, keep);
 }
 
-void appendBatches(const GridFrame& frame, const SceneBatch& source, double edgeLimit, std::vector<GridBatch>& batches)
+void appendBatches(const GridFrame& frame, const SceneBatch& source, std::vector<GridBatch>& batches)
 {
     BatchAppender appender(frame, source, source.vertices.size() / 3, batches);
     for (std::size_t first = 0; first < source.vertices.size(); first += 3)
@@ -136,9 +153,7 @@ void appendBatches(const GridFrame& frame, const SceneBatch& source, double edge
         GridFrame::Corners corners{source.vertices[first], source.vertices[first + 1], source.vertices[first + 2]};
         for (SceneVertex& corner : corners)
             corner.position = frame.toFrame(corner.position);
-        cutToSize(
-            corners, edgeLimit * edgeLimit, [&](const GridFrame::Corners& part) { return decide(frame, part); },
-            [&](const GridFrame::Corners& part) { appender.add(part); });
+        halveToFit(frame, corners, [&](const GridFrame::Corners& part) { appender.add(part); });
     }
 }
 
@@ -219,7 +234,7 @@ osg::ref_ptr<const GridTriangles> GridTriangles::create(const SceneTriangles& tr
         numBatches += batch.vertices.size() / 3 / GridBatch::MAXIMUM_TRIANGLES + 1;
     result->_batches.reserve(numBatches);
     for (const SceneBatch& batch : triangles.getBatches())
-        appendBatches(frame, batch, settings.getEdgeLimit(), result->_batches);
+        appendBatches(frame, batch, result->_batches);
     return result;
 }
 

@@ -84,6 +84,21 @@ TEST(GridTriangles, TrianglesBesideTheGridAreOmitted)
     EXPECT_EQ(createTriangles(*group, "cell=0.5")->getNumTriangles(), 3u);
 }
 
+TEST(GridTriangles, ALongSliverHasFewPartsNearTheGrid)
+{
+    // Three long edges: the middle corner is near the line between the others.
+    for (const float length : {1e5f, 1e9f, 1e15f})
+    {
+        const osg::ref_ptr<osg::Geometry> sliver =
+            createTriangle({-length, 0, 0}, {0, 1e-9f, 0}, {0.1f * length, 0, 0});
+        const osg::ref_ptr<const GridTriangles> triangles =
+            createTriangles(*sliver, "cell=0.25,origin=-1:-1:-1,size=8:8:8");
+        EXPECT_GT(triangles->getNumTriangles(), 0u);
+        EXPECT_LE(triangles->getNumTriangles(), 100u) << length;
+        EXPECT_LE(triangles->getLongestEdge(), 1.8f * 8192.0f);
+    }
+}
+
 TEST(GridTriangles, TheEstimateOfCoveredCellsCountsNothingBesideTheGrid)
 {
     const osg::ref_ptr<osg::Node> floor = createTriangle({-900, -900, 0.5f}, {900, -900, 0.5f}, {0, 900, 0.5f});
