@@ -71,6 +71,22 @@ std::vector<Eigen::Vector2d> BearingJoints::findFloorPoints(std::uint32_t part) 
     return points;
 }
 
+bool BearingJoints::bears(std::uint32_t part, const VerticalLoad& load, double floorPull) const
+{
+    if (_base == BuildingBase::PLATE)
+    {
+        const std::optional<std::vector<double>> pressures = spreadLoad(load, findFloorPoints(part), getCenter(part));
+        return pressures &&
+               std::all_of(pressures->begin(), pressures->end(),
+                           [&](double pressure) { return pressure - floorPull >= -BearingForces::CAPACITY; });
+    }
+    constexpr double TOLERANCE = 1e-9; // newtons times the pitch
+    const BuildingBox& box = _graph.getBox(part);
+    const auto isWithin = [&load](double moment, int lower, int upper)
+    { return moment >= lower * load[0] - TOLERANCE && moment <= upper * load[0] + TOLERANCE; };
+    return isWithin(load[1], box.lower.x, box.upper.x) && isWithin(load[2], box.lower.y, box.upper.y);
+}
+
 std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const std::vector<Eigen::Vector2d>& points,
                                               const Eigen::Vector2d& center)
 {
@@ -94,9 +110,11 @@ std::optional<std::vector<double>> spreadLoad(const VerticalLoad& load, const st
 BearingForces createNoForces(const BearingJoints& joints)
 {
     const std::size_t numParts = joints.getGraph().getNumParts();
-    return {std::vector<bool>(numParts, false), std::vector<double>(joints.getPoints().size(), 0.0),
+    return {std::vector<bool>(numParts, false),
+            std::vector<double>(joints.getPoints().size(), 0.0),
             std::vector<VerticalLoad>(numParts, VerticalLoad::Zero()),
-            std::vector<Eigen::Vector3d>(joints.getJoints().size(), Eigen::Vector3d::Zero())};
+            std::vector<Eigen::Vector3d>(joints.getJoints().size(), Eigen::Vector3d::Zero()),
+            {}};
 }
 
 } // namespace osgLego

@@ -2,6 +2,7 @@
 
 #include <osgLego/StabilityReport.h>
 #include <osgLego/stability/JointGraph.h>
+#include <osgLego/stability/Wrench.h>
 
 #include <optional>
 #include <vector>
@@ -44,6 +45,10 @@ public:
     Eigen::Vector2d getCenter(std::uint32_t part) const;
     /** The points at which the base bears a part that stands on it: the corners of the part on a table. */
     std::vector<Eigen::Vector2d> findFloorPoints(std::uint32_t part) const;
+    /** Whether the base bears the load of a part that stands on it: a table only above the bottom of the part, and
+     * studs within their capacity.
+     * @param floorPull newtons of pull that the load does not contain. */
+    bool bears(std::uint32_t part, const VerticalLoad& load, double floorPull) const;
 
 private:
     void addPoints(const BuildingBox& overlap, const BuildingBox& upper, std::vector<Eigen::Vector2d>& points) const;
@@ -72,8 +77,10 @@ struct BearingForces
     std::vector<VerticalLoad> floorLoads; //!< for each part, on the base
     /** For each joint, the forces along x and y, and the torque about the vertical, about its middle. */
     std::vector<Eigen::Vector3d> sideways;
+    /** For each contact of ForceCorridor::setBeside(), the force on `upper` and its torque about the middle of the
+     * contact; empty if there are no such forces. */
+    std::vector<Wrench> beside;
     double floorPull = 0.0; //!< the greatest pull at points of the base that `floorLoads` does not contain
-    bool isBound = false;   //!< whether `pressures` are only known to be at least this much
 };
 
 /** Forces on no parts. */

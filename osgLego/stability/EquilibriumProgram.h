@@ -1,6 +1,7 @@
 #pragma once
 
 #include <osgLego/stability/ContactFinder.h>
+#include <osgLego/stability/Wrench.h>
 
 #include <cstdint>
 #include <span>
@@ -10,9 +11,6 @@
 
 namespace osgLego
 {
-
-/** A force in newtons and its torque in newtons times the pitch of studs: x, y, z, about x, about y, about z. */
-using Wrench = Eigen::Matrix<double, 6, 1>;
 
 /** The forces that keep some parts in equilibrium, as the columns of a linear program.
  *

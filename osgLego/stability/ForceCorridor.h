@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -13,9 +14,8 @@ namespace osgLego
 /** Adds parts to forces in equilibrium by a linear program of some parts, the corridor: the forces between others are
  * kept, and those on the corridor become loads.
  *
- * A solution is an equilibrium of all parts, so that they stand: each part outside has the same forces as before. Parts
- * beside each other do not press each other, which only restricts the forces. If there is no solution, the parts may
- * stand nevertheless.
+ * A solution is an equilibrium of all parts, so that they stand: each part outside has the same forces as before. If
+ * there is no solution, the parts may stand nevertheless, unless the corridor contains all of them.
  *
  * One thread. */
 class ForceCorridor
@@ -24,6 +24,9 @@ public:
     /** @param joints must outlive this object. @param cellPlates the height of a cell, in plates.
      * @param isCancelled may be empty. */
     ForceCorridor(const BearingJoints& joints, int cellPlates, std::function<bool()> isCancelled);
+
+    /** @param contacts of parts beside each other, which press each other. Without them, forces are only restricted. */
+    void setBeside(std::vector<Contact> contacts) { _beside = std::move(contacts); }
 
     /** Add parts to those that are in place.
      * @param start forces in equilibrium.
@@ -39,11 +42,16 @@ private:
     Program createProgram(const BearingForces& start, const std::vector<bool>& isPlaced,
                           const std::vector<bool>& isInside) const;
     Eigen::Vector3d findCenter(std::uint32_t part) const;
+    Eigen::Vector3d findMiddle(std::uint32_t part, std::uint32_t other) const;
     Wrench findWrench(const BearingForces& forces, std::size_t joint, std::uint32_t part) const;
+    void addBeside(const BearingForces& start, const std::vector<bool>& isInside, Program& program) const;
+    void setForces(const EquilibriumProgram& solved, const Eigen::ArrayXd& found, const Program& own,
+                   BearingForces& forces) const;
 
     const BearingJoints& _joints;
     std::function<bool()> _isCancelled;
     std::vector<PartBox> _boxes;
+    std::vector<Contact> _beside;
 };
 
 } // namespace osgLego

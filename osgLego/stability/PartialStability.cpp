@@ -69,53 +69,63 @@ PartialStability::PartialStability(const BrickModel& model, const std::vector<st
     _joints(graph, findWeights(model, parts), _setting.base), _flow(_joints), _springs(_joints),
     _corridor(_joints, getCellPlates(model.getGrid()), _setting.isCancelled), _standing(parts.size(), false)
 {
-    _forces = _known = _proven = createNoForces(_joints);
+    _forces = createNoForces(_joints);
 }
 
 PartialStability::~PartialStability() = default;
 
-/** Whether forces are found that keep parts in equilibrium. */
-bool PartialStability::isBalanced(const std::vector<bool>& isPlaced)
+/** Keep forces that were found. @return whether there are any. */
+bool PartialStability::keep(std::optional<BearingForces> forces)
 {
-    if (includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced)) return true;
-    std::optional<BearingForces> forces = _springs.add(createNoForces(_joints), isPlaced);
-    if (!forces && includes(isPlaced, _proven.isPlaced)) forces = _springs.add(_proven, isPlaced);
     if (!forces) return false;
-    setForces(std::move(*forces));
+    _forces = std::move(*forces);
     return true;
+}
+
+/** Whether the known forces, and those due to new parts, which they pass on downwards, keep parts in equilibrium. */
+bool PartialStability::flows(const std::vector<bool>& isPlaced)
+{
+    return includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced);
+}
+
+/** The same with forces due to new parts as if contact points were springs. If other parts are in place than those of
+ * the known forces, all are new. */
+bool PartialStability::isSprung(const std::vector<bool>& isPlaced)
+{
+    return keep(_springs.add(includes(isPlaced, _forces.isPlaced) ? _forces : createNoForces(_joints), isPlaced));
 }
 
 /** Whether forces are found that keep parts in equilibrium, all others being as they are known.
  * @param numJoints the width of the corridor. */
 bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int numJoints)
 {
-    if (_numBodies >= _setting.mostSolved || !includes(isPlaced, getKnown().isPlaced)) return false;
+    if (_numBodies >= _setting.mostSolved || !includes(isPlaced, _forces.isPlaced)) return false;
     PartList added;
     for (const std::uint32_t part : listPlaced(isPlaced))
-        if (!getKnown().isPlaced[part]) added.push_back(part);
+        if (!_forces.isPlaced[part]) added.push_back(part);
     const std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
     const std::size_t numInside = listPlaced(isInside).size();
     if (LEAST_SMALLER * numInside > listPlaced(isPlaced).size()) return false;
     _numBodies += numInside;
-    std::optional<BearingForces> forces = _corridor.add(getKnown(), isPlaced, isInside);
-    if (!forces) return false;
-    setForces(std::move(*forces));
-    return true;
+    return keep(_corridor.add(_forces, isPlaced, isInside));
 }
 
-void PartialStability::setForces(BearingForces forces)
+/** Whether forces are found that keep parts in equilibrium, of the linear program of all of them. */
+bool PartialStability::isBalancedAnew(const std::vector<bool>& isPlaced)
 {
-    if (forces.isBound && !_forces.isBound) _known = std::move(_forces);
-    _forces = std::move(forces);
+    if (_numSolved >= _setting.mostSolved) return false;
+    _numSolved += listPlaced(isPlaced).size();
+    return keep(_corridor.add(createNoForces(_joints), isPlaced, isPlaced));
 }
 
 std::optional<std::vector<std::uint32_t>> PartialStability::findFalling(const std::vector<bool>& isPlaced)
 {
     std::optional<PartList> falling = findFallingAgain(isPlaced);
-    if (falling && falling->empty() && !isBalanced(isPlaced))
+    if (falling && falling->empty() && !flows(isPlaced))
     {
         falling = findFallingNear(isPlaced);
-        if (falling && falling->empty() && !isBalancedNear(isPlaced, NARROW) && !isBalancedNear(isPlaced, WIDE))
+        if (falling && falling->empty() && !isSprung(isPlaced) && !isBalancedNear(isPlaced, NARROW) &&
+            !isBalancedNear(isPlaced, WIDE) && !isBalancedAnew(isPlaced))
             falling = findAllFalling(isPlaced);
     }
     if (!falling) return std::nullopt;
@@ -196,20 +206,7 @@ std::optional<PartialStability::PartList> PartialStability::findAllFalling(const
     _numSolved += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
     if (!report || (!report->stands && !report->falls())) return std::nullopt;
-    if (report->falling.empty())
-    {
-        // Assume that every contact point, also with a base plate, pulls as much as the one that pulls most. The loads
-        // on the base are unknown, but the base bears them; the forces added to them must be an equilibrium by
-        // themselves.
-        _proven = createNoForces(_joints);
-        _proven.isPlaced = isPlaced;
-        _proven.isBound = true;
-        _proven.floorPull = (1.0 - report->margin) * StabilityReport::CAPACITY;
-        _proven.pressures.assign(_proven.pressures.size(), -_proven.floorPull);
-        setForces(_proven);
-    }
-    else
-        _bodies = _analysis->getBodies();
+    if (!report->falling.empty()) _bodies = _analysis->getBodies();
     return fromAnalysis(report->falling);
 }
 
@@ -304,6 +301,11 @@ void PartialStability::createAnalysis()
     }
     _analysis = std::make_unique<StabilityAnalysis>(*model, _setting.base);
     _analysis->setCancellation(_setting.isCancelled);
+    std::vector<Contact> beside;
+    for (const Contact& contact : findContacts(*model))
+        if (contact.kind == Contact::SIDE_X || contact.kind == Contact::SIDE_Y)
+            beside.push_back({_fromAnalysis[contact.lower], _fromAnalysis[contact.upper], contact.kind});
+    _corridor.setBeside(std::move(beside));
 }
 
 } // namespace osgLego

@@ -20,10 +20,9 @@ class StabilityAnalysis;
  *
  * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
  * others. First it is solved for few rigid bodies, such as those that moved as one when parts fell before: if bodies
- * fall, so do parts. ForceCorridor solves it for new parts and those near them, with known forces between all others.
- * WeightFlow adds the weights of new parts to forces that are known, and SpringBalance finds such forces. The sum of
- * two equilibria is an equilibrium, so both methods also extend the solution of a linear program, of which only the
- * margin is known.
+ * fall, so do parts. WeightFlow and SpringBalance add the weights of new parts to forces that are known, since the sum
+ * of two equilibria is an equilibrium. ForceCorridor solves the program for new parts and those near them, with known
+ * forces between all others, and for all parts.
  *
  * One thread. */
 class PartialStability
@@ -64,10 +63,11 @@ private:
     PartList findPaths(const PartList& parts, const std::vector<bool>& isPlaced) const;
     PartList toAnalysis(std::span<const std::uint32_t> parts) const;
     PartList fromAnalysis(std::span<const std::uint32_t> parts) const;
-    bool isBalanced(const std::vector<bool>& isPlaced);
+    bool flows(const std::vector<bool>& isPlaced);
+    bool isSprung(const std::vector<bool>& isPlaced);
     bool isBalancedNear(const std::vector<bool>& isPlaced, int numJoints);
-    const BearingForces& getKnown() const { return _forces.isBound ? _known : _forces; }
-    void setForces(BearingForces forces);
+    bool isBalancedAnew(const std::vector<bool>& isPlaced);
+    bool keep(std::optional<BearingForces> forces);
     void createAnalysis();
 
     const BrickModel& _model;
@@ -81,8 +81,6 @@ private:
     SpringBalance _springs;
     ForceCorridor _corridor;
     BearingForces _forces;                        // those that were found last
-    BearingForces _known;                         // the last ones that were no bounds, if `_forces` are bounds
-    BearingForces _proven;                        // bounds of those that the linear program found last
     std::vector<bool> _standing;                  // the parts that stood last
     PartList _falling;                            // those that fell last, and have not stood since
     PartList _bodies;                             // StabilityAnalysis::RigidBodies in which they fell

@@ -16,13 +16,21 @@ constexpr double TOLERANCE = 1e-9; // newtons
 
 std::optional<BearingForces> SpringBalance::add(const BearingForces& start, const std::vector<bool>& isPlaced)
 {
-    constexpr int MOST_ROUNDS = 20;
+    constexpr int MOST_RELEASES = 20;
+    constexpr int MOST_SOFTER = 3;
     _isPlaced = isPlaced;
+    _springs.assign(_joints.getPoints().size(), 1.0);
     findFloorPoints();
-    for (int round = 0; round < MOST_ROUNDS; ++round)
+    int numReleases = 0;
+    int numSofter = 0;
+    while (solveSprings(start.isPlaced))
     {
-        if (!solveSprings(start.isPlaced)) return std::nullopt;
-        if (_joints.getBase() == BuildingBase::PLATE || !releaseFloor()) return createForces(start);
+        if (_joints.getBase() == BuildingBase::TABLE && releaseFloor(start))
+        {
+            if (++numReleases == MOST_RELEASES) return std::nullopt;
+        }
+        else if (numSofter++ == MOST_SOFTER || !soften(start))
+            return createForces(start);
     }
     return std::nullopt;
 }
@@ -74,9 +82,9 @@ bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
         {
             const Eigen::Vector3d lowerRow = toRow(joint.lower, _joints.getPoints()[point]);
             const Eigen::Vector3d upperRow = toRow(joint.upper, _joints.getPoints()[point]);
-            lower += lowerRow * lowerRow.transpose();
-            upper += upperRow * upperRow.transpose();
-            mixed -= upperRow * lowerRow.transpose();
+            lower += _springs[point] * lowerRow * lowerRow.transpose();
+            upper += _springs[point] * upperRow * upperRow.transpose();
+            mixed -= _springs[point] * upperRow * lowerRow.transpose();
         }
         add(joint.lower, joint.lower, lower);
         add(joint.upper, joint.upper, upper);
@@ -104,17 +112,70 @@ bool SpringBalance::isBalanced() const
     return _depths.allFinite() && rest.cwiseAbs().maxCoeff() <= TOLERANCE;
 }
 
-/** Release points that pull at the table. @return whether there were any. */
-bool SpringBalance::releaseFloor()
+/** The force of a spring on the upper part of a joint. */
+double SpringBalance::getForce(const BearingJoints::Joint& joint, std::size_t point) const
 {
+    const Eigen::Vector2d& place = _joints.getPoints()[point];
+    return _springs[point] * (getDepth(joint.upper, place) - getDepth(joint.lower, place));
+}
+
+/** Soften springs that pull more than their capacity, so that they pull less and others more.
+ * @return whether there were any. */
+bool SpringBalance::soften(const BearingForces& start)
+{
+    constexpr double SHARE = 0.9;
+    constexpr double LEAST = 1e-3;
     bool hasChanged = false;
-    for (FloorPoint& point : _floor)
+    for (const BearingJoints::Joint& joint : _joints.getJoints())
     {
-        if (point.isReleased || getDepth(point.part, point.place) >= -TOLERANCE) continue;
-        point.isReleased = true;
-        hasChanged = true;
+        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
+        {
+            const double force = getForce(joint, point);
+            const double capacity = BearingForces::CAPACITY + start.pressures[point];
+            if (force >= -capacity) continue;
+            _springs[point] *= std::max(SHARE * capacity / -force, LEAST);
+            hasChanged = true;
+        }
     }
     return hasChanged;
+}
+
+/** The first point of the next part. */
+SpringBalance::FloorPoints::const_iterator SpringBalance::findNextPart(FloorPoints::const_iterator point) const
+{
+    return std::find_if(point, _floor.end(),
+                        [part = point->part](const FloorPoint& other) { return other.part != part; });
+}
+
+/** Release points of parts that lift off the table. @return whether there were any. */
+bool SpringBalance::releaseFloor(const BearingForces& start)
+{
+    bool hasChanged = false;
+    for (auto first = _floor.cbegin(); first != _floor.cend();)
+    {
+        const auto end = findNextPart(first);
+        if (!_joints.bears(first->part, getFloorLoad(start, {first, end}), start.floorPull))
+            for (auto index = first - _floor.cbegin(); index < end - _floor.cbegin(); ++index)
+            {
+                FloorPoint& point = _floor[static_cast<std::size_t>(index)];
+                if (point.isReleased || getDepth(point.part, point.place) >= -TOLERANCE) continue;
+                point.isReleased = true;
+                hasChanged = true;
+            }
+        first = end;
+    }
+    return hasChanged;
+}
+
+/** The load of a part on the base. @param points all of the part. */
+VerticalLoad SpringBalance::getFloorLoad(const BearingForces& start, std::span<const FloorPoint> points) const
+{
+    VerticalLoad load = start.floorLoads[points.front().part];
+    for (const FloorPoint& point : points)
+        if (!point.isReleased)
+            load += getDepth(point.part, point.place) * VerticalLoad(1.0, point.place.x(), point.place.y());
+    return load;
 }
 
 std::optional<BearingForces> SpringBalance::createForces(const BearingForces& start) const
@@ -126,17 +187,17 @@ std::optional<BearingForces> SpringBalance::createForces(const BearingForces& st
         if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
         for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
         {
-            const Eigen::Vector2d& place = _joints.getPoints()[point];
-            forces.pressures[point] += getDepth(joint.upper, place) - getDepth(joint.lower, place);
+            forces.pressures[point] += getForce(joint, point);
             if (forces.pressures[point] < -BearingForces::CAPACITY) return std::nullopt;
         }
     }
-    for (const FloorPoint& point : _floor)
+    for (auto first = _floor.begin(); first != _floor.end();)
     {
-        if (point.isReleased) continue;
-        const double force = getDepth(point.part, point.place);
-        if (force - start.floorPull < -BearingForces::CAPACITY) return std::nullopt;
-        forces.floorLoads[point.part] += force * VerticalLoad(1.0, point.place.x(), point.place.y());
+        const auto end = findNextPart(first);
+        VerticalLoad& load = forces.floorLoads[first->part];
+        load = getFloorLoad(start, {first, end});
+        if (!_joints.bears(first->part, load, start.floorPull)) return std::nullopt;
+        first = end;
     }
     return forces;
 }

@@ -3,6 +3,7 @@
 #include <osgLego/stability/BearingJoints.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -12,8 +13,8 @@ namespace osgLego
 
 /** Finds forces between parts as if all contact points were equal springs, which spreads loads evenly.
  *
- * If the forces are within the capacity of the joints, the parts stand, as with WeightFlow. Corners of parts that would
- * pull at a table are released, one group after the other.
+ * If the forces are within the capacity of the joints, the parts stand, as with WeightFlow. Springs that pull more are
+ * made softer, and corners of parts that lift off a table are released, one group after the other.
  *
  * One thread. */
 class SpringBalance
@@ -36,19 +37,25 @@ private:
         Eigen::Vector2d place;
         bool isReleased = false;
     };
+    using FloorPoints = std::vector<FloorPoint>;
 
     void findFloorPoints();
     bool solveSprings(const std::vector<bool>& isKnown);
+    double getForce(const BearingJoints::Joint& joint, std::size_t point) const;
+    VerticalLoad getFloorLoad(const BearingForces& start, std::span<const FloorPoint> points) const;
+    FloorPoints::const_iterator findNextPart(FloorPoints::const_iterator point) const;
+    bool soften(const BearingForces& start);
     Eigen::Vector3d toRow(std::uint32_t part, const Eigen::Vector2d& place) const;
     double getDepth(std::uint32_t part, const Eigen::Vector2d& place) const;
-    bool releaseFloor();
+    bool releaseFloor(const BearingForces& start);
     bool isBalanced() const;
     std::optional<BearingForces> createForces(const BearingForces& start) const;
 
     const BearingJoints& _joints;
     std::vector<bool> _isPlaced;
     std::vector<Eigen::Index> _rows; // for each part, the first of its rows
-    std::vector<FloorPoint> _floor;
+    FloorPoints _floor;              // ordered by part
+    std::vector<double> _springs;    // the stiffness at each contact point
     Eigen::SparseMatrix<double> _stiffness;
     Eigen::VectorXd _weights;
     Eigen::VectorXd _depths; // how far parts sink, and how they incline

@@ -134,22 +134,9 @@ private:
         }
     }
 
-    /** A table bears a part only if the sum of its loads is above the part's bottom, and studs only within their
-     * capacity. */
     bool addToFloor(std::uint32_t part, const VerticalLoad& load)
     {
-        const VerticalLoad& sum = _forces.floorLoads[part] += load;
-        if (_joints.getBase() == BuildingBase::PLATE)
-        {
-            const std::optional<std::vector<double>> pressures =
-                spreadLoad(sum, _joints.findFloorPoints(part), _joints.getCenter(part));
-            return pressures && std::all_of(pressures->begin(), pressures->end(),
-                                            [this](double pressure)
-                                            { return pressure - _forces.floorPull >= -BearingForces::CAPACITY; });
-        }
-        const BuildingBox& box = _graph.getBox(part);
-        return sum[1] >= box.lower.x * sum[0] && sum[1] <= box.upper.x * sum[0] && sum[2] >= box.lower.y * sum[0] &&
-               sum[2] <= box.upper.y * sum[0];
+        return _joints.bears(part, _forces.floorLoads[part] += load, _forces.floorPull);
     }
 
     const WeightFlow& _flow;

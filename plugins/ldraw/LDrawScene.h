@@ -20,7 +20,7 @@ struct LDrawModel
 {
     /** The largest number of parts for which the stability is checked after every step, unless the node has a plan.
      * Larger models would take longer than conversions should. */
-    static constexpr std::size_t MOST_CHECKED = 2000;
+    static constexpr std::size_t MOST_CHECKED = 5000;
 
     osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
     std::string title;                     //!< the node's name; may be empty

@@ -3,6 +3,7 @@
 #include "PlainEquilibrium.h"
 
 #include <osgLego/PartType.h>
+#include <osgLego/stability/ContactFinder.h>
 #include <osgLego/stability/EquilibriumProgram.h>
 #include <osgLego/stability/ForceCorridor.h>
 
@@ -28,9 +29,14 @@ class CorridorTower
 public:
     CorridorTower(unsigned int seed, BuildingBase base) :
         _model(createRandomTower(seed, 30)), _base(base), _graph(createBuildingBoxes(*_model)),
-        _joints(_graph, findMasses(*_model), base), _corridor(_joints, getCellPlates(_model->getGrid()), {})
+        _joints(_graph, findMasses(*_model), base), _corridor(_joints, getCellPlates(_model->getGrid()), {}),
+        _beside(findContacts(*_model))
     {
+        std::erase_if(_beside, [](const Contact& contact) { return contact.kind == Contact::STUDS; });
     }
+
+    void pressBeside() { _corridor.setBeside(_beside); }
+    const std::vector<Contact>& getBeside() const { return _beside; }
 
     std::size_t getNumParts() const { return _model->getParts().size(); }
     const BearingJoints& getJoints() const { return _joints; }
@@ -62,14 +68,22 @@ private:
     JointGraph _graph;
     BearingJoints _joints;
     ForceCorridor _corridor;
+    std::vector<Contact> _beside;
 };
 
 /** The largest force or torque that is missing at a part that does not stand on the base, in newtons and pitches. */
-double findMissing(const BearingJoints& joints, double cellHeight, const BearingForces& forces)
+double findMissing(const CorridorTower& tower, const BearingForces& forces)
 {
+    const BearingJoints& joints = tower.getJoints();
     const JointGraph& graph = joints.getGraph();
     const auto scale = [&](const glm::ivec3& corner)
-    { return Eigen::Vector3d(corner.x, corner.y, cellHeight * corner.z); };
+    { return Eigen::Vector3d(corner.x, corner.y, tower.getCellHeight() * corner.z); };
+    const auto findMiddle = [&](std::uint32_t part, std::uint32_t other)
+    {
+        const BuildingBox& a = graph.getBox(part);
+        const BuildingBox& b = graph.getBox(other);
+        return Eigen::Vector3d(0.5 * (scale(glm::max(a.lower, b.lower)) + scale(glm::min(a.upper, b.upper))));
+    };
     double most = 0.0;
     for (std::uint32_t part = 0; part < graph.getNumParts(); ++part)
     {
@@ -87,15 +101,20 @@ double findMissing(const BearingJoints& joints, double cellHeight, const Bearing
         {
             const BearingJoints::Joint& joint = joints.getJoints()[index];
             const double sign = joint.upper == part ? 1.0 : -1.0;
-            const BuildingBox& lower = graph.getBox(joint.lower);
-            const BuildingBox& upper = graph.getBox(joint.upper);
-            const Eigen::Vector3d middle =
-                0.5 * (scale(glm::max(lower.lower, upper.lower)) + scale(glm::min(lower.upper, upper.upper)));
+            const Eigen::Vector3d middle = findMiddle(joint.lower, joint.upper);
             for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
                 add({joints.getPoints()[point].x(), joints.getPoints()[point].y(), middle.z()},
                     {0.0, 0.0, sign * forces.pressures[point]});
             add(middle, {sign * forces.sideways[index].x(), sign * forces.sideways[index].y(), 0.0});
             torque.z() += sign * forces.sideways[index].z();
+        }
+        for (std::size_t index = 0; index < forces.beside.size(); ++index)
+        {
+            const Contact& contact = tower.getBeside()[index];
+            if (contact.lower != part && contact.upper != part) continue;
+            const Wrench wrench = (contact.upper == part ? 1.0 : -1.0) * forces.beside[index];
+            add(findMiddle(contact.lower, contact.upper), wrench.head<3>());
+            torque += wrench.tail<3>();
         }
         most = std::max({most, force.lpNorm<Eigen::Infinity>(), torque.lpNorm<Eigen::Infinity>()});
     }
@@ -138,12 +157,92 @@ TEST(ForceCorridor, PartsThatItAddsOneAfterTheOtherStandByClp)
                 EXPECT_TRUE(stands || !found) << seed << ", " << last;
                 if (!found) continue;
                 forces = std::move(*found);
-                EXPECT_LE(findMissing(tower.getJoints(), tower.getCellHeight(), forces), 1e-4) << seed << ", " << last;
+                EXPECT_LE(findMissing(tower, forces), 1e-4) << seed << ", " << last;
                 EXPECT_GE(*std::min_element(forces.pressures.begin(), forces.pressures.end()), -0.98);
             }
         }
         EXPECT_GT(numNarrow, 20);
         EXPECT_GT(numFalling, 5);
+    }
+}
+
+TEST(ForceCorridor, FindsForcesOfAllPartsExactlyIfTheyStandByClpIfThoseBesideEachOtherPress)
+{
+    for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+    {
+        int numFalling = 0;
+        int numNarrow = 0;
+        for (unsigned int seed = 1; seed <= 20; ++seed)
+        {
+            CorridorTower tower(seed, base);
+            tower.pressBeside();
+            BearingForces forces = createNoForces(tower.getJoints(), 0.0);
+            for (std::size_t last = 0; last < tower.getNumParts(); ++last)
+            {
+                if ((last + seed) % 6 == 0) continue; // a gap, over which parts fall
+                std::vector<bool> isPlaced = forces.isPlaced;
+                isPlaced[last] = true;
+                const bool stands = tower.standsByClp(isPlaced);
+                numFalling += !stands;
+                std::vector<bool> isInside = chooseInside(last, tower.getNumParts());
+                std::transform(isInside.begin(), isInside.end(), isPlaced.begin(), isInside.begin(),
+                               [](bool inside, bool placed) { return inside && placed; });
+                const auto narrow = tower.getCorridor().add(forces, isPlaced, isInside);
+                EXPECT_TRUE(stands || !narrow) << seed << ", " << last;
+                EXPECT_LE(narrow ? findMissing(tower, *narrow) : 0.0, 1e-4) << seed << ", " << last;
+                numNarrow += narrow.has_value();
+                const auto whole = tower.getCorridor().add(createNoForces(tower.getJoints(), 0.0), isPlaced, isPlaced);
+                EXPECT_EQ(whole.has_value(), stands) << seed << ", " << last;
+                if (!whole) continue;
+                EXPECT_LE(findMissing(tower, *whole), 1e-4) << seed << ", " << last;
+                forces = last % 2 == 0 && narrow ? *narrow : *whole;
+            }
+        }
+        EXPECT_GT(numFalling, 5);
+        EXPECT_GT(numNarrow, 20);
+    }
+}
+
+TEST(ForceCorridor, BeamsThatPressEachOtherBearMore)
+{
+    // Two beams, each on a post at its outer end, that meet in the middle.
+    const JointGraph graph({{{0, 0, 0}, {16, 2, 1}},
+                            {{0, 0, 1}, {2, 2, 2}},
+                            {{14, 0, 1}, {16, 2, 2}},
+                            {{0, 0, 2}, {8, 2, 3}},
+                            {{8, 0, 2}, {16, 2, 3}}});
+    const auto bears = [&graph](double weight, bool isPressing)
+    {
+        const BearingJoints joints(graph, {10.0, 0.1, 0.1, weight, weight}, BuildingBase::TABLE);
+        ForceCorridor corridor(joints, 3, {});
+        if (isPressing) corridor.setBeside({{3, 4, Contact::SIDE_X}});
+        const std::vector<bool> isPlaced(graph.getNumParts(), true);
+        return corridor.add(createNoForces(joints), isPlaced, isPlaced).has_value();
+    };
+    EXPECT_TRUE(bears(2.5, false));
+    EXPECT_FALSE(bears(4.0, false));
+    EXPECT_TRUE(bears(4.0, true));
+}
+
+TEST(ForceCorridor, KnowsTheLoadsOnATable)
+{
+    for (unsigned int seed = 1; seed <= 5; ++seed)
+    {
+        const CorridorTower tower(seed, BuildingBase::TABLE);
+        const std::vector<bool> isPlaced(tower.getNumParts(), true);
+        const auto forces = tower.getCorridor().add(createNoForces(tower.getJoints(), 0.0), isPlaced, isPlaced);
+        if (!forces) continue;
+        VerticalLoad weights = VerticalLoad::Zero();
+        VerticalLoad loads = VerticalLoad::Zero();
+        for (std::uint32_t part = 0; part < tower.getNumParts(); ++part)
+        {
+            weights += tower.getJoints().getWeight(part);
+            loads += forces->floorLoads[part];
+            EXPECT_TRUE(!tower.getJoints().getGraph().isOnBase(part) ||
+                        tower.getJoints().bears(part, forces->floorLoads[part], 0.0));
+        }
+        // Horizontal forces between parts do not change the sums over all parts.
+        EXPECT_LE((weights - loads).lpNorm<Eigen::Infinity>(), 1e-3) << seed;
     }
 }
 
