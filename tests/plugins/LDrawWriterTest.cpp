@@ -363,7 +363,7 @@ TEST(LDrawWriter, WarnsOfStepsOfWhichItDidNotComputeWhetherTheModelStands)
     const std::vector<std::string> warnings = warningsOf(static_cast<int>(LDrawModel::MOST_CHECKED) + 1);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("it was not computed whether"), std::string::npos) << warnings[0];
-    EXPECT_NE(warnings[0].find("expected at most 2000 parts"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("expected at most 5000 parts"), std::string::npos) << warnings[0];
 }
 
 } // namespace
