@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <functional>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
