@@ -108,6 +108,14 @@ void BuildingPlan::measureSubmodels(const std::vector<BuildingStep>& steps, std:
         }
 }
 
+bool BuildingPlan::exceedsLimitsLessThan(const BuildingPlan& other) const
+{
+    const auto getParts = [](const BuildingPlan& plan) { return std::max(plan._largestSubmodel, MOST_SUBMODEL_PARTS); };
+    const auto getLevels = [](const BuildingPlan& plan) { return std::max(plan._deepestSubmodel, DEEPEST_SUBMODEL); };
+    const bool hasMore = getParts(*this) > getParts(other) || getLevels(*this) > getLevels(other);
+    return !hasMore && (getParts(*this) < getParts(other) || getLevels(*this) < getLevels(other));
+}
+
 std::size_t BuildingPlan::countSteps(bool (*isCounted)(const BuildingStep&)) const
 {
     auto number = std::count_if(_steps.begin(), _steps.end(), isCounted);

@@ -94,6 +94,9 @@ public:
     std::size_t getDeepestSubmodel() const { return _deepestSubmodel; }
     /** Whether all submodels are within MOST_SUBMODEL_PARTS and DEEPEST_SUBMODEL. */
     bool keepsLimits() const { return _largestSubmodel <= MOST_SUBMODEL_PARTS && _deepestSubmodel <= DEEPEST_SUBMODEL; }
+    /** Whether submodels are less far beyond these limits than those of another plan, in parts or in levels, and
+     * farther in neither. */
+    bool exceedsLimitsLessThan(const BuildingPlan& other) const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
     std::vector<std::uint32_t> getPlacedParts(const BuildingStep& step) const;

@@ -79,8 +79,9 @@ std::string describeSubmodels(const SupportStatistics& support)
     return "\nbuilding: submodels of up to " + counted(support.largestSubmodel, "part", "parts") + ", nested " +
            std::to_string(support.deepestSubmodel) + " deep, where " +
            std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts and " +
-           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
-           " levels are easy: no columns were found that help without more steps to hold by hand";
+           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels are easy: " +
+           (support.numBuildingColumns > 0 ? "no more columns were found that help"
+                                           : "no columns were found that help");
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 namespace osgLego
 {
 
-/** The means by which a model was made to stand (LegoSettings::Parts::support). */
+/** The means by which a model was made to stand, and to be easier to build (LegoSettings::Parts::support). */
 struct SupportStatistics
 {
     bool stands = true;                 //!< whether it stands now, without pieces of `numPropped`
@@ -21,7 +21,7 @@ struct SupportStatistics
     std::size_t numColumns = 0;         //!< columns added below the model
     std::size_t numColumnParts = 0;     //!< their parts
     std::size_t numPropped = 0;         //!< pieces that stand on columns of their own alone, not as parts of the model
-    std::size_t numBuildingColumns = 0; //!< of these, columns that keep submodels of the building plan small
+    std::size_t numBuildingColumns = 0; //!< of `numColumns`, those that keep submodels of the building plan small
     /** Parts of the largest submodel of the building plan; 0 if there is none, or if building was not planned: of
      * models that fall, and of large ones. */
     std::size_t largestSubmodel = 0;

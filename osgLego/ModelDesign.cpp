@@ -59,7 +59,10 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
 /** Lines on building by hand; empty without a plan. */
 std::string explainBuilding(const DesignCandidate& best)
 {
-    if (!best.plan) return {};
+    if (!best.plan)
+        return best.isSound() ? "building: not planned, since the model has more than " +
+                                    std::to_string(DesignCandidate::MOST_PLANNED_PARTS) + " parts\n"
+                              : "";
     std::string text = "building: " + std::to_string(best.plan->getSteps().size()) + " steps, and " +
                        std::to_string(best.plan->getSubmodels().size()) + " submodels of up to " +
                        std::to_string(best.plan->getLargestSubmodel()) + " parts, nested " +
@@ -68,7 +71,7 @@ std::string explainBuilding(const DesignCandidate& best)
     if (best.exceedsLimits())
         text += "submodels exceed " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts or " +
                 std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
-                " levels: no model that stands as well keeps these limits, and columns below this one do not help\n";
+                " levels: no model that stands as well keeps these limits, with columns below it or without\n";
     return text;
 }
 

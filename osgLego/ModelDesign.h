@@ -24,6 +24,8 @@ struct OSGLEGO_EXPORT DesignCandidate
     LayoutStatistics layout;              //!< the figures of its parts
     StabilityReport stability;            //!< on the base of DesignOptions
     std::size_t numPieces = 0;            //!< of the layout; a base plate joins those that stand on it
+    static constexpr std::size_t MOST_PLANNED_PARTS = 2000; //!< of models whose building is planned
+
     /** The order of building on that base; null if it was not planned, as for candidates that can't become the best. */
     osg::ref_ptr<const BuildingPlan> plan;
     /** The distance between the outer sides of bricks and the mesh: the root of the mean square over their area, as a
@@ -39,8 +41,9 @@ struct OSGLEGO_EXPORT DesignCandidate
     bool isWhole() const { return numPieces == 1; }
     /** Whether the model can be built and stays up: it is one piece and stands. */
     bool isSound() const { return isWhole() && stability.stands; }
-    /** Whether the plan has submodels beyond the limits of BuildingPlan. */
-    bool exceedsLimits() const { return plan && !plan->keepsLimits(); }
+    /** Whether submodels are beyond the limits of BuildingPlan; true for large models, whose building is not planned.
+     */
+    bool exceedsLimits() const { return plan ? !plan->keepsLimits() : layout.numParts > MOST_PLANNED_PARTS; }
 };
 
 /** The models of a mesh that were compared, and the one that was chosen. */

@@ -40,7 +40,8 @@ struct DesignOptions
  * Tries combinations of LegoSettings::Grid::proportions, LegoSettings::Parts::fill and LegoSettings::Colors::count,
  * each with the highest resolution whose model has few enough parts, joined to one piece
  * (LegoSettings::Parts::connect). Models that fall but are more like the mesh than all that stand are changed to stand
- * (LegoSettings::Parts::support). docs/design.md has the comparison.
+ * (LegoSettings::Parts::support). So is the best one if the submodels of its BuildingPlan exceed the limits, and it has
+ * at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the comparison.
  *
  * Preconditions:
  * 1. No other thread changes the node during the call.

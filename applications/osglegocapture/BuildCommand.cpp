@@ -136,7 +136,7 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
                                       best.isWhole() ? "tips" : "one tips", *best.stability.tippingAngle));
     else if (!best.stability.safe)
         defects.push_back(fmt::format("{}, but not safely", standing));
-    if (best.exceedsLimits())
+    if (best.plan && best.exceedsLimits())
         defects.push_back(
             fmt::format("the largest submodel has {} parts, and submodels are nested {} deep; easy to build "
                         "are at most {} parts and {} levels",

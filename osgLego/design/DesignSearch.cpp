@@ -25,7 +25,8 @@ constexpr double STUD_PITCH = 8.0; // millimetres
 // Cells of the surface that models are compared to, along the longest side.
 constexpr unsigned int REFERENCE_RESOLUTION = 256;
 constexpr unsigned int FEW_COLORS = 8;
-constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support
+constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support and plans
+constexpr double SHARE_OF_PLANS = 0.2;
 
 /** 0 for models that a builder can rely on, more for others. */
 int rankStability(const StabilityReport& stability)
@@ -296,7 +297,8 @@ void DesignSearch::supportBetter()
                           [&](std::size_t index) { made[index] = makeSupported(falling[first + index]); });
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
-        report((1.0 - SHARE_OF_MODELS) * static_cast<double>(AT_ONCE) / static_cast<double>(MOST_SUPPORTED));
+        report((1.0 - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
+               static_cast<double>(MOST_SUPPORTED));
         if (standsSafely(_candidates.front())) return;
     }
 }
@@ -305,17 +307,26 @@ void DesignSearch::supportBetter()
  * go on with the next one that stands as well. */
 void DesignSearch::planBest()
 {
-    constexpr std::size_t MOST_PLANNED = 2000; // parts
+    const double share = SHARE_OF_PLANS / static_cast<double>(_candidates.size());
     while (!_candidates.front().plan && _candidates.front().isSound() &&
-           _candidates.front().layout.numParts <= MOST_PLANNED)
+           _candidates.front().layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
     {
         DesignCandidate candidate = std::move(_candidates.front());
         _candidates.erase(_candidates.begin());
         planBuildingOf(candidate);
-        const bool needsSupport = candidate.exceedsLimits() && !candidate.settings.parts.support;
-        const LegoSettings settings = candidate.settings;
+        if (candidate.exceedsLimits() && !candidate.settings.parts.support)
+        {
+            DesignCandidate supported = makeSupported(candidate.settings);
+            planBuildingOf(supported);
+            // If both exceed the limits, the one that is more like the mesh would be better.
+            const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
+                                  rankStability(supported.stability) <= rankStability(candidate.stability) &&
+                                  supported.plan->exceedsLimitsLessThan(*candidate.plan);
+            if (isHelped) candidate = supported;
+            addCandidate(std::move(supported));
+        }
         addCandidate(std::move(candidate));
-        if (needsSupport) addCandidate(makeSupported(settings));
+        report(share);
     }
 }
 

@@ -122,7 +122,10 @@ private:
 
 /** Halve a triangle that is too long for single precision at its longest edge, and its parts again, until they are
  * short enough. Cuts at all long edges, as in subdivision, would make a sliver of three long edges into as many parts
- * as the square of its length. */
+ * as the square of its length.
+ *
+ * Triangles beside each other may be cut at other places of their common edge. Rounding then moves it by at most a
+ * thousandth of a cell. */
 template <typename Keep>
 void halveToFit(const GridFrame& frame, const GridFrame::Corners& corners, const Keep& keep)
 {

@@ -25,14 +25,6 @@ struct ColumnLimits
 // In the order of attempts. If only small groups are left out, there are more columns.
 constexpr std::array<ColumnLimits, 6> ATTEMPTS{{{60, 0.1}, {150, 0.1}, {30, 0.1}, {10, 0.1}, {60, 0.2}, {10, 0.2}}};
 
-/** The parts and levels of submodels beyond the limits. */
-std::pair<std::size_t, std::size_t> getExcess(const BuildingPlan& plan)
-{
-    const auto beyond = [](std::size_t value, std::size_t limit) { return value > limit ? value - limit : 0; };
-    return {beyond(plan.getLargestSubmodel(), BuildingPlan::MOST_SUBMODEL_PARTS),
-            beyond(plan.getDeepestSubmodel(), BuildingPlan::DEEPEST_SUBMODEL)};
-}
-
 } // namespace
 
 bool BuildingColumns::run()
@@ -71,11 +63,7 @@ bool BuildingColumns::replaceIfBetter(const SupportedLayout& other)
     if (!report->stands) return true;
     const osg::ref_ptr<const BuildingPlan> changed = plan(other);
     if (!changed) return false;
-    const auto [numParts, numLevels] = getExcess(*changed);
-    const auto [mostParts, mostLevels] = getExcess(*_plan);
-    const bool exceedsLess =
-        numParts <= mostParts && numLevels <= mostLevels && (numParts < mostParts || numLevels < mostLevels);
-    if (!exceedsLess || changed->getNumFalling() > _plan->getNumFalling()) return true;
+    if (!changed->exceedsLimitsLessThan(*_plan) || changed->getNumFalling() > _plan->getNumFalling()) return true;
     _layout = other;
     _plan = changed;
     return true;

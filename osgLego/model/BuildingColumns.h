@@ -15,9 +15,9 @@ namespace osgLego
 
 /** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep.
  *
- * LayerColumns proposes columns, with several sizes of submodels; the building plan judges them. Columns are added only
- * if submodels then exceed the limits of BuildingPlan less, no more parts fall after a step, and there are no more
- * pieces.
+ * LayerColumns proposes columns, with several sizes of submodels; the building plan on a table judges them. Columns are
+ * added only if submodels then exceed the limits of BuildingPlan less, no more steps have to be held by hand, and there
+ * are no more pieces.
  *
  * Usage:
  *

@@ -15,8 +15,9 @@ namespace osgLego
 /** Adds columns so that a layout stands layer by layer, as it is built from bottom to top.
  *
  * Small groups of hanging parts are submodels, which are attached from above: they are left out. While any of
- * the other parts up to a layer fall, a column is added below the largest group of them: where it is
- * seen least or, if parts still fall then, at the place of several after which the fewest fall.
+ * the other parts up to a layer fall, a column is added below the largest group of them, or below one of the next two:
+ * where it is seen least or, if parts still fall then, at the place of several after which the fewest fall. If no
+ * column helps, the next layer follows.
  *
  * Usage:
  *

@@ -27,7 +27,7 @@ struct TrianglesKey
 {
     TrianglesKey(const osg::Node& node, const SourceSignature& ofSource, const LegoSettings& settings) :
         contents(hashSourceContents(node)), objects(ofSource.objects.begin(), ofSource.objects.end()),
-        grid(settings.grid), edgeLimit(settings.getEdgeLimit())
+        grid(settings.grid)
     {
     }
 
@@ -36,7 +36,6 @@ struct TrianglesKey
     std::uint64_t contents;
     std::vector<osg::observer_ptr<const osg::Referenced>> objects; // whose addresses are in the contents
     LegoSettings::Grid grid;
-    double edgeLimit;
 };
 
 SharedObjects<TrianglesKey, const GridTriangles>& getSharedTriangles()

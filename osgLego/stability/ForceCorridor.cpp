@@ -78,6 +78,15 @@ ForceCorridor::ForceCorridor(const BearingJoints& joints, int cellPlates, std::f
     }
 }
 
+void ForceCorridor::setBeside(std::vector<Contact> contacts)
+{
+    _beside = std::move(contacts);
+    // Models with y upwards are mirrored in the graph.
+    for (Contact& contact : _beside)
+        if (_boxes[contact.lower].low[contact.kind] > _boxes[contact.upper].low[contact.kind])
+            std::swap(contact.lower, contact.upper);
+}
+
 Eigen::Vector3d ForceCorridor::findCenter(std::uint32_t part) const
 {
     return 0.5 * (toPitches(_boxes[part].low) + toPitches(_boxes[part].high));

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -15,7 +14,7 @@ namespace osgLego
  * kept, and those on the corridor become loads.
  *
  * A solution is an equilibrium of all parts, so that they stand: each part outside has the same forces as before. If
- * there is no solution, the parts may stand nevertheless, unless the corridor contains all of them.
+ * none is found, the parts may stand nevertheless.
  *
  * One thread. */
 class ForceCorridor
@@ -25,8 +24,9 @@ public:
      * @param isCancelled may be empty. */
     ForceCorridor(const BearingJoints& joints, int cellPlates, std::function<bool()> isCancelled);
 
-    /** @param contacts of parts beside each other, which press each other. Without them, forces are only restricted. */
-    void setBeside(std::vector<Contact> contacts) { _beside = std::move(contacts); }
+    /** @param contacts of parts beside each other, which press each other, in any order. Without them, forces are only
+     * restricted. */
+    void setBeside(std::vector<Contact> contacts);
 
     /** Add parts to those that are in place.
      * @param start forces in equilibrium.

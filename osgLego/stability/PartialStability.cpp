@@ -114,6 +114,7 @@ bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int num
 bool PartialStability::isBalancedAnew(const std::vector<bool>& isPlaced)
 {
     if (_numSolved >= _setting.mostSolved) return false;
+    if (!_analysis) createAnalysis();
     _numSolved += listPlaced(isPlaced).size();
     return keep(_corridor.add(createNoForces(_joints), isPlaced, isPlaced));
 }

@@ -55,18 +55,22 @@ TEST(BuildingPlan, MeasuresSubmodelsWithoutPartsThatNothingHolds)
 
 TEST(BuildingPlan, LimitsAreFoundToBeExceeded)
 {
-    const auto keepsLimits = [](std::size_t numParts, std::uint32_t depth)
+    const auto create = [](std::size_t numParts, std::uint32_t depth)
     {
         std::vector<std::uint32_t> parts(numParts);
         std::iota(parts.begin(), parts.end(), 0u);
         std::vector<Submodel> submodels{{{createStep(parts)}}};
         while (submodels.size() < depth)
             submodels.push_back({{createStep({}, {static_cast<std::uint32_t>(submodels.size() - 1)})}});
-        return BuildingPlan::create(numParts, {createStep({}, {depth - 1})}, submodels)->keepsLimits();
+        return BuildingPlan::create(numParts, {createStep({}, {depth - 1})}, submodels);
     };
-    EXPECT_TRUE(keepsLimits(150, 3));
-    EXPECT_FALSE(keepsLimits(151, 1));
-    EXPECT_FALSE(keepsLimits(1, 4));
+    EXPECT_TRUE(create(150, 3)->keepsLimits());
+    EXPECT_FALSE(create(151, 1)->keepsLimits());
+    EXPECT_FALSE(create(1, 4)->keepsLimits());
+    EXPECT_TRUE(create(150, 3)->exceedsLimitsLessThan(*create(151, 1)));
+    EXPECT_TRUE(create(151, 4)->exceedsLimitsLessThan(*create(151, 5)));
+    EXPECT_FALSE(create(1, 1)->exceedsLimitsLessThan(*create(150, 3)));
+    EXPECT_FALSE(create(151, 4)->exceedsLimitsLessThan(*create(160, 3)));
 }
 
 TEST(BuildingPlan, ThereAreFourTurns)

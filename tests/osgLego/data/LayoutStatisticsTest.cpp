@@ -69,9 +69,11 @@ TEST(LayoutStatistics, TheReportTellsOfColumnsForSubmodelsAndOfSubmodelsBeyondTh
     EXPECT_EQ(describe(),
               "support: the model stands without it\n"
               "building: submodels of up to 151 parts, nested 1 deep, where 150 parts and 3 levels are easy: "
-              "no columns were found that help without more steps to hold by hand");
-    layout.support = {.largestSubmodel = 8, .deepestSubmodel = 4};
+              "no columns were found that help");
+    layout.support = {
+        .numColumns = 1, .numColumnParts = 2, .numBuildingColumns = 1, .largestSubmodel = 8, .deepestSubmodel = 4};
     EXPECT_NE(describe().find("submodels of up to 8 parts, nested 4 deep"), std::string::npos);
+    EXPECT_NE(describe().find("no more columns were found"), std::string::npos);
 }
 
 TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)

@@ -131,6 +131,19 @@ TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
     EXPECT_NE(without.find("submodels exceed 150 parts or 3 levels"), std::string::npos) << without;
 }
 
+TEST(ModelDesign, LargeModelsWhoseBuildingIsNotPlannedCountAsBeyondTheLimits)
+{
+    DesignCandidate candidate;
+    candidate.numPieces = 1;
+    candidate.layout.numParts = DesignCandidate::MOST_PLANNED_PARTS;
+    EXPECT_FALSE(candidate.exceedsLimits());
+    candidate.layout.numParts = DesignCandidate::MOST_PLANNED_PARTS + 1;
+    EXPECT_TRUE(candidate.exceedsLimits());
+    candidate.stability.stands = true;
+    const std::string text = ModelDesign{{candidate}}.toString();
+    EXPECT_NE(text.find("building: not planned, since the model has more than 2000 parts"), std::string::npos) << text;
+}
+
 TEST(ModelDesigner, OfModelsInPiecesOneThatStandsIsChosen)
 {
     // The upper box touches nothing.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/task_arena.h>
@@ -77,6 +78,28 @@ TEST(CpuLegolizer, CoversExactlyTheCellsThatATriangleOverlaps)
             ASSERT_EQ(model->find(cell) != nullptr, covered);
         }
     }
+}
+
+TEST(CpuLegolizer, ASheetFarLongerThanTheGridHasNoGaps)
+{
+    LegoSettings settings;
+    std::string error;
+    ASSERT_TRUE(LegoSettings::parse("cell=0.25,origin=-1:-1:-1,size=8:8:8", settings, error)) << error;
+    for (const float length : {1e3f, 1e4f, 1e6f, 1e9f})
+        for (const float slope : {0.0f, 0.3f, 1.0f, 7.0f})
+        {
+            // Two triangles, whose common edge crosses the grid.
+            const osg::Vec2 along = osg::Vec2(1.0f, slope) * length;
+            const osg::Vec2 across(-0.1f * along.y(), 0.1f * along.x());
+            const auto corner = [&](float a, float b)
+            { return osg::Vec3(a * along.x() + b * across.x(), a * along.y() + b * across.y(), 0.1f); };
+            const osg::ref_ptr<osg::Geode> sheet = new osg::Geode;
+            sheet->addDrawable(createTriangle(corner(-1, -1), corner(1.1f, 1), corner(-1, 1)));
+            sheet->addDrawable(createTriangle(corner(-1, -1), corner(1.1f, -1), corner(1.1f, 1)));
+            const osg::ref_ptr<const BrickModel> model = legolizeOnCpu(*sheet, settings);
+            ASSERT_TRUE(model);
+            EXPECT_EQ(model->getBricks().size(), 64u) << length << ", " << slope;
+        }
 }
 
 TEST(CpuLegolizer, ResolutionOneIsOneBrick)
