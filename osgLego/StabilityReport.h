@@ -50,13 +50,15 @@ struct OSGLEGO_EXPORT StabilityReport
     bool isMarginBound = false;
     /** Of the contact points that bear most, the joint of that whose capacity matters most; unset if nothing pulls. */
     std::optional<Joint> weakest;
-    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. */
+    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. In a
+     * large component, all parts of groups of which some are not. */
     std::vector<std::uint32_t> falling;
     /** Parts of pieces whose forces can't be computed precisely enough to know whether they stand, in ascending order.
      * If there are any, `stands` is false, and `margin` is a bound of -1. */
     std::vector<std::uint32_t> unknown;
     /** For each part, the share of CAPACITY that its most loaded contact point bears, at least 0; 1 for parts that
-     * fall, and not a number for those in `unknown`. */
+     * fall, and not a number for those in `unknown`, nor for the others of a component of which only groups that fall
+     * are known (docs/stability.md, "Large components"). */
     std::vector<float> loads;
     /** The angle in degrees, from 0 to 90, by which the table can be tilted in any direction before a piece that
      * studs hold together tips over about an edge of its foot, if nothing slides and all joints hold; the joints may

@@ -1,6 +1,8 @@
 #include <osgLego/stability/ComponentSolver.h>
 
 #include <osgLego/stability/EquilibriumSearch.h>
+#include <osgLego/stability/JointLoads.h>
+#include <osgLego/stability/LargeComponent.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +13,7 @@ namespace osgLego
 namespace
 {
 
-// A tension below this, in newtons, counts as 0.
-constexpr double TENSION_TOLERANCE = 1e-6;
+constexpr double TENSION_TOLERANCE = ComponentStability::TENSION_TOLERANCE;
 
 /** Solves the linear programs of one component. */
 class ComponentSolver
@@ -54,7 +55,7 @@ public:
             }
         }
         result.weakest = findWeakest(*equilibrium);
-        findLoads(*equilibrium, result);
+        result.loads = findLoads(_program, findPulls(*equilibrium));
         return result;
     }
 
@@ -92,20 +93,19 @@ private:
         return weakest;
     }
 
-    void findLoads(const Equilibrium& equilibrium, ComponentStability& result) const
+    /** For each joint, the largest drag. */
+    std::vector<double> findPulls(const Equilibrium& equilibrium) const
     {
-        result.loads.assign(_program.getNumBodies(), 0.0f);
+        std::vector<double> pulls;
         for (const EquilibriumProgram::Joint& joint : _program.getJoints())
+        {
+            double most = 0.0;
             for (std::size_t force = joint.first; force < joint.end; ++force)
-            {
-                if (_program.getKind(force) != EquilibriumProgram::DRAG) continue;
-                const auto load = static_cast<float>(equilibrium.forces[static_cast<Eigen::Index>(force)] /
-                                                     StabilityReport::CAPACITY);
-                for (const std::int32_t body : {joint.lower, joint.upper})
-                    if (body != EquilibriumProgram::NO_BODY)
-                        result.loads[static_cast<std::size_t>(body)] =
-                            std::max(result.loads[static_cast<std::size_t>(body)], load);
-            }
+                if (_program.getKind(force) == EquilibriumProgram::DRAG)
+                    most = std::max(most, equilibrium.forces[static_cast<Eigen::Index>(force)]);
+            pulls.push_back(most);
+        }
+        return pulls;
     }
 
     const std::span<const Contact> _contacts;
@@ -119,6 +119,9 @@ std::optional<ComponentStability> solveComponent(std::span<const PartBox> boxes,
                                                  std::span<const Contact> contacts,
                                                  const std::function<bool()>& isCancelled)
 {
+    std::optional<ComponentStability> large = solveLargeComponent(boxes, parts, contacts, isCancelled);
+    if (large) return large;
+    if (isCancelled && isCancelled()) return std::nullopt;
     return ComponentSolver(boxes, parts, contacts, isCancelled).solve();
 }
 

@@ -15,6 +15,8 @@ namespace osgLego
 /** The stability of parts that touch each other. */
 struct ComponentStability
 {
+    static constexpr double TENSION_TOLERANCE = 1e-6; //!< newtons; a tension below counts as 0
+
     /** The least upper limit of drags, in newtons, with which the parts are in equilibrium; infinite if
      * 2 * StabilityReport::CAPACITY does not suffice. */
     double tension = 0.0;

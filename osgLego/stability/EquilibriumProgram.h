@@ -59,6 +59,8 @@ public:
 
     std::size_t getNumBodies() const { return _numBodies; }
     std::size_t getNumRows() const { return 6 * _numBodies; }
+    /** The place about which the torques of a body are, in pitches. */
+    const Eigen::Vector3d& getCenter(std::size_t body) const { return _centers[body]; }
     std::size_t getNumForces() const { return _wrenches.size(); }
     /** In the order of the contacts. */
     const std::vector<Joint>& getJoints() const { return _joints; }

@@ -40,6 +40,16 @@ BlockCholesky::Block createShift(const Eigen::Vector3d& arm)
 
 } // namespace
 
+double RowEquations::countProducts(const EquilibriumProgram& program, const std::function<bool()>& isCancelled)
+{
+    const EliminationTree tree(program.getNumBodies(), findPlaces(program), isCancelled);
+    if (isCancelled && isCancelled()) return 0.0;
+    double count = 0.0;
+    for (const EliminationTree::Supernode& supernode : tree.getSupernodes())
+        if (supernode.parent == EliminationTree::NONE) count += supernode.work;
+    return count;
+}
+
 RowEquations::RowEquations(const EquilibriumProgram& program, const std::function<bool()>& isCancelled) :
     _program(program), _cholesky(program.getNumBodies(), findPlaces(program), isCancelled)
 {

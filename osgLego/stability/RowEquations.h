@@ -23,6 +23,10 @@ namespace osgLego
 class RowEquations
 {
 public:
+    /** The number of multiplications of blocks in a factorization, which tells how long it takes.
+     * @param isCancelled may be empty; once it returns true, the number is 0. */
+    static double countProducts(const EquilibriumProgram& program, const std::function<bool()>& isCancelled);
+
     /** @param program must outlive this object. @param isCancelled may be empty. */
     RowEquations(const EquilibriumProgram& program, const std::function<bool()>& isCancelled);
 

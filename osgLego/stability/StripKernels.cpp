@@ -85,6 +85,7 @@ struct Kernels
     static OSGLEGO_INLINE void subtractProduct(const double* left, const double* right, std::size_t numColumns,
                                                double* result)
     {
+        if (numColumns == 0) return; // the strips may be null
         for (std::size_t column = 0; column < ROWS; column += COLUMNS)
             for (std::size_t row = 0; row < ROWS; row += PART)
                 subtractPart(left + row, right + column, numColumns, result + column * ROWS + row);

@@ -15,7 +15,8 @@ struct StripKernels
     static constexpr std::size_t NUM_ROWS = 24;
 
     /** Subtract left * transposed right from a matrix of 24 x 24 numbers.
-     * left and right are strips of the same number of columns, and the result is a strip of 24 columns. */
+     * left and right are strips of the same number of columns, null if there are none, and the result is a strip of 24
+     * columns. */
     void (*subtractProduct)(const double* left, const double* right, std::size_t numColumns, double* result);
 
     /** Replace the first rows of a strip, a symmetric matrix of which the lower triangle counts, by their Cholesky
