@@ -80,12 +80,21 @@ std::vector<osg::Matrixd> GltfInstances::createTransforms(const JsonValue& attri
     std::vector<osg::Matrixd> transforms(std::max({scales.size() / 3, turns.size() / 4, places.size() / 3}));
     for (std::size_t index = 0; index < transforms.size(); ++index)
     {
-        const float* scale = scales.data() + 3 * index;
-        const float* turn = turns.data() + 4 * index;
-        const float* place = places.data() + 3 * index;
-        if (3 * index < scales.size()) transforms[index].makeScale(scale[0], scale[1], scale[2]);
-        if (4 * index < turns.size()) transforms[index].postMultRotate({turn[0], turn[1], turn[2], turn[3]});
-        if (3 * index < places.size()) transforms[index].postMultTranslate(osg::Vec3d(place[0], place[1], place[2]));
+        if (3 * index < scales.size())
+        {
+            const float* scale = &scales[3 * index];
+            transforms[index].makeScale(scale[0], scale[1], scale[2]);
+        }
+        if (4 * index < turns.size())
+        {
+            const float* turn = &turns[4 * index];
+            transforms[index].postMultRotate({turn[0], turn[1], turn[2], turn[3]});
+        }
+        if (3 * index < places.size())
+        {
+            const float* place = &places[3 * index];
+            transforms[index].postMultTranslate(osg::Vec3d(place[0], place[1], place[2]));
+        }
     }
     return transforms;
 }

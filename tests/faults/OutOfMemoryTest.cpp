@@ -27,7 +27,23 @@ INSTANTIATE_TEST_SUITE_P(Scarcities, OutOfMemory,
                                             ::testing::Values(1, 2)),
                          nameOf);
 
+/** Work that takes long, so that only some of the scarcities are tried. */
+class OutOfMemoryInLongWork : public OutOfMemory
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Scarcities, OutOfMemoryInLongWork,
+                         ::testing::Values(Scarcity(MemoryFaults::Extent::ONE, 1),
+                                           Scarcity(MemoryFaults::Extent::ALL_AFTER, 2)),
+                         nameOf);
+
 constexpr const char* SETTINGS = "4,proportions=plate,parts=bricks,fill=shell,connect=on";
+
+/** A model whose plan needs linear programs, since parts of it hang. */
+osg::ref_ptr<const BrickModel> createHangingModel()
+{
+    return legolizeOnCpu(*createSphere(4), parseSettings("4,proportions=plate,parts=bricks"));
+}
 
 TEST_P(OutOfMemory, OnTheCpuThrows)
 {
@@ -65,9 +81,9 @@ TEST_P(OutOfMemory, WhileSettingsChangeThrowsAndTheNextChangeSucceeds)
                      GetParam());
 }
 
-TEST_P(OutOfMemory, WhileAPlanIsMadeThrows)
+TEST_P(OutOfMemoryInLongWork, WhileAPlanIsMadeThrows)
 {
-    const osg::ref_ptr<const BrickModel> model = createSmallModel();
+    const osg::ref_ptr<const BrickModel> model = createHangingModel();
     osg::ref_ptr<const BuildingPlan> plan;
     const auto print = [&]
     {
@@ -81,7 +97,7 @@ TEST_P(OutOfMemory, WhileAPlanIsMadeThrows)
 
 TEST_P(OutOfMemory, WhileStabilityIsComputedThrows)
 {
-    const osg::ref_ptr<const BrickModel> model = createSmallModel();
+    const osg::ref_ptr<const BrickModel> model = createHangingModel();
     std::optional<StabilityReport> report;
     surviveShortages({.mayThrow = true,
                       .work = [&] { report = computeStability(*model); },

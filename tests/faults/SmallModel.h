@@ -14,7 +14,7 @@ namespace osgLego::test
 /** A model of a few parts. */
 inline osg::ref_ptr<const BrickModel> createSmallModel()
 {
-    return legolizeOnCpu(*createSphere(4), parseSettings("4,proportions=plate,parts=bricks,fill=solid"));
+    return legolizeOnCpu(*createSphere(4), parseSettings("3,proportions=plate,parts=bricks,fill=solid"));
 }
 
 /** The bytes of a model, if there is one. */

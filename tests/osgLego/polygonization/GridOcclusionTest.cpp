@@ -247,9 +247,10 @@ TEST_F(GridOcclusion, ShowsNoBordersBetweenTheCellsOfAWideFace)
         for (std::uint16_t y = 0; y < 2; ++y)
             for (std::uint16_t x = 0; x < 12; ++x)
                 if (y == 1 || z < (x < 4 ? 6 : 3)) bricks.push_back({{x, y, z}, {255, 255, 255}, 0});
-    for (const auto& [settings, height] : {std::pair{"12", 1.0}, {"12,proportions=brick", 1.2}})
+    for (const auto& shape : {std::pair{"12", 1.0}, {"12,proportions=brick", 1.2}})
     {
-        const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(settings));
+        const osg::ref_ptr<LegoNode> lego = new LegoNode(parseSettings(shape.first));
+        const double height = shape.second;
         grid.cellSize.z = height;
         lego->setStoredBricks(BrickModel::create(grid, bricks));
         light(*lego);
