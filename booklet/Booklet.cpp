@@ -117,6 +117,7 @@ osg::ref_ptr<const BrickModel> BookletWriter::findModel() const
 
 osg::ref_ptr<const BuildingPlan> BookletWriter::createPlan(const BrickModel& model) const
 {
+    if (_options.plan && _options.plan->getRanks().size() == model.getParts().size()) return _options.plan;
     PlanningOptions planning;
     planning.base = _options.base;
     planning.view = _options.view;

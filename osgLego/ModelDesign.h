@@ -26,7 +26,8 @@ struct OSGLEGO_EXPORT DesignCandidate
     std::size_t numPieces = 0;            //!< of the layout; a base plate joins those that stand on it
     static constexpr std::size_t MOST_PLANNED_PARTS = 2000; //!< of models whose building is planned
 
-    /** The order of building on that base; null if it was not planned, as for candidates that can't become the best. */
+    /** The order of building on that base, for the view of DesignOptions; null if it was not planned, as for candidates
+     * that can't become the best. */
     osg::ref_ptr<const BuildingPlan> plan;
     /** The distance between the outer sides of bricks and the mesh: the root of the mean square over their area, as a
      * share of the longest side of the mesh. */

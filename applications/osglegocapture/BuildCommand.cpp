@@ -78,6 +78,7 @@ ModelDesign design(const CaptureOptions& options, LegoNode& lego, const Progress
     if (options.buildParts) goals.numParts = *options.buildParts;
     goals.length = options.buildLength;
     goals.base = options.base.value_or(BuildingBase::TABLE);
+    goals.view = getInstructionsView(options);
     goals.isCancelled = Cancellation::isRequested;
     goals.progress = [&progress](double share) { progress.show(share, "trying settings"); };
     std::string error;
@@ -191,7 +192,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     lego.setStoredBricks(best.model);
     checkInstructionsSize(options, lego);
 
-    writeInstructions(options, lego, best.stability, context, progress);
+    writeInstructions(options, lego, {best.stability, best.plan}, context, progress);
     if (options.base == BuildingBase::PLATE) scene.addBasePlate(*createBasePlate(*best.model));
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");

@@ -79,15 +79,20 @@ void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego)
                                    options.build.empty() ? "--steps FIRST-LAST" : "a smaller model"));
 }
 
-void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
-                       const std::optional<StabilityReport>& stability, osg::GraphicsContext& context,
-                       const ProgressBar& progress)
+BuildingView getInstructionsView(const CaptureOptions& options)
+{
+    return options.isViewGiven ? BuildingView{options.view.azimuth, options.view.elevation} : BuildingView();
+}
+
+void writeInstructions(const CaptureOptions& options, const LegoNode& lego, const KnownResults& known,
+                       osg::GraphicsContext& context, const ProgressBar& progress)
 {
     BookletOptions booklet;
     booklet.base = options.base.value_or(BuildingBase::TABLE);
-    if (options.isViewGiven) booklet.view = {options.view.azimuth, options.view.elevation};
+    booklet.view = getInstructionsView(options);
     if (options.bookletSteps) booklet.steps = {options.bookletSteps->first, options.bookletSteps->second};
-    booklet.stability = stability;
+    booklet.stability = known.stability;
+    booklet.plan = known.plan;
     booklet.title = options.title;
     booklet.author = options.author;
     booklet.license = options.license;

@@ -4,6 +4,7 @@
 #include "ProgressBar.h"
 
 #include <osgLego/LegoNode.h>
+#include <osgLego/PlanningOptions.h>
 #include <osgLego/Stability.h>
 
 #include <optional>
@@ -24,10 +25,18 @@ void checkInstructionsPlace(const CaptureOptions& options);
 /** Throws CaptureError if a booklet of the node's parts would be very large, unless the options want it. */
 void checkInstructionsSize(const CaptureOptions& options, const LegoNode& lego);
 
-/** Write a booklet of building instructions. Throws CaptureError.
- * @param stability of the node's bricks, if it is known. */
-void writeInstructions(const CaptureOptions& options, const LegoNode& lego,
-                       const std::optional<StabilityReport>& stability, osg::GraphicsContext& context,
-                       const ProgressBar& progress);
+/** Results about the node's bricks that are known already. */
+struct KnownResults
+{
+    std::optional<StabilityReport> stability;
+    osg::ref_ptr<const BuildingPlan> plan; //!< on the base and for the view of the options; may be null
+};
+
+/** The view of the booklet. */
+BuildingView getInstructionsView(const CaptureOptions& options);
+
+/** Write a booklet of building instructions. Throws CaptureError. */
+void writeInstructions(const CaptureOptions& options, const LegoNode& lego, const KnownResults& known,
+                       osg::GraphicsContext& context, const ProgressBar& progress);
 
 } // namespace osgLego

@@ -229,8 +229,8 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
     if (!options.instructions.empty())
         // A booklet is about the model without loads.
         writeInstructions(options, scene->getOnlyLegoNode(),
-                          stability && options.loads.empty() ? stability->getReport() : std::nullopt, *context,
-                          progress);
+                          {stability && options.loads.empty() ? stability->getReport() : std::nullopt, nullptr},
+                          *context, progress);
     return code;
 }
 

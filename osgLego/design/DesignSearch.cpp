@@ -334,6 +334,7 @@ void DesignSearch::planBuildingOf(DesignCandidate& candidate) const
 {
     PlanningOptions options;
     options.base = _options.base;
+    options.view = _options.view;
     options.isCancelled = _options.isCancelled;
     candidate.plan = planBuilding(*candidate.model, options);
     checkCancelled();

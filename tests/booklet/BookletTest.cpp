@@ -194,13 +194,43 @@ TEST_F(BookletTest, StoredBricksNeedNoPalette)
 
 TEST_F(BookletTest, PrintsTheStabilityThatIsKnown)
 {
+    StabilityReport unsafe;
+    unsafe.safe = false;
     BookletOptions options;
-    options.stability.emplace();
-    options.stability->safe = false;
+    options.stability = unsafe;
     EXPECT_FALSE(write(*createNode(), "tower.html", options));
     EXPECT_NE(readAll(pathOf("tower.html")).find("parts that are worn may not hold it"), std::string::npos);
     EXPECT_FALSE(write(*createNode(), "tower.html"));
     EXPECT_EQ(readAll(pathOf("tower.html")).find("parts that are worn may not hold it"), std::string::npos);
+}
+
+TEST_F(BookletTest, FollowsAPlanOfItsPartsAndNoOther)
+{
+    const osg::ref_ptr<LegoNode> lego = createNode();
+    EXPECT_FALSE(write(*lego, "own/tower.html"));
+    const std::string own = readAll(pathOf("own/tower.html"));
+
+    // Parts one by one, in another order than that of the planner.
+    const auto createSteps = [](const std::vector<std::uint32_t>& parts)
+    {
+        std::vector<BuildingStep> steps;
+        for (const std::uint32_t part : parts)
+            steps.emplace_back().parts = {part};
+        return steps;
+    };
+    BookletOptions options;
+    options.plan = BuildingPlan::create(3, createSteps({1, 0, 2}));
+    std::string works;
+    options.progress = [&works](double, const std::string& work) { works += work + '\n'; };
+    EXPECT_FALSE(write(*lego, "given/tower.html", options));
+    const std::string given = readAll(pathOf("given/tower.html"));
+    EXPECT_EQ(works.find("planning"), std::string::npos) << works;
+    EXPECT_EQ(own.find("id=\"step-3\""), std::string::npos);
+    EXPECT_NE(given.find("id=\"step-3\""), std::string::npos);
+
+    options.plan = BuildingPlan::create(2, createSteps({0, 1}));
+    EXPECT_FALSE(write(*lego, "other/tower.html", options));
+    EXPECT_EQ(readAll(pathOf("other/tower.html")), own);
 }
 
 TEST(BookletNameTest, NamesBookletsAfterTheModelAndNotItsSettings)

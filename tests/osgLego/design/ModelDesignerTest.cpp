@@ -59,6 +59,8 @@ TEST(ModelDesigner, TheSettingsMakeTheSameModel)
     DesignOptions options;
     options.numParts = 40;
     options.settings = "fill=solid,proportions=brick";
+    options.base = BuildingBase::PLATE;
+    options.view = {213.0, 30.0}; // from behind
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     std::string error;
     const std::optional<ModelDesign> design = designModel(*car, options, error);
@@ -69,6 +71,15 @@ TEST(ModelDesigner, TheSettingsMakeTheSameModel)
         EXPECT_EQ(candidate.settings.grid.proportions, Proportions::BRICK);
         EXPECT_EQ(legolizeOnCpu(*car, candidate.settings)->getParts(), candidate.model->getParts());
     }
+    // So that a booklet with this view and base needs no other plan.
+    const DesignCandidate& best = design->getBest();
+    PlanningOptions planning;
+    planning.base = options.base;
+    planning.view = options.view;
+    ASSERT_TRUE(best.plan);
+    EXPECT_EQ(best.plan->getSteps(), planBuilding(*best.model, planning)->getSteps());
+    planning.view = {};
+    EXPECT_NE(best.plan->getSteps(), planBuilding(*best.model, planning)->getSteps());
 }
 
 TEST(ModelDesigner, ALengthIsThatOfTheLongestSideWhicheverItIs)
