@@ -18,7 +18,6 @@
 #include <osgLego/Palette.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -74,10 +73,7 @@ private:
 void BookletWriter::checkView() const
 {
     const BuildingView& view = _options.view;
-    // Written so that NaN is rejected.
-    if (std::isfinite(view.azimuth) && view.elevation >= BuildingView::LEAST_ELEVATION &&
-        view.elevation <= BuildingView::MOST_ELEVATION)
-        return;
+    if (view.isValid()) return;
     throw BookletFailure(
         Reason::BAD_VIEW,
         fmt::format(

@@ -15,7 +15,8 @@ std::string check(const DesignOptions& options)
     // Also false for a length that is not a number.
     const bool isLengthGood =
         !options.length || (*options.length >= DesignOptions::SHORTEST && *options.length <= DesignOptions::LONGEST);
-    return isLengthGood ? "" : "the length is out of range; expected 8 to 8192 millimetres";
+    if (!isLengthGood) return "the length is out of range; expected 8 to 8192 millimetres";
+    return options.view.isValid() ? "" : "the view is out of range; expected 10 to 80 degrees of elevation";
 }
 
 } // namespace

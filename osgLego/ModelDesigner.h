@@ -29,7 +29,7 @@ struct DesignOptions
     /** The longest side of the model in millimetres, SHORTEST to LONGEST; unset: as long as `numParts` allow. */
     std::optional<double> length;
     BuildingBase base = BuildingBase::TABLE; //!< on which the model has to stand
-    BuildingView view;                       //!< for which DesignCandidate::plan is made
+    BuildingView view;                       //!< for which DesignCandidate::plan is made; BuildingView::isValid()
     /** Called regularly, from any thread; designModel() ends soon after it returns true. May be empty. */
     std::function<bool()> isCancelled;
     /** Called with the share of the work that is done, 0 to 1, from any thread, one call at a time. May be empty. */

@@ -3,6 +3,7 @@
 #include <osgLego/BuildingPlan.h>
 #include <osgLego/StabilityReport.h>
 
+#include <cmath>
 #include <functional>
 
 namespace osgLego
@@ -17,6 +18,11 @@ struct BuildingView
     double azimuth = BuildingStep::AZIMUTH;     //!< degrees from the front to the right
     double elevation = BuildingStep::ELEVATION; //!< degrees above the horizon, LEAST_ELEVATION to MOST_ELEVATION
 
+    /** Whether the azimuth is finite and the elevation in its range. */
+    bool isValid() const
+    {
+        return std::isfinite(azimuth) && elevation >= LEAST_ELEVATION && elevation <= MOST_ELEVATION;
+    }
     bool operator==(const BuildingView&) const = default;
 };
 

@@ -46,12 +46,14 @@ struct OSGLEGO_EXPORT StabilityReport
      * bears as little as possible: 1 if nothing pulls, 0 at the limit, negative beyond it, and -1 if twice the capacity
      * does not suffice. */
     double margin = 1.0;
-    /** Whether the true margin may be larger: forces that leave `margin` were found, but maybe not the best ones. */
+    /** Whether the true margin may be larger: forces that leave `margin` were found, but maybe not the best ones, or,
+     * if it is -1, twice the capacity may suffice. */
     bool isMarginBound = false;
-    /** Of the contact points that bear most, the joint of that whose capacity matters most; unset if nothing pulls. */
+    /** Of the contact points that bear most, the joint of that whose capacity matters most; unset if nothing pulls, or
+     * if only parts that fall are known. */
     std::optional<Joint> weakest;
-    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. In a
-     * large component, all parts of groups of which some are not. */
+    /** Parts that are not in equilibrium within CAPACITY, or that nothing connects to the base, in ascending order. In
+     * a large component, they may be all parts of groups of which some are not. */
     std::vector<std::uint32_t> falling;
     /** Parts of pieces whose forces can't be computed precisely enough to know whether they stand, in ascending order.
      * If there are any, `stands` is false, and `margin` is a bound of -1. */

@@ -34,8 +34,8 @@ struct BookletOptions
     std::optional<StepRange> steps; //!< unset: all steps
     /** The stability of the node's bricks on `base`, if it is known already; it is computed otherwise. */
     std::optional<StabilityReport> stability;
-    /** The order of building, if it is planned already: on `base`, for `view`, with checks of stability, as
-     * DesignCandidate::plan. It is planned otherwise, and if this one has another number of parts. */
+    /** The order in which the node's bricks are built, if it is planned already: on `base`, for `view`, with checks of
+     * stability, as DesignCandidate::plan. Null, or a plan for another number of parts: it is planned. */
     osg::ref_ptr<const BuildingPlan> plan;
     std::string title;   //!< of the booklet and its model; empty: the readable name of the file, such as "Small Tower"
     std::string author;  //!< likewise; empty: none on the cover, and osgLego in the model

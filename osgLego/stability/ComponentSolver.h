@@ -18,14 +18,14 @@ struct ComponentStability
     static constexpr double TENSION_TOLERANCE = 1e-6; //!< newtons; a tension below counts as 0
 
     /** The least upper limit of drags, in newtons, with which the parts are in equilibrium; infinite if
-     * 2 * StabilityReport::CAPACITY does not suffice. */
+     * 2 * StabilityReport::CAPACITY does not suffice, or, as a bound, if that is not known. */
     double tension = 0.0;
     bool isTensionBound = false;                   //!< whether a lower limit may do
     bool isKnown = true;                           //!< whether it is known if the parts are in equilibrium
     std::optional<StabilityReport::Joint> weakest; //!< the joint that needs this limit
     std::vector<float> loads;                      //!< for each part, as in StabilityReport
     std::vector<std::uint32_t> falling;            //!< indices into `loads`
-    /** If parts fall, for each part, the lowest of those that touch each other and move as one. */
+    /** If parts fall, for each part, the lowest of those that touch each other and move as one, or of its group. */
     std::vector<std::uint32_t> bodies;
 };
 

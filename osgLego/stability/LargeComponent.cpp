@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace osgLego
 {
@@ -22,41 +23,66 @@ namespace
 constexpr std::size_t LEAST_PARTS = 4'000;
 constexpr double MOST_PRODUCTS = 1e8;
 // The size of a group of parts, in studs and plates: about fifty parts of a solid.
-constexpr int GROUP_WIDTH = 12;
-constexpr int GROUP_HEIGHT = 24;
+constexpr glm::ivec3 GROUP_SIZE{12, 12, 24};
+// The most parts that fall in groups and are looked at one by one afterwards.
+constexpr std::size_t MOST_SEPARATE_PARTS = 1'000;
 
-/** Parts in groups, and the contacts between different groups. */
-struct PartGroups
+/** Parts that are joined to rigid bodies. */
+class RigidGroups
 {
-    std::vector<std::uint32_t> groups; //!< for each part, the number of its group
-    std::vector<std::uint32_t> first;  //!< for each group, the index of its lowest part
-    std::vector<Contact> contacts;
-};
-
-PartGroups groupParts(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                      std::span<const Contact> contacts)
-{
-    PartGroups result;
-    std::map<std::array<int, 3>, std::uint32_t> numbers;
-    for (std::size_t index = 0; index < parts.size(); ++index)
+public:
+    /** @param places equal ones for parts of a body. */
+    RigidGroups(std::span<const std::uint32_t> parts, const std::vector<std::array<int, 3>>& places) : _parts(parts)
     {
-        const PartBox& box = boxes[parts[index]];
-        const std::array<int, 3> place{(box.low.x + box.high.x) / (2 * GROUP_WIDTH),
-                                       (box.low.y + box.high.y) / (2 * GROUP_WIDTH), box.low.z / GROUP_HEIGHT};
-        const auto [number, isNew] = numbers.emplace(place, static_cast<std::uint32_t>(numbers.size()));
-        if (isNew) result.first.push_back(static_cast<std::uint32_t>(index));
-        result.groups.push_back(number->second);
+        std::map<std::array<int, 3>, std::uint32_t> numbers;
+        for (std::size_t index = 0; index < parts.size(); ++index)
+        {
+            const auto [number, isNew] = numbers.emplace(places[index], static_cast<std::uint32_t>(numbers.size()));
+            if (isNew) _first.push_back(static_cast<std::uint32_t>(index));
+            _bodies.push_back(number->second);
+        }
     }
-    const auto findGroup = [&](std::uint32_t part)
+
+    /** Find the parts that fall. @return nothing if it is not known that any do, or if it was cancelled. */
+    std::optional<ComponentStability> findFall(std::span<const PartBox> boxes, std::span<const Contact> contacts,
+                                               const std::function<bool()>& isCancelled) const
     {
-        const auto place = std::lower_bound(parts.begin(), parts.end(), part) - parts.begin();
-        return result.groups[static_cast<std::size_t>(place)];
-    };
-    for (const Contact& contact : contacts)
-        if (contact.lower == Contact::BASE || findGroup(contact.lower) != findGroup(contact.upper))
-            result.contacts.push_back(contact);
-    return result;
-}
+        const std::optional<BodyFall> fall =
+            osgLego::findFall(boxes, _parts, _bodies, selectContacts(contacts), isCancelled);
+        if (!fall || fall->falling.empty()) return std::nullopt;
+        ComponentStability result;
+        result.tension = std::numeric_limits<double>::infinity();
+        result.isTensionBound = true;
+        result.loads.assign(_parts.size(), std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t index = 0; index < _parts.size(); ++index)
+        {
+            const std::uint32_t body = _bodies[index];
+            if (std::binary_search(fall->falling.begin(), fall->falling.end(), body))
+                result.falling.push_back(static_cast<std::uint32_t>(index));
+            result.bodies.push_back(_first[fall->bodies[body]]);
+        }
+        return result;
+    }
+
+private:
+    /** The contacts between different bodies, and those with the base. */
+    std::vector<Contact> selectContacts(std::span<const Contact> contacts) const
+    {
+        const auto findBody = [this](std::uint32_t part) {
+            return _bodies[static_cast<std::size_t>(std::lower_bound(_parts.begin(), _parts.end(), part) -
+                                                    _parts.begin())];
+        };
+        std::vector<Contact> selected;
+        for (const Contact& contact : contacts)
+            if (contact.lower == Contact::BASE || findBody(contact.lower) != findBody(contact.upper))
+                selected.push_back(contact);
+        return selected;
+    }
+
+    std::span<const std::uint32_t> _parts;
+    std::vector<std::uint32_t> _bodies; //!< for each part, the number of its body
+    std::vector<std::uint32_t> _first;  //!< for each body, the index of its lowest part
+};
 
 std::optional<ComponentStability> boundTension(const EquilibriumProgram& program, std::span<const Contact> contacts,
                                                const std::function<bool()>& isCancelled)
@@ -75,27 +101,6 @@ std::optional<ComponentStability> boundTension(const EquilibriumProgram& program
     return result;
 }
 
-std::optional<ComponentStability> findFallOfGroups(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
-                                                   std::span<const Contact> contacts,
-                                                   const std::function<bool()>& isCancelled)
-{
-    const PartGroups groups = groupParts(boxes, parts, contacts);
-    const std::optional<BodyFall> fall = findFall(boxes, parts, groups.groups, groups.contacts, isCancelled);
-    if (!fall || fall->falling.empty()) return std::nullopt;
-    ComponentStability result;
-    result.tension = std::numeric_limits<double>::infinity();
-    result.isTensionBound = true;
-    result.loads.assign(parts.size(), std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t index = 0; index < parts.size(); ++index)
-    {
-        const std::uint32_t group = groups.groups[index];
-        if (std::binary_search(fall->falling.begin(), fall->falling.end(), group))
-            result.falling.push_back(static_cast<std::uint32_t>(index));
-        result.bodies.push_back(groups.first[fall->bodies[group]]);
-    }
-    return result;
-}
-
 } // namespace
 
 std::optional<ComponentStability> solveLargeComponent(std::span<const PartBox> boxes,
@@ -108,7 +113,26 @@ std::optional<ComponentStability> solveLargeComponent(std::span<const PartBox> b
     if (RowEquations::countProducts(program, isCancelled) < MOST_PRODUCTS) return std::nullopt;
     std::optional<ComponentStability> standing = boundTension(program, contacts, isCancelled);
     if (standing || (isCancelled && isCancelled())) return standing;
-    return findFallOfGroups(boxes, parts, contacts, isCancelled);
+    return findFallOfGroups(boxes, parts, contacts, GROUP_SIZE, isCancelled);
+}
+
+std::optional<ComponentStability> findFallOfGroups(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                                   std::span<const Contact> contacts, const glm::ivec3& size,
+                                                   const std::function<bool()>& isCancelled)
+{
+    std::vector<std::array<int, 3>> places;
+    for (const std::uint32_t part : parts)
+    {
+        const glm::ivec3 place = (boxes[part].low + boxes[part].high) / (2 * size);
+        places.push_back({place.x, place.y, place.z});
+    }
+    std::optional<ComponentStability> groups = RigidGroups(parts, places).findFall(boxes, contacts, isCancelled);
+    if (!groups || groups->falling.size() > MOST_SEPARATE_PARTS) return groups;
+    constexpr int SEPARATE = -1; // in place of a coordinate
+    for (const std::uint32_t index : groups->falling)
+        places[index] = {static_cast<int>(index), SEPARATE, SEPARATE};
+    std::optional<ComponentStability> separate = RigidGroups(parts, places).findFall(boxes, contacts, isCancelled);
+    return separate ? separate : groups;
 }
 
 } // namespace osgLego

@@ -2,13 +2,14 @@
 
 #include <osgLego/stability/ComponentSolver.h>
 
+#include <glm/vec3.hpp>
+
 namespace osgLego
 {
 
 /** Find out whether a component stands of which the linear program would take minutes.
  *
- * If springs hold it safely, it stands, and their tension is a bound. If groups of neighbouring parts fall though each
- * is rigid, parts fall; it is not known which, and the groups are given instead.
+ * If springs hold it safely, it stands, and their tension is a bound. Otherwise see findFallOfGroups().
  *
  * @param boxes, parts, contacts, isCancelled as for solveComponent().
  * @return nothing if the component is not that large, if neither is found, or if it was cancelled. `loads` are those of
@@ -17,5 +18,17 @@ std::optional<ComponentStability> solveLargeComponent(std::span<const PartBox> b
                                                       std::span<const std::uint32_t> parts,
                                                       std::span<const Contact> contacts,
                                                       const std::function<bool()>& isCancelled);
+
+/** Find out that a component falls, if groups of neighbouring parts fall though each is rigid: joining parts only adds
+ * forces.
+ *
+ * If few parts are in such groups, they are then looked at one by one, with the other groups.
+ *
+ * @param size that of a group, in studs and plates.
+ * @return the parts, or the groups, that fall, with an infinite tension as a bound; nothing if it is not known that any
+ * do, or if it was cancelled. */
+std::optional<ComponentStability> findFallOfGroups(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts,
+                                                   std::span<const Contact> contacts, const glm::ivec3& size,
+                                                   const std::function<bool()>& isCancelled);
 
 } // namespace osgLego

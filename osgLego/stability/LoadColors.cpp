@@ -24,6 +24,7 @@ constexpr Color UNKNOWN{128, 128, 128};
 
 std::array<std::uint8_t, 3> findLoadColor(float load)
 {
+    if (std::isnan(load)) return UNKNOWN;
     const float place = std::clamp(load, 0.0f, 1.0f) * static_cast<float>(SCALE.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), SCALE.size() - 2);
     const float share = place - static_cast<float>(below);
@@ -41,11 +42,9 @@ osg::ref_ptr<const BrickModel> colorByLoad(const BrickModel& model, const std::f
     if (!report) return nullptr;
     std::vector<Part> parts = model.getParts();
     for (std::size_t part = 0; part < parts.size(); ++part)
-        if (!std::isnan(report->loads[part])) parts[part].color = findLoadColor(report->loads[part]);
+        parts[part].color = findLoadColor(report->loads[part]);
     for (const std::uint32_t part : report->falling)
         parts[part].color = FALLING;
-    for (const std::uint32_t part : report->unknown)
-        parts[part].color = UNKNOWN;
     return BrickModel::createOfParts(model.getGrid(), std::move(parts));
 }
 

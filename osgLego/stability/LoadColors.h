@@ -12,7 +12,7 @@ namespace osgLego
 {
 
 /** The colour (red, green, blue) for a load on joints, as a share of their capacity: blue for none, green for a third,
- * yellow for two thirds, and red for all of it or more. */
+ * yellow for two thirds, red for all of it or more, and grey if it is not a number. */
 std::array<std::uint8_t, 3> findLoadColor(float load);
 
 /** A model on a table with its parts in the colours for the load on their joints (StabilityReport::loads), magenta for

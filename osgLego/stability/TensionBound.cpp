@@ -18,14 +18,17 @@ namespace
 // Tolerances of equations, relative to the weights: while the springs still change, and at last.
 constexpr double LOOSE = 1e-3;
 constexpr double TIGHT = 1e-9;
-// Newtons, or newtons times the pitch: a hundredth of the tolerance of EquilibriumSearch.
-constexpr double RESIDUAL_TOLERANCE = 1e-7;
+// The pull of a table that counts as none, and the sum of all residuals, in newtons, or newtons times the pitch: even
+// if all were in one row, a fraction of the tolerance of EquilibriumSearch.
+constexpr double NO_PULL = 1e-7;
+constexpr double RESIDUAL_TOLERANCE = 5e-6;
 // The stiffness of a point that pulls, relative to one that pushes, and the pull in newtons from which it becomes less.
 constexpr double SOFTNESS = 0.1;
 constexpr double MUCH_PULL = 0.1;
-// The size of a group of bodies, in pitches: about ten parts of a solid.
-constexpr double GROUP_WIDTH = 6.0;
-constexpr double GROUP_HEIGHT = 4.8;
+// The least size of a group of bodies, in pitches: about ten parts of a solid. In larger models, groups are larger, so
+// that there are no more than a few thousand: the exact solution for them takes time with a power of their number.
+constexpr double LEAST_GROUP_SIZE = 6.0;
+constexpr double BODIES_OF_LEAST_GROUPS = 20'000.0;
 
 using Vector2d = Eigen::Vector2d;
 
@@ -74,15 +77,17 @@ void TensionBound::addBearing(std::size_t index)
 TwoLevelSolver::Matrix TensionBound::createMovements() const
 {
     const auto numBodies = static_cast<Eigen::Index>(_program.getNumBodies());
+    const double size =
+        LEAST_GROUP_SIZE * std::max(1.0, std::cbrt(static_cast<double>(numBodies) / BODIES_OF_LEAST_GROUPS));
     std::map<std::array<long, 3>, Eigen::Index> groups;
     std::vector<Eigen::Triplet<double>> entries;
     std::vector<Vector2d> origins; // of the groups: their first bodies
     for (Eigen::Index body = 0; body < numBodies; ++body)
     {
         const Eigen::Vector3d& center = _program.getCenter(static_cast<std::size_t>(body));
-        const std::array<long, 3> place{std::lround(std::floor(center.x() / GROUP_WIDTH)),
-                                        std::lround(std::floor(center.y() / GROUP_WIDTH)),
-                                        std::lround(std::floor(center.z() / GROUP_HEIGHT))};
+        std::array<long, 3> place;
+        for (std::size_t axis = 0; axis < place.size(); ++axis)
+            place[axis] = std::lround(std::floor(center[static_cast<Eigen::Index>(axis)] / size));
         const auto [group, isNew] = groups.emplace(place, static_cast<Eigen::Index>(groups.size()));
         if (isNew) origins.push_back(center.head<2>());
         const Vector2d way = center.head<2>() - origins[static_cast<std::size_t>(group->second)];
@@ -175,13 +180,13 @@ double TensionBound::getMostPull() const
 bool TensionBound::isLifted() const
 {
     return std::any_of(_bearings.begin(), _bearings.end(),
-                       [](const Bearing& bearing) { return !bearing.canPull && bearing.pull > RESIDUAL_TOLERANCE; });
+                       [](const Bearing& bearing) { return !bearing.canPull && bearing.pull > NO_PULL; });
 }
 
 bool TensionBound::solve(double tolerance)
 {
     _matrix = createMatrix();
-    return _solver.factorize(_matrix) && _solver.solve(_loads, tolerance, _isCancelled, _sinking);
+    return _solver.factorize(_matrix, _isCancelled) && _solver.solve(_loads, tolerance, _isCancelled, _sinking);
 }
 
 /** Make points stiff or soft, as they push or pull now, and joints that pull much softer. The mean of the old and the
@@ -200,7 +205,7 @@ void TensionBound::adapt()
 bool TensionBound::isBalanced() const
 {
     const Eigen::VectorXd rest = _matrix * _sinking - _loads;
-    return rest.allFinite() && rest.lpNorm<Eigen::Infinity>() <= RESIDUAL_TOLERANCE;
+    return rest.allFinite() && rest.lpNorm<1>() <= RESIDUAL_TOLERANCE;
 }
 
 std::optional<std::vector<double>> TensionBound::find(double capacity)
@@ -209,14 +214,16 @@ std::optional<std::vector<double>> TensionBound::find(double capacity)
     constexpr int FIRST_STEPS = 4; // in which pulls may grow
     constexpr double HOPELESS = 4.0;
     constexpr double SAME = 0.01;
-    double last = std::numeric_limits<double>::infinity();
+    double last = std::numeric_limits<double>::quiet_NaN();
     for (int step = 0; step < MOST_STEPS; ++step)
     {
         if (!solve(LOOSE)) break;
         findPulls();
         const double most = getMostPull();
         if (step >= FIRST_STEPS && !(most <= HOPELESS * capacity)) break;
-        if (most <= capacity && !isLifted() && std::abs(most - last) <= SAME * last)
+        // At last, forces that still change are good enough.
+        const bool isSettled = std::abs(most - last) <= SAME * last || step + 1 == MOST_STEPS;
+        if (most <= capacity && !isLifted() && isSettled)
         {
             if (!solve(TIGHT)) break;
             findPulls();

@@ -3,10 +3,13 @@
 namespace osgLego
 {
 
-bool TwoLevelSolver::factorize(const Matrix& matrix)
+bool TwoLevelSolver::factorize(const Matrix& matrix, const std::function<bool()>& isCancelled)
 {
+    const auto mustStop = [&isCancelled] { return isCancelled && isCancelled(); };
     _matrix = matrix;
+    if (mustStop()) return false;
     _near.compute(_matrix);
+    if (mustStop()) return false;
     const Matrix moved = _matrix * _movements;
     _far.compute(_movements.transpose() * moved);
     return _near.info() == Eigen::Success && _far.info() == Eigen::Success;
@@ -25,7 +28,9 @@ bool TwoLevelSolver::solve(const Eigen::VectorXd& rightSide, double tolerance, c
         if (residual.norm() <= least) return true;
         if (isCancelled && isCancelled()) return false;
         const Eigen::VectorXd change = _matrix * direction;
-        const double length = product / direction.dot(change);
+        const double curvature = direction.dot(change);
+        if (!(curvature > 0.0)) return false; // written so that NaN ends it, too
+        const double length = product / curvature;
         solution += length * direction;
         residual -= length * change;
         const Eigen::VectorXd preconditioned = precondition(residual);

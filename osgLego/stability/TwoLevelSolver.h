@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -18,7 +19,7 @@ namespace osgLego
  * Usage:
  *
  *     TwoLevelSolver solver(movements);
- *     if (solver.factorize(matrix) && solver.solve(rightSide, 1e-9, isCancelled, solution)) ...
+ *     if (solver.factorize(matrix, isCancelled) && solver.solve(rightSide, 1e-9, isCancelled, solution)) ...
  *
  * One thread at a time. */
 class TwoLevelSolver
@@ -29,8 +30,10 @@ public:
     /** @param movements a column for each movement of a group, linearly independent of each other. */
     explicit TwoLevelSolver(Matrix movements) : _movements(std::move(movements)) {}
 
-    /** @param matrix with both triangles. @return whether it is positive definite, as far as that shows. */
-    bool factorize(const Matrix& matrix);
+    /** @param matrix with both triangles.
+     * @param isCancelled is called between steps; may be empty.
+     * @return whether it is positive definite, as far as that shows; false if it was cancelled. */
+    bool factorize(const Matrix& matrix, const std::function<bool()>& isCancelled);
 
     /** @param tolerance of the residual, relative to the right side.
      * @param isCancelled is called in each step; may be empty.

@@ -215,6 +215,9 @@ TEST(ModelDesigner, BadGoalsAreRefusedInOneSentence)
     options.length = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(errorOf(*box, options), "the length is out of range; expected 8 to 8192 millimetres");
     options = {};
+    options.view.elevation = 85.0;
+    EXPECT_EQ(errorOf(*box, options), "the view is out of range; expected 10 to 80 degrees of elevation");
+    options = {};
     options.settings = "up=x";
     EXPECT_NE(errorOf(*box, options).find("up"), std::string::npos);
     for (const char* settings : {"parts=none", "parts=none,connect=off"})

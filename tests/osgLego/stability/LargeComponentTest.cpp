@@ -1,9 +1,11 @@
 #include "BrickTowers.h"
+#include "PlainEquilibrium.h"
 
 #include <osgLego/Stability.h>
 #include <osgLego/stability/LargeComponent.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -97,12 +99,42 @@ TEST(LargeComponent, ThatFallsHasGroupsThatFall)
         EXPECT_EQ(report.loads[part], 1.0f);
 }
 
-TEST(LargeComponent, EndsSoonOnceItIsCancelled)
+TEST(LargeComponent, EndsSoonWheneverItIsCancelled)
 {
     const Component solid(*createSolid(0));
-    int numCalls = 0;
-    EXPECT_FALSE(solid.solve([&numCalls] { return ++numCalls > 0; }));
-    EXPECT_LT(numCalls, 10);
+    for (const int last : {1, 2, 30, 100})
+    {
+        int numCalls = 0;
+        EXPECT_FALSE(solid.solve([&] { return ++numCalls >= last; })) << last;
+        EXPECT_LT(numCalls, last + 5);
+    }
+}
+
+TEST(FallOfGroups, MeansThatPartsFallByClp)
+{
+    int numFalling = 0;
+    int numFound = 0;
+    for (unsigned int seed = 1; seed <= 120; ++seed)
+    {
+        const osg::ref_ptr<const BrickModel> tower = createRandomTower(seed, 10 + static_cast<int>(seed) % 30);
+        const Component component(*tower);
+        const std::optional<double> tension = computePlainTension(*tower, BuildingBase::TABLE);
+        const bool falls = !tension || *tension > StabilityReport::CAPACITY;
+        const std::optional<ComponentStability> fall =
+            findFallOfGroups(component.boxes, component.parts, component.contacts, {4, 4, 6}, {});
+        numFalling += falls;
+        numFound += fall.has_value();
+        if (!fall) continue;
+        EXPECT_TRUE(falls) << seed;
+        EXPECT_FALSE(fall->falling.empty()) << seed;
+        EXPECT_TRUE(std::isinf(fall->tension));
+        EXPECT_TRUE(fall->isTensionBound);
+        ASSERT_EQ(fall->loads.size(), component.parts.size());
+        EXPECT_TRUE(std::isnan(fall->loads[0]));
+        EXPECT_EQ(fall->bodies.size(), component.parts.size());
+    }
+    EXPECT_GT(numFound, 5);
+    EXPECT_GT(3 * numFound, numFalling);
 }
 
 TEST(LargeComponent, ThatIsSmallIsLeftToItsLinearProgram)

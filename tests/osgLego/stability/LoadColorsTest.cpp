@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,7 @@ TEST(LoadColors, GoFromBlueOverGreenAndYellowToRed)
     EXPECT_EQ(findLoadColor(1.0f), (Color{205, 30, 30}));
     EXPECT_EQ(findLoadColor(-0.5f), (Color{49, 84, 190}));
     EXPECT_EQ(findLoadColor(7.0f), (Color{205, 30, 30}));
+    EXPECT_EQ(findLoadColor(std::numeric_limits<float>::quiet_NaN()), (Color{128, 128, 128}));
 }
 
 TEST(LoadColors, AreMixedBetweenTheColorsOfThirds)

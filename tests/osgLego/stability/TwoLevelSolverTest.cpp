@@ -43,7 +43,7 @@ Matrix createMovements(int groupSize)
 int countSteps(int groupSize)
 {
     TwoLevelSolver solver(createMovements(groupSize));
-    EXPECT_TRUE(solver.factorize(createChain()));
+    EXPECT_TRUE(solver.factorize(createChain(), {}));
     const Eigen::VectorXd load = Eigen::VectorXd::Ones(COUNT);
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(COUNT);
     int numSteps = 0;
@@ -72,7 +72,8 @@ TEST(TwoLevelSolver, SolvesInFewStepsWhereGroupsMoveAsAWhole)
 TEST(TwoLevelSolver, SaysThatItHasBeenCancelled)
 {
     TwoLevelSolver solver(createMovements(10));
-    ASSERT_TRUE(solver.factorize(createChain()));
+    EXPECT_FALSE(solver.factorize(createChain(), [] { return true; }));
+    ASSERT_TRUE(solver.factorize(createChain(), {}));
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(COUNT);
     EXPECT_FALSE(solver.solve(
         Eigen::VectorXd::Ones(COUNT), 1e-9, [] { return true; }, solution));
@@ -81,7 +82,7 @@ TEST(TwoLevelSolver, SaysThatItHasBeenCancelled)
 TEST(TwoLevelSolver, RefusesWhatIsNotPositiveDefinite)
 {
     TwoLevelSolver solver(createMovements(10));
-    EXPECT_FALSE(solver.factorize(-createChain()));
+    EXPECT_FALSE(solver.factorize(-createChain(), {}));
 }
 
 } // namespace
