@@ -12,6 +12,8 @@ function(osglego_embed_texts output function folder)
                 -P ${OSGLEGO_EMBED_TEXTS}
         DEPENDS ${ARGN} ${OSGLEGO_EMBED_TEXTS}
         COMMENT "Embedding the texts of ${function}" VERBATIM)
+    # scripts/tidy checks what is compiled together, and does not generate anything.
+    set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)

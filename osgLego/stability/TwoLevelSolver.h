@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -28,7 +27,7 @@ public:
     using Matrix = Eigen::SparseMatrix<double>;
 
     /** @param movements a column for each movement of a group, linearly independent of each other. */
-    explicit TwoLevelSolver(Matrix movements) : _movements(std::move(movements)) {}
+    explicit TwoLevelSolver(const Matrix& movements) : _movements(movements) {}
 
     /** @param matrix with both triangles.
      * @param isCancelled is called between steps; may be empty.
