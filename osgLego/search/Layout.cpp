@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace osgLego
@@ -100,6 +101,36 @@ bool improve(PartMap& map, const PartSizes& sizes, const LayoutOptions& options,
     return true;
 }
 
+/** How often the search begins again for a solid model of so many parts: one part is several percent of a small model,
+ * and a search of it takes a fraction of a second. */
+int countStarts(int numParts)
+{
+    constexpr int PARTS_OF_ALL_STARTS = 400;
+    constexpr int MOST = 8;
+    return std::clamp(PARTS_OF_ALL_STARTS / std::max(numParts, 1), 1, MOST);
+}
+
+/** Search with Effort::BEST for a solid model, several times if it is small. All layouts are added to `best`, except the
+ * last one, which the map has then.
+ * @return false if it was cancelled. */
+bool searchSolid(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive,
+                 BestLayout& best)
+{
+    const int numStarts = countStarts(map.countParts());
+    for (int start = 0; start < numStarts; ++start)
+    {
+        LayoutOptions own = options;
+        own.seed = options.seed + static_cast<std::uint32_t>(numStarts - 1 - start);
+        if (options.progress)
+            own.progress = [&](double done) { options.progress((start + done) / numStarts); };
+        if (start + 1 == numStarts) return search(map, sizes, own, isActive, best);
+        PartMap again(map);
+        if (!search(again, sizes, own, isActive, best)) return false;
+        best.add(again);
+    }
+    return true;
+}
+
 /** Improve a layout with Effort::BEST, or as normal effort does if that ends at a better one, which may happen.
  * @return false if it was cancelled. */
 bool improveMost(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive)
@@ -114,7 +145,7 @@ bool improveMost(PartMap& map, const PartSizes& sizes, const LayoutOptions& opti
     BestLayout best(sizes, options.bond *
                                (isSolid ? LayoutCosts::HALF_SEAM_OF_BEST_SOLID : LayoutCosts::getHalfSeam(problem)));
     if (isSolid) best.limit(other);
-    if (!search(map, sizes, options, isActive, best)) return false;
+    if (!(isSolid ? searchSolid : search)(map, sizes, options, isActive, best)) return false;
     best.add(other);
     best.restore(map);
     return true;

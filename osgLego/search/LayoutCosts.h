@@ -16,7 +16,7 @@ struct LayoutCosts
     static constexpr int COMPONENT = 10 * PART;
     /** The cost by which layouts of solid models are compared with Effort::BEST. With the other costs, they have up to
      * a twentieth more parts, to avoid stacked seams. */
-    static constexpr int HALF_SEAM_OF_BEST_SOLID = 250;
+    static constexpr int HALF_SEAM_OF_BEST_SOLID = HALF_SEAM / 8;
     /** The cost of a part that is joined to a single other part. LEAF_OF_SHELL applies to hollow models whose interior
      * cells are fewer than those of their surface; in other models, such parts are harder to avoid and matter less. */
     static constexpr int LEAF_OF_SHELL = 9000;

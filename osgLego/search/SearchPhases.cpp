@@ -1,6 +1,7 @@
 #include <osgLego/search/SearchPhases.h>
 
 #include <algorithm>
+#include <array>
 
 namespace osgLego
 {
@@ -21,15 +22,17 @@ std::vector<SearchPhase> alternatePhases(int numRounds, int seamCost)
 
 std::vector<SearchPhase> lowerPhases(int numRounds, int seamCost)
 {
-    constexpr int LENGTH = 10; // rounds, if there are enough
-    constexpr int SEQUENCE = 3 * LENGTH + LENGTH / 2;
+    constexpr std::array DIVISORS{1, 2, 4, 8};
+    constexpr int NUM_PHASES = static_cast<int>(DIVISORS.size());
+    constexpr int LENGTH = 10;                                     // rounds, if there are enough
+    constexpr int SEQUENCE = NUM_PHASES * LENGTH + LENGTH / 2; // with half a phase that ignores seams
     const int numSequences = std::max((numRounds + LENGTH / 2) / SEQUENCE, 1);
-    const int length = 2 * numRounds / (7 * numSequences - 1);
+    const int length = 2 * numRounds / ((2 * NUM_PHASES + 1) * numSequences - 1);
     std::vector<SearchPhase> phases;
     for (int sequence = 0; sequence < numSequences; ++sequence)
     {
         if (sequence > 0) phases.push_back({length / 2, 0});
-        for (const int divisor : {1, 2, 4})
+        for (const int divisor : DIVISORS)
             phases.push_back({length, seamCost / divisor});
     }
     return phases;

@@ -25,8 +25,8 @@ std::vector<SearchPhase> alternatePhases(int numRounds, int seamCost);
  * to avoid. Layouts that begin with a low cost have as few parts, but more stacked seams. This is repeated after a
  * phase that ignores seams.
  *
- * @param numRounds in all phases, approximately; at least 3.
- * @param seamCost at first. */
+ * @param numRounds in all phases, approximately; at least 4.
+ * @param seamCost at first; it falls to an eighth. */
 std::vector<SearchPhase> lowerPhases(int numRounds, int seamCost);
 
 } // namespace osgLego

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -110,6 +111,28 @@ TEST(LayoutOptions, AnEffortHasAsManyRoundsAsTheNumberOfPartsAllows)
     EXPECT_EQ(countRounds(20000, Effort::NORMAL), 5);
     EXPECT_EQ(countRounds(60000, Effort::NORMAL), 2);
     EXPECT_EQ(countRounds(1, Effort::BEST), 250);
+}
+
+TEST(LayoutOptions, BestEffortLaysSmallSolidsSeveralTimes)
+{
+    // As above, but the last cell is interior and becomes a part together with the one beside it.
+    const auto reportProgress = [](int numParts)
+    {
+        LayoutOptions options = withEffort(Effort::BEST);
+        std::vector<double> reports;
+        options.progress = [&](double done) { reports.push_back(done); };
+        layOut(makeCells({numParts + 1, 1, 1},
+                         [=](int x, int, int) { return x == numParts ? LayoutCell::ANY_COLOR : x % 2; },
+                         std::vector<LayoutColor>(2)),
+               options);
+        EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end())) << numParts << " parts";
+        EXPECT_EQ(reports.back(), 1.0) << numParts << " parts";
+        return reports.size() - 1;
+    };
+    const std::size_t once = reportProgress(201);
+    EXPECT_EQ(reportProgress(200), 2 * once);
+    EXPECT_EQ(reportProgress(50), 8 * once);
+    EXPECT_EQ(reportProgress(2), 8 * once);
 }
 
 TEST(LayoutOptions, MoreBondGivesFewerStackedSeams)
