@@ -1,8 +1,11 @@
 #include <osgLego/LayoutStatistics.h>
 
 #include <osgLego/BuildingPlan.h>
+#include <osgLego/text/CountedNoun.h>
 
+#include <cstddef>
 #include <iomanip>
+#include <span>
 #include <sstream>
 #include <vector>
 
@@ -11,11 +14,6 @@ namespace osgLego
 
 namespace
 {
-
-std::string counted(std::size_t count, const char* singular, const char* plural)
-{
-    return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
 
 std::string describe(const glm::ivec3& cell)
 {
@@ -26,13 +24,20 @@ std::string describe(const glm::ivec3& cell)
 std::string describe(const ConnectionStatistics& connection)
 {
     if (connection.numPiecesBefore <= 1) return "connections: the model is one piece without changes";
-    std::string text = "connections: " + std::to_string(connection.numPiecesBefore) + " pieces became " +
-                       (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces)) + " by " +
-                       counted(connection.numAddedCells, "added cell", "added cells") + " and " +
-                       counted(connection.numRecolored, "cell", "cells") + " in another colour";
-    for (const LoosePiece& piece : connection.loose)
+    std::string text = "connections: " + std::to_string(connection.numPiecesBefore) + " pieces ";
+    if (connection.numAddedCells + connection.numRecolored == 0)
+        text += "remain";
+    else
+        text += "became " + (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces)) + " by " +
+                counted(connection.numAddedCells, "added cell", "added cells") + " and " +
+                counted(connection.numRecolored, "cell", "cells") + " in another colour";
+    constexpr std::size_t MOST_LISTED = 5;
+    const std::size_t numLoose = connection.loose.size();
+    const std::size_t numListed = numLoose <= MOST_LISTED + 1 ? numLoose : MOST_LISTED;
+    for (const LoosePiece& piece : std::span(connection.loose).first(numListed))
         text += "\n  not joined: " + counted(piece.numParts, "part", "parts") + " in the cells " +
                 describe(piece.lower) + " to " + describe(piece.upper);
+    if (numListed < numLoose) text += "\n  not joined: " + std::to_string(numLoose - numListed) + " more pieces";
     return text;
 }
 
@@ -95,9 +100,9 @@ std::string LayoutStatistics::toString() const
     if (lowerBound) text << "; the fewest possible, layer by layer: " << *lowerBound;
     text << std::setprecision(1) << "\nsize: " << 0.1 * size.x << " cm wide, " << 0.1 * size.y << " cm deep and "
          << 0.1 * size.z << " cm high\n"
-         << counted(numComponents, "piece", "pieces") << ", where the cells allow " << numComponentsPossible << "; "
-         << counted(numFloating, "part floats", "parts float") << ", and "
-         << counted(numArticulationParts, "part holds", "parts hold") << " a piece together alone\n";
+         << counted(numComponents, "piece", "pieces") << ", where the cells allow " << numComponentsPossible << "; ";
+    if (numFloating > 0) text << counted(numFloating, "part floats", "parts float") << ", and ";
+    text << counted(numArticulationParts, "part holds", "parts hold") << " a piece together alone\n";
     text << "stacked seams: " << 100.0 * stackedSeams << " %, a length of " << stackedLength
          << "; colour error: " << meanColorError << " on average, at most " << maximumColorError << " in CIEDE2000";
     if (numUnavailable > 0)

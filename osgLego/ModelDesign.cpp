@@ -1,5 +1,7 @@
 #include <osgLego/ModelDesign.h>
 
+#include <osgLego/text/CountedNoun.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iomanip>
@@ -47,13 +49,13 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
 
 std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates)
 {
-    const std::string of = " of " + std::to_string(numCandidates) + " models";
+    const std::string of = " of " + std::to_string(numCandidates) + " different models";
     if (numCandidates == 1) return "the only model that the settings allow";
     if (!best.isWhole()) return "none" + of + " is one piece; this one is most like the mesh";
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
            (best.stability.safe ? " safely" : "") +
-           (best.plan && !best.exceedsLimits() ? ", and whose submodels are small" : "");
+           (best.plan && !best.exceedsLimits() ? ", and whose submodels keep the limits" : "");
 }
 
 /** Lines on building by hand; empty without a plan. */
@@ -63,11 +65,19 @@ std::string explainBuilding(const DesignCandidate& best)
         return best.isSound() ? "building: not planned, since the model has more than " +
                                     std::to_string(DesignCandidate::MOST_PLANNED_PARTS) + " parts\n"
                               : "";
-    std::string text = "building: " + std::to_string(best.plan->getSteps().size()) + " steps, and " +
-                       std::to_string(best.plan->getSubmodels().size()) + " submodels of up to " +
-                       std::to_string(best.plan->getLargestSubmodel()) + " parts, nested " +
-                       std::to_string(best.plan->getDeepestSubmodel()) + " deep; hold the model or a submodel after " +
-                       std::to_string(best.plan->getNumFalling()) + " steps\n";
+    const BuildingPlan& plan = *best.plan;
+    std::size_t numInSubmodels = 0;
+    for (const Submodel& submodel : plan.getSubmodels())
+        numInSubmodels += submodel.steps.size();
+    std::string text = "building: " + counted(plan.getSteps().size() + numInSubmodels, "step", "steps");
+    if (numInSubmodels > 0)
+        text += ", " + std::to_string(numInSubmodels) + " of them in " +
+                counted(plan.getSubmodels().size(), "submodel", "submodels") + " of up to " +
+                counted(plan.getLargestSubmodel(), "part", "parts") + ", nested " +
+                std::to_string(plan.getDeepestSubmodel()) + " deep";
+    if (plan.getNumFalling() > 0)
+        text += "; hold the model or a submodel after " + counted(plan.getNumFalling(), "step", "steps");
+    text += '\n';
     if (best.exceedsLimits())
         text += "submodels exceed " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts or " +
                 std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
@@ -78,6 +88,8 @@ std::string explainBuilding(const DesignCandidate& best)
 /** Pieces may lean on each other. */
 std::string explainStability(const DesignCandidate& best)
 {
+    if (best.isWhole() && best.layout.numComponents > 1)
+        return "the base plate joins these pieces; " + best.stability.toString();
     if (best.isWhole() || !best.stability.stands) return best.stability.toString();
     return "the model is " + std::to_string(best.numPieces) + " pieces that no part joins: they stand, but not as one";
 }

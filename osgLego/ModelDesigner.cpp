@@ -10,7 +10,8 @@ namespace
 
 std::string check(const DesignOptions& options)
 {
-    if (options.numParts < 1 || options.numParts > DesignOptions::MOST_PARTS)
+    const std::size_t numParts = options.numParts.value_or(DesignOptions::USUAL_PARTS);
+    if (numParts < 1 || numParts > DesignOptions::MOST_PARTS)
         return "the number of parts is out of range; expected 1 to " + std::to_string(DesignOptions::MOST_PARTS);
     // Also false for a length that is not a number.
     const bool isLengthGood =

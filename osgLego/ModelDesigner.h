@@ -19,13 +19,16 @@ namespace osgLego
 struct DesignOptions
 {
     static constexpr std::size_t MOST_PARTS = 10000;
+    static constexpr std::size_t USUAL_PARTS = 500;
     static constexpr double SHORTEST = 8.0;   //!< millimetres: a stud
     static constexpr double LONGEST = 8192.0; //!< millimetres: LegoSettings::MAXIMUM_RESOLUTION studs
 
     /** Settings in their text form that are kept, such as `up=y`; all others may be chosen. */
     std::string settings;
-    /** The most parts that the model may have, 1 to MOST_PARTS. A model that has to be supported may have some more. */
-    std::size_t numParts = 500;
+    /** The most parts that the model should have, 1 to MOST_PARTS. A model that has to be supported may have some more,
+     * and so may one whose size is given by `settings` or `length`, if none with fewer is as sound. Unset: USUAL_PARTS,
+     * or any number if the size is given. */
+    std::optional<std::size_t> numParts;
     /** The longest side of the model in millimetres, SHORTEST to LONGEST; unset: as long as `numParts` allow. */
     std::optional<double> length;
     BuildingBase base = BuildingBase::TABLE; //!< on which the model has to stand
@@ -41,7 +44,9 @@ struct DesignOptions
  *
  * Tries combinations of LegoSettings::Grid::proportions, LegoSettings::Parts::fill and LegoSettings::Colors::count,
  * each with the highest resolution whose model has few enough parts, joined to one piece
- * (LegoSettings::Parts::connect). Models that fall but are more like the mesh than all that stand are changed to stand
+ * (LegoSettings::Parts::connect) unless the base plate joins them already. Lower resolutions of the best combination
+ * are tried, too, if their cells fit the mesh clearly better, as those of a chessboard do with whole cells for each
+ * square. Models that fall but are more like the mesh than all that stand are changed to stand
  * (LegoSettings::Parts::support). So is the best one if the submodels of its BuildingPlan exceed the limits, and it has
  * at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the comparison.
  *

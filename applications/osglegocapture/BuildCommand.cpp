@@ -114,7 +114,7 @@ void checkLength(const CaptureOptions& options, const LegoNode& lego)
 std::string describeGoals(const CaptureOptions& options)
 {
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
-    if (options.buildLength) goals += fmt::format(", {:g} cm long", *options.buildLength / 10.0);
+    if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
     if (options.buildParts) goals += fmt::format(", of at most {} parts", *options.buildParts);
     if (!options.settingsText.empty()) goals += ", with " + options.settingsText;
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
@@ -137,6 +137,8 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
                                       best.isWhole() ? "tips" : "one tips", *best.stability.tippingAngle));
     else if (!best.stability.safe)
         defects.push_back(fmt::format("{}, but not safely", standing));
+    if (const std::size_t numFalling = best.plan ? best.plan->getNumFalling() : 0)
+        defects.push_back(fmt::format("after {}, the model or a submodel has to be held", countOf(numFalling, "step")));
     if (best.plan && best.exceedsLimits())
         defects.push_back(
             fmt::format("the largest submodel has {} parts, and submodels are nested {} deep; easy to build "

@@ -84,11 +84,14 @@ void checkBuild(const CaptureOptions& options)
     if (options.buildParts && options.buildLength)
         throw CLI::ValidationError("--parts and --length both determine the size of the model; expected one of them");
     if (options.needsContext() || !options.partsList.empty() || !options.instructions.empty() || options.bound ||
-        options.original || options.bookletSteps || !options.loads.empty() || options.tilt)
+        options.original || options.bookletSteps)
         throw CLI::ValidationError(
             "--build writes a picture, lists and instructions with names of its own; expected it "
-            "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, --tilt, --load, "
-            "--original and --compare");
+            "without -o, --stats, --cells, --parts-list, --instructions, --steps, --bound, --original and --compare");
+    if (!options.loads.empty() || options.tilt)
+        throw CLI::ValidationError(
+            "--load and --tilt judge a model that exists; expected them in a second command, with "
+            "the .mpd file that --build writes and --base");
     if (options.buildParts.value_or(0) > CaptureOptions::MOST_PARTS_UNASKED && !options.isBookletConfirmed)
         throw CLI::ValidationError("a booklet of more than 2,000 parts is large; expected --yes with such --parts");
     if (osgDB::getLowerCaseFileExtension(options.mesh) == "legolize")
@@ -105,6 +108,9 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("-O has no mesh to read; expected MESH with it");
     checkBuild(options);
     if (!options.build.empty()) return checkInstructionsView(options);
+    if (options.tilt && !options.base) throw CLI::ValidationError("--tilt has no base; expected --base with it");
+    if (!options.loads.empty() && !options.base)
+        throw CLI::ValidationError("--load has nothing to stand on; expected --base with it");
     if (!options.needsContext() && options.partsList.empty() && options.instructions.empty() && !options.base)
         throw CLI::ValidationError("nothing to do; expected one or more of -o, --stats, --cells, --parts-list, --base, "
                                    "--instructions, --build and --compare");
@@ -115,9 +121,6 @@ void checkCombination(const CaptureOptions& options, bool hasThreshold)
         throw CLI::ValidationError("--original has no parts; expected --parts-list without --original");
     if (options.original && options.base)
         throw CLI::ValidationError("--original has no parts; expected --base without --original");
-    if (options.tilt && !options.base) throw CLI::ValidationError("--tilt has no base; expected --base with it");
-    if (!options.loads.empty() && !options.base)
-        throw CLI::ValidationError("--load has nothing to stand on; expected --base with it");
     if (options.bound) checkBound(options);
     if (options.statistics == CaptureOptions::STANDARD_OUTPUT && options.partsList == CaptureOptions::STANDARD_OUTPUT)
         throw CLI::ValidationError(

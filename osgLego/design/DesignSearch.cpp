@@ -8,8 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <limits>
 #include <utility>
 
 #include <osg/BoundingBox>
@@ -27,54 +26,6 @@ constexpr unsigned int REFERENCE_RESOLUTION = 256;
 constexpr unsigned int FEW_COLORS = 8;
 constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support and plans
 constexpr double SHARE_OF_PLANS = 0.2;
-
-/** 0 for models that a builder can rely on, more for others. */
-int rankStability(const StabilityReport& stability)
-{
-    if (!stability.stands) return stability.falls() ? 3 : 2;
-    return stability.safe ? 0 : 1;
-}
-
-bool standsSafely(const DesignCandidate& candidate)
-{
-    return rankStability(candidate.stability) == 0;
-}
-
-/** Models of one piece before others, then those that stand, those of fewer pieces, those whose submodels keep the
- * limits, as far as it is known, and those more like the mesh; among those that look alike, the one of fewer parts. */
-bool isBetter(const DesignCandidate& a, const DesignCandidate& b)
-{
-    const auto rank = [](const DesignCandidate& candidate)
-    {
-        constexpr double VISIBLE = 0.01;
-        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), candidate.numPieces,
-                          candidate.exceedsLimits(), std::lround(candidate.getError() / VISIBLE),
-                          candidate.layout.numParts);
-    };
-    return rank(a) < rank(b);
-}
-
-/** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands safely, if
- * any. Bricks and plates alternate, since models of the same proportions often fall for the same reason. */
-std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCandidate>& candidates)
-{
-    constexpr double CLEARLY = 0.95;
-    const DesignCandidate& best = candidates.front();
-    std::vector<const DesignCandidate*> falling;
-    for (const DesignCandidate& candidate : candidates)
-        if (!candidate.stability.stands && !candidate.settings.parts.support &&
-            (!standsSafely(best) || candidate.getError() < CLEARLY * best.getError()))
-            falling.push_back(&candidate);
-    std::sort(falling.begin(), falling.end(),
-              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
-    std::map<Proportions, int> counts;
-    std::map<const DesignCandidate*, int> turns;
-    for (const DesignCandidate* candidate : falling)
-        turns[candidate] = counts[candidate->settings.grid.proportions]++;
-    std::stable_sort(falling.begin(), falling.end(),
-                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
-    return falling;
-}
 
 bool haveSameParts(const BrickModel& a, const BrickModel& b)
 {
@@ -101,6 +52,17 @@ bool replace(const std::string& text, LegoSettings& settings, std::string& error
 
 DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) : _node(node), _options(options) {}
 
+std::size_t DesignSearch::getMostParts() const
+{
+    return _options.numParts.value_or(DesignOptions::USUAL_PARTS);
+}
+
+DesignRanking DesignSearch::createRanking() const
+{
+    return DesignRanking(canChooseSize() ? std::numeric_limits<std::size_t>::max()
+                                         : _options.numParts.value_or(std::numeric_limits<std::size_t>::max()));
+}
+
 /** Throws Failure if settings ask for no parts. */
 void DesignSearch::checkParts() const
 {
@@ -125,15 +87,26 @@ bool DesignSearch::determineSize() const
     return readWith(1) == readWith(2);
 }
 
+/** Whether settings determine that pieces are joined. */
+bool DesignSearch::isConnectionGiven() const
+{
+    LegoSettings settings = createFreeSettings();
+    settings.parts.connect = false;
+    std::string error;
+    return replace(_options.settings, settings, error) && settings.parts.connect;
+}
+
 ModelDesign DesignSearch::run()
 {
     checkParts();
     _isSizeGiven = determineSize();
     if (_isSizeGiven && _options.length)
         throw Failure("a length can't be combined with a resolution or a cell; expected either");
+    _isConnectionGiven = isConnectionGiven();
     const std::vector<LegoSettings> settings = listSettings();
     readSurface(settings.front().grid.upAxis);
     makeCandidates(settings);
+    tryLowerResolutions();
     supportBetter();
     planBest();
     report(1.0);
@@ -183,11 +156,24 @@ DesignSearch::Laid DesignSearch::lay(const LegoSettings& settings) const
     if (!source) throw Failure(error);
     CpuBricksWork work;
     work.isCancelled = _options.isCancelled;
-    Laid laid{makeBricksOnCpu(*source, work), {}};
+    Laid laid{settings, makeBricksOnCpu(*source, work), {}};
     checkCancelled();
     if (!laid.model) throw Failure(work.error);
     if (work.measureLayout) laid.layout = work.measureLayout();
     return laid;
+}
+
+/** Make a model, and join its pieces unless they stand on a base plate that joins them. */
+DesignSearch::Laid DesignSearch::layJoined(const LegoSettings& settings) const
+{
+    if (_options.base == BuildingBase::PLATE && settings.parts.connect && !_isConnectionGiven)
+    {
+        LegoSettings apart = settings;
+        apart.parts.connect = false;
+        Laid laid = lay(apart);
+        if (countPieces(*laid.model, _options.base) == 1) return laid;
+    }
+    return lay(settings);
 }
 
 std::size_t DesignSearch::countDraftParts(const LegoSettings& settings) const
@@ -198,7 +184,7 @@ std::size_t DesignSearch::countDraftParts(const LegoSettings& settings) const
 unsigned int DesignSearch::findResolution(LegoSettings settings) const
 {
     constexpr unsigned int FIRST_RESOLUTION = 24;
-    ResolutionSearch search(_options.numParts, FIRST_RESOLUTION);
+    ResolutionSearch search(getMostParts(), FIRST_RESOLUTION);
     while (const std::optional<unsigned int> resolution = search.getNext())
     {
         settings.grid.resolution = *resolution;
@@ -209,24 +195,23 @@ unsigned int DesignSearch::findResolution(LegoSettings settings) const
 
 DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
 {
-    if (_isSizeGiven) return measure(settings, lay(settings));
+    if (_isSizeGiven) return measure(layJoined(settings));
     if (_options.length)
     {
         settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
-        return measure(settings, lay(settings));
+        return measure(layJoined(settings));
     }
     settings.grid.resolution = findResolution(settings);
-    ResolutionSearch search(_options.numParts, settings.grid.resolution);
+    ResolutionSearch search(getMostParts(), settings.grid.resolution);
     Laid best;
     while (const std::optional<unsigned int> resolution = search.getNext())
     {
         settings.grid.resolution = *resolution;
-        const Laid laid = lay(settings);
+        const Laid laid = layJoined(settings);
         search.add(*resolution, laid.layout.numParts);
         if (search.getBest() == *resolution) best = laid;
     }
-    settings.grid.resolution = search.getBest();
-    return measure(settings, best);
+    return measure(best);
 }
 
 DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
@@ -234,31 +219,36 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
     constexpr int MOST_TRIES = 3; // each is slow
     settings.parts.support = true;
     Laid laid = lay(settings);
-    const bool canShrink = !_isSizeGiven && !_options.length;
-    for (int tries = 1; canShrink && tries < MOST_TRIES; ++tries)
+    for (int tries = 1; canChooseSize() && tries < MOST_TRIES; ++tries)
     {
-        if (laid.layout.numParts <= _options.numParts || settings.grid.resolution == 1) break;
+        if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
         --settings.grid.resolution;
         laid = lay(settings);
     }
-    return measure(settings, laid);
+    return measure(laid);
 }
 
-DesignCandidate DesignSearch::measure(const LegoSettings& settings, const Laid& laid) const
+DesignCandidate DesignSearch::measure(const Laid& laid) const
 {
     if (laid.model->getParts().empty()) throw Failure("the grid misses the model; expected another origin or size");
-    const std::optional<StabilityReport> stability =
-        computeStability(*laid.model, {_options.base, _options.isCancelled});
+    std::optional<StabilityReport> stability = computeStability(*laid.model, {_options.base, _options.isCancelled});
     checkCancelled();
-    const SurfaceDifference difference = _surface->compare(*laid.model);
-    return {settings,
-            laid.model,
-            laid.layout,
-            *stability,
-            countPieces(*laid.model, _options.base),
-            nullptr,
-            difference.distance / _longestSide,
-            difference.color};
+    DesignCandidate candidate;
+    candidate.settings = laid.settings;
+    candidate.model = laid.model;
+    candidate.layout = laid.layout;
+    candidate.stability = std::move(*stability);
+    candidate.numPieces = countPieces(*laid.model, _options.base);
+    setDifference(*laid.model, candidate);
+    return candidate;
+}
+
+/** Set the errors of a candidate to those of a model. */
+void DesignSearch::setDifference(const BrickModel& model, DesignCandidate& candidate) const
+{
+    const SurfaceDifference difference = _surface->compare(model);
+    candidate.surfaceError = difference.distance / _longestSide;
+    candidate.colorError = difference.color;
 }
 
 void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings)
@@ -278,8 +268,49 @@ void DesignSearch::addCandidate(DesignCandidate candidate)
 {
     const auto isSame = [&](const DesignCandidate& other) { return haveSameParts(*other.model, *candidate.model); };
     if (std::any_of(_candidates.begin(), _candidates.end(), isSame)) return;
+    const auto isBetter = [ranking = createRanking()](const DesignCandidate& a, const DesignCandidate& b)
+    { return ranking.isBetter(a, b); };
     const auto place = std::upper_bound(_candidates.begin(), _candidates.end(), candidate, isBetter);
     _candidates.insert(place, std::move(candidate));
+}
+
+/** Make the best model again with the lower resolution whose cells fit the mesh best, if they fit it clearly better.
+ * The highest resolution is not always the best one: it may leave thin cells at the borders of colours and shapes that
+ * others fill. */
+void DesignSearch::tryLowerResolutions()
+{
+    constexpr double LOWEST = 0.7;
+    constexpr unsigned int MOST_TRIED = 12;
+    constexpr double CLEARLY = 0.9;
+    if (!canChooseSize()) return;
+    LegoSettings settings = _candidates.front().settings;
+    const unsigned int highest = settings.grid.resolution;
+    const auto lowest = static_cast<unsigned int>(std::ceil(LOWEST * highest));
+    const unsigned int stride = std::max(1u, (highest - lowest + MOST_TRIED - 1) / MOST_TRIED);
+    std::vector<unsigned int> resolutions;
+    for (unsigned int resolution = highest; resolution >= std::max(lowest, 1u); resolution -= stride)
+    {
+        resolutions.push_back(resolution);
+        if (resolution <= stride) break;
+    }
+    std::vector<double> errors(resolutions.size());
+    tbb::parallel_for(std::size_t(0), errors.size(),
+                      [&](std::size_t index) { errors[index] = measureDraft(settings, resolutions[index]); });
+    const auto best = std::min_element(errors.begin(), errors.end());
+    if (*best > CLEARLY * errors.front()) return;
+    settings.grid.resolution = resolutions[static_cast<std::size_t>(best - errors.begin())];
+    addCandidate(measure(layJoined(settings)));
+}
+
+/** The unlikeness of a draft. */
+double DesignSearch::measureDraft(LegoSettings settings, unsigned int resolution) const
+{
+    settings.grid.resolution = resolution;
+    const Laid laid = lay(createDraftSettings(settings));
+    if (laid.model->getBricks().empty()) return std::numeric_limits<double>::max();
+    DesignCandidate draft;
+    setDifference(*laid.model, draft);
+    return draft.getError();
 }
 
 void DesignSearch::supportBetter()
@@ -287,7 +318,7 @@ void DesignSearch::supportBetter()
     constexpr std::size_t AT_ONCE = 2; // each takes longer than all other work
     constexpr std::size_t MOST_SUPPORTED = 6;
     std::vector<LegoSettings> falling;
-    for (const DesignCandidate* candidate : listFallingBetter(_candidates))
+    for (const DesignCandidate* candidate : DesignRanking::listFallingBetter(_candidates))
         falling.push_back(candidate->settings);
     falling.resize(std::min(falling.size(), MOST_SUPPORTED));
     for (std::size_t first = 0; first < falling.size(); first += AT_ONCE)
@@ -299,7 +330,7 @@ void DesignSearch::supportBetter()
             addCandidate(std::move(candidate));
         report((1.0 - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
                static_cast<double>(MOST_SUPPORTED));
-        if (standsSafely(_candidates.front())) return;
+        if (DesignRanking::standsSafely(_candidates.front())) return;
     }
 }
 
@@ -320,7 +351,8 @@ void DesignSearch::planBest()
             planBuildingOf(supported);
             // If both exceed the limits, the one that is more like the mesh would be better.
             const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
-                                  rankStability(supported.stability) <= rankStability(candidate.stability) &&
+                                  DesignRanking::rankStability(supported.stability) <=
+                                      DesignRanking::rankStability(candidate.stability) &&
                                   supported.plan->exceedsLimitsLessThan(*candidate.plan);
             if (isHelped) candidate = supported;
             addCandidate(std::move(supported));

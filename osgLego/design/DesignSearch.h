@@ -2,6 +2,7 @@
 
 #include <osgLego/LegoSettings.h>
 #include <osgLego/ModelDesigner.h>
+#include <osgLego/design/DesignRanking.h>
 #include <osgLego/design/SurfaceReference.h>
 #include <osgLego/flattening/SceneTriangles.h>
 
@@ -43,22 +44,32 @@ public:
 private:
     struct Laid
     {
+        LegoSettings settings;
         osg::ref_ptr<const BrickModel> model;
         LayoutStatistics layout;
     };
 
     void checkParts() const;
     bool determineSize() const;
+    bool isConnectionGiven() const;
+    /** Whether the number of parts limits the size, rather than the options giving it. */
+    bool canChooseSize() const { return !_isSizeGiven && !_options.length; }
+    std::size_t getMostParts() const;
+    DesignRanking createRanking() const;
     std::vector<LegoSettings> listSettings() const;
     void readSurface(UpAxis upAxis);
     Laid lay(const LegoSettings& settings) const;
+    Laid layJoined(const LegoSettings& settings) const;
     std::size_t countDraftParts(const LegoSettings& settings) const;
     unsigned int findResolution(LegoSettings settings) const;
     DesignCandidate makeLargest(LegoSettings settings) const;
     DesignCandidate makeSupported(LegoSettings settings) const;
-    DesignCandidate measure(const LegoSettings& settings, const Laid& laid) const;
+    DesignCandidate measure(const Laid& laid) const;
+    void setDifference(const BrickModel& model, DesignCandidate& candidate) const;
+    double measureDraft(LegoSettings settings, unsigned int resolution) const;
     void makeCandidates(const std::vector<LegoSettings>& settings);
     void addCandidate(DesignCandidate candidate);
+    void tryLowerResolutions();
     void supportBetter();
     void planBest();
     void planBuildingOf(DesignCandidate& candidate) const;
@@ -71,8 +82,9 @@ private:
     std::unique_ptr<SurfaceReference> _surface;
     double _longestSide = 1.0; // of the mesh, in model units
     std::vector<DesignCandidate> _candidates;
-    bool _isSizeGiven = false; // by the settings of the options
-    std::mutex _reporting;     // guards _progress
+    bool _isSizeGiven = false;       // by the settings of the options
+    bool _isConnectionGiven = false; // by them, too
+    std::mutex _reporting;           // guards _progress
     double _progress = 0.0;
 };
 

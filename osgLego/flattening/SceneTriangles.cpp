@@ -1,5 +1,7 @@
 #include <osgLego/flattening/SceneTriangles.h>
 
+#include <osgLego/text/CountedNoun.h>
+
 #include <osgLego/flattening/SceneTriangleCollector.h>
 #include <osgLego/flattening/SurfaceTextureCache.h>
 
@@ -14,11 +16,6 @@ namespace osgLego
 
 namespace
 {
-
-std::string counted(std::size_t number, const char* one, const char* several)
-{
-    return std::to_string(number) + " " + (number == 1 ? one : several);
-}
 
 std::string ownerText(const osg::Node& node)
 {

@@ -123,6 +123,12 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
     _statistics = {};
     _statistics.numPiecesBefore = pieces->getCount();
     const std::vector<LayoutCell> cells = layout.problem.cells;
+    // Studs join no parts of a single layer: changed colours would only make fewer and larger ones of them.
+    if (layout.problem.size.z == 1)
+    {
+        _statistics.numPieces = pieces->getCount();
+        return true;
+    }
     for (int numFailures = 0; pieces->getCount() > 1 && numFailures < MOST_FAILURES;)
     {
         const std::vector<Join> joins = findJoins(layout, *pieces);

@@ -1,5 +1,8 @@
 #include <osgLego/LayoutStatistics.h>
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -87,6 +90,31 @@ TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)
     layout.connection = ConnectionStatistics{3, 2, 1, 1, {{4, {1, 2, 3}, {5, 6, 7}}}, 0.0};
     EXPECT_EQ(describe(), "connections: 3 pieces became 2 by 1 added cell and 1 cell in another colour\n"
                           "  not joined: 4 parts in the cells (1, 2, 3) to (5, 6, 7)");
+    layout.connection = ConnectionStatistics{3, 3, 0, 0, {}, 0.0};
+    EXPECT_EQ(describe(), "connections: 3 pieces remain");
+}
+
+TEST(LayoutStatistics, TheReportListsTheFirstOfManyPiecesThatAreNotJoined)
+{
+    LayoutStatistics layout;
+    const auto countLines = [&](std::size_t numLoose)
+    {
+        layout.connection = ConnectionStatistics{
+            numLoose + 1, numLoose + 1, 0, 0, std::vector<LoosePiece>(numLoose, {1, {1, 2, 3}, {1, 2, 3}}), 0.0};
+        const std::string text = layout.toString();
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    const auto none = countLines(0);
+    EXPECT_EQ(countLines(6), none + 6);
+    EXPECT_EQ(countLines(7), none + 6);
+    EXPECT_EQ(countLines(100), none + 6);
+    EXPECT_NE(layout.toString().find("(1, 2, 3)\n  not joined: 95 more pieces"), std::string::npos)
+        << layout.toString();
+}
+
+TEST(LayoutStatistics, TheReportLeavesOutWhatThereIsNoneOf)
+{
+    EXPECT_EQ(LayoutStatistics().toString().find("float"), std::string::npos);
 }
 
 } // namespace

@@ -191,6 +191,59 @@ TEST(ModelDesigner, ABasePlateJoinsThePiecesOfAFlatSheet)
     }
 }
 
+TEST(ModelDesigner, AChessboardOnABasePlateHasWholeCellsForEachSquareAndKeepsItsColors)
+{
+    // 21 cells a side would have as few parts, and squares of two and three cells.
+    const osg::ref_ptr<osg::Group> board = new osg::Group;
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 8; ++column)
+        {
+            const osg::Vec3 middle(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f, 0.0f);
+            const osg::ref_ptr<osg::ShapeDrawable> square =
+                new osg::ShapeDrawable(new osg::Box(middle, 1.0f, 1.0f, 0.1f));
+            const float level = (row + column) % 2 == 0 ? 0.0f : 1.0f;
+            square->setColor(osg::Vec4(level, level, level, 1.0f));
+            board->addChild(square);
+        }
+    DesignOptions options;
+    options.numParts = 80;
+    options.base = BuildingBase::PLATE;
+    options.settings = "proportions=plate,fill=surface,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*board, options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    EXPECT_EQ(best.settings.grid.resolution, 16u) << design->toString();
+    EXPECT_EQ(best.layout.numParts, 64u);
+    EXPECT_FALSE(best.settings.parts.connect) << "the base plate joins the squares";
+    EXPECT_NE(design->toString().find("the base plate joins these pieces; the model stands safely"), std::string::npos);
+    EXPECT_LT(best.colorError, 5.0);
+    ASSERT_EQ(design->candidates.size(), 2u);
+    EXPECT_LT(best.getError(), 0.7 * design->candidates[1].getError());
+
+    options.settings += ",connect=on";
+    EXPECT_TRUE(designModel(*board, options, error)->getBest().settings.parts.connect) << "as wanted";
+}
+
+TEST(ModelDesigner, IfTheSizeIsGivenAModelOfFewEnoughPartsIsPreferred)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    DesignOptions options;
+    options.settings = "14,fill=surface";
+    std::string error;
+    const std::optional<ModelDesign> unlimited = designModel(*car, options, error);
+    ASSERT_TRUE(unlimited) << error;
+    std::size_t fewest = unlimited->getBest().layout.numParts;
+    for (const DesignCandidate& candidate : unlimited->candidates)
+        if (candidate.isSound() && candidate.stability.safe) fewest = std::min(fewest, candidate.layout.numParts);
+    ASSERT_LT(fewest, unlimited->getBest().layout.numParts) << unlimited->toString();
+    options.numParts = fewest;
+    const std::optional<ModelDesign> limited = designModel(*car, options, error);
+    EXPECT_EQ(limited->getBest().layout.numParts, fewest) << limited->toString();
+    options.numParts = 1;
+    EXPECT_EQ(designModel(*car, options, error)->getBest().layout.numParts, unlimited->getBest().layout.numParts);
+}
+
 TEST(ModelDesigner, ALatticeMakesTheModelThatTheSettingsMake)
 {
     DesignOptions options;

@@ -62,6 +62,16 @@ TEST(ConnectionBuilder, CountsCellsInAnotherColor)
     EXPECT_EQ(statistics.numRecolored, 1u);
 }
 
+TEST(ConnectionBuilder, LeavesTheColorsOfASingleLayerWhichNoStudJoins)
+{
+    const ColoredCells cells = drawColoredCells({{"aacca", "ccaac", "acaca"}});
+    ConnectionStatistics statistics;
+    const JoinedLayout layout = connect(cells, statistics);
+    EXPECT_EQ(layout.problem.cells, cells.problem.cells);
+    EXPECT_GT(statistics.numPiecesBefore, 5u);
+    EXPECT_EQ(statistics.numPieces, statistics.numPiecesBefore);
+}
+
 TEST(ConnectionBuilder, LeavesPiecesThatAreFarAway)
 {
     const std::string far = "aa" + std::string(60, '.') + "c";

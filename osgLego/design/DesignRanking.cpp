@@ -1,0 +1,49 @@
+#include <osgLego/design/DesignRanking.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace osgLego
+{
+
+int DesignRanking::rankStability(const StabilityReport& stability)
+{
+    if (!stability.stands) return stability.falls() ? 3 : 2;
+    return stability.safe ? 0 : 1;
+}
+
+bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b) const
+{
+    const auto rank = [this](const DesignCandidate& candidate)
+    {
+        constexpr double VISIBLE = 0.01;
+        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability),
+                          candidate.layout.numParts > _mostParts, candidate.numPieces, candidate.exceedsLimits(),
+                          std::lround(candidate.getError() / VISIBLE), candidate.layout.numParts);
+    };
+    return rank(a) < rank(b);
+}
+
+std::vector<const DesignCandidate*> DesignRanking::listFallingBetter(const std::vector<DesignCandidate>& candidates)
+{
+    constexpr double CLEARLY = 0.95;
+    const DesignCandidate& best = candidates.front();
+    std::vector<const DesignCandidate*> falling;
+    for (const DesignCandidate& candidate : candidates)
+        if (!candidate.stability.stands && !candidate.settings.parts.support &&
+            (!standsSafely(best) || candidate.getError() < CLEARLY * best.getError()))
+            falling.push_back(&candidate);
+    std::sort(falling.begin(), falling.end(),
+              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
+    std::map<Proportions, int> counts;
+    std::map<const DesignCandidate*, int> turns;
+    for (const DesignCandidate* candidate : falling)
+        turns[candidate] = counts[candidate->settings.grid.proportions]++;
+    std::stable_sort(falling.begin(), falling.end(),
+                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
+    return falling;
+}
+
+} // namespace osgLego
