@@ -28,7 +28,6 @@ constexpr std::array<PlateSize, 6> SIZES{
     {{8, 16, "3865"}, {16, 16, "3867"}, {16, 24, "3334"}, {16, 32, "3857"}, {32, 32, "3811"}, {48, 48, "4186"}}};
 
 constexpr std::array<std::uint8_t, 3> GREEN{0x23, 0x78, 0x41};
-constexpr std::int32_t GREEN_CODE = 2;
 constexpr double THICKNESS = 0.2; // pitches
 
 /** As earlier parts are drawn. */
@@ -58,6 +57,8 @@ BasePlate::BasePlate(const BrickModel& model) : _grid(model.getGrid())
     choose(footprint);
     const glm::ivec2 studs = _size * _counts;
     const glm::ivec2 before = (studs - footprint) / 2;
+    // With y upwards, z points to the front.
+    _margin = {before.x, up == 1 ? studs.y - footprint.y - before.y : before.y};
     const double thickness = THICKNESS * _grid.getPitch();
     glm::dvec3 corner(lowest);
     corner.x -= before.x;
@@ -83,9 +84,9 @@ void BasePlate::choose(const glm::ivec2& footprint)
     _counts = (footprint + _size - 1) / _size;
 }
 
-std::string BasePlate::getName() const
+std::string BasePlate::getName(const std::string& sign) const
 {
-    return fmt::format("Base plate {}\u202f×\u202f{}", std::min(_size.x, _size.y), std::max(_size.x, _size.y));
+    return fmt::format("Base plate {}{}{}", std::min(_size.x, _size.y), sign, std::max(_size.x, _size.y));
 }
 
 std::size_t BasePlate::getQuantity() const
@@ -107,7 +108,7 @@ osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
             part.size[static_cast<std::size_t>(3 - up)] = static_cast<std::uint8_t>(_size.y);
             part.size[static_cast<std::size_t>(up)] = 1;
             part.color = isFaded ? fade(GREEN) : GREEN;
-            part.colorCode = GREEN_CODE;
+            part.colorCode = COLOR_CODE;
         }
     return BrickModel::createOfParts(_grid, std::move(parts));
 }

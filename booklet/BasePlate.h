@@ -23,14 +23,19 @@ namespace osgLego
 class BasePlate
 {
 public:
+    static constexpr std::int32_t COLOR_CODE = 2;      //!< green, in LDraw
+    static constexpr std::int32_t COLOR_BRICKLINK = 6; //!< green, in BrickLink
+
     /** @param model with at least one part. */
     explicit BasePlate(const BrickModel& model);
 
-    /** Such as "Base plate 16 x 32", with a multiplication sign. */
-    std::string getName() const;
+    /** Such as "Base plate 16 x 32". @param sign of multiplication, with the spaces around it. */
+    std::string getName(const std::string& sign = " x ") const;
     /** The number of LDraw and BrickLink, such as "3857". */
     const std::string& getNumber() const { return _number; }
     std::size_t getQuantity() const;
+    /** How many of its studs are to the left of the model, and how many in front of it. */
+    const glm::ivec2& getMargin() const { return _margin; }
 
     /** The plates in their place below the model, in another grid. @param isFaded whether it shows new parts above it.
      */
@@ -42,6 +47,7 @@ private:
     std::string _number;
     glm::ivec2 _size{0};   // in studs, along x and the other horizontal axis
     glm::ivec2 _counts{1}; // plates beside each other
+    glm::ivec2 _margin{0};
     BrickGrid _grid;
 };
 

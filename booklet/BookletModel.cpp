@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -51,18 +52,30 @@ osg::ref_ptr<const BrickModel> createPartialModel(const BrickModel& model, const
     return BrickModel::createOfParts(model.getGrid(), std::move(chosen));
 }
 
-std::size_t countPieces(const BrickModel& model)
+/** A base plate joins the parts that stand on it. */
+std::size_t countPieces(const BrickModel& model, BuildingBase base)
 {
+    const int up = model.getGrid().getUpIndex();
+    int lowest = std::numeric_limits<int>::max();
+    for (const Part& part : model.getParts())
+        lowest = std::min(lowest, part.getCell()[up]);
     UnionFind pieces;
     pieces.reset(model.getParts().size());
     std::size_t number = model.getParts().size();
-    glm::ivec3 up(0);
-    up[model.getGrid().getUpIndex()] = 1;
+    const auto join = [&](std::int32_t a, std::int32_t b) { number -= pieces.join(a, b) ? 1 : 0; };
+    std::optional<std::int32_t> onPlate;
     for (std::size_t brick = 0; brick < model.getBricks().size(); ++brick)
     {
         const auto part = static_cast<std::int32_t>(model.getPartIndices()[brick]);
-        const Part* above = model.findPart(model.getBricks()[brick].getCell() + up);
-        if (above && pieces.join(part, static_cast<std::int32_t>(above - model.getParts().data()))) --number;
+        glm::ivec3 cell = model.getBricks()[brick].getCell();
+        if (base == BuildingBase::PLATE && cell[up] == lowest)
+        {
+            if (!onPlate) onPlate = part;
+            join(*onPlate, part);
+        }
+        ++cell[up];
+        if (const Part* above = model.findPart(cell))
+            join(part, static_cast<std::int32_t>(above - model.getParts().data()));
     }
     return number;
 }
@@ -72,9 +85,9 @@ std::size_t countPieces(const BrickModel& model)
 BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette,
                            BuildingBase base) :
     _model(&model),
-    _numPieces(countPieces(model)), _numUnheld(plan.getUnheldParts().size())
+    _numPieces(countPieces(model, base)), _numUnheld(plan.getUnheldParts().size())
 {
-    if (base == BuildingBase::PLATE) _basePlate.emplace(model);
+    if (base == BuildingBase::PLATE) addBasePlate(model);
     _list.add(model, palette);
     _kinds = _list.getRows();
     _kindOfPart = _list.findRows(model);
@@ -198,6 +211,19 @@ void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
         for (const std::size_t submodel : chapter.steps[step].submodels)
             _chapters[submodel].letter = _chapters[_chapters[submodel].original].letter;
     }
+}
+
+void BookletModel::addBasePlate(const BrickModel& model)
+{
+    _basePlate.emplace(model);
+    PartsList::Extra plate;
+    plate.number = _basePlate->getNumber();
+    plate.name = _basePlate->getName();
+    plate.color.code = BasePlate::COLOR_CODE;
+    plate.color.name = "Green";
+    plate.color.brickLink = BasePlate::COLOR_BRICKLINK;
+    plate.quantity = _basePlate->getQuantity();
+    _list.addExtra(std::move(plate));
 }
 
 std::size_t BookletModel::getNumFallingSteps() const

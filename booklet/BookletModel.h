@@ -117,6 +117,7 @@ public:
     std::size_t getNumFallingSteps() const;
 
 private:
+    void addBasePlate(const BrickModel& model);
     BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
     std::vector<BookletItem> countKinds(const std::vector<std::uint32_t>& parts) const;
     void findCopies(const BookletStep& step);

@@ -145,12 +145,13 @@ void BookletParts::writeRow(std::size_t row)
 /** The base plate at the end of the parts, none of which it is. */
 void BookletParts::writeBasePlate()
 {
+    constexpr const char* TIMES = "\u202f×\u202f";
     const BasePlate& plate = *_model.getBasePlate();
     std::ostream& stream = _markup.getStream();
     stream << "<li class=\"base-plate\">";
-    _markup.writeImage(_basePlate, fmt::format("{} in green", plate.getName()));
+    _markup.writeImage(_basePlate, fmt::format("{} in green", plate.getName(TIMES)));
     stream << "<p><span class=\"quantity\">" << plate.getQuantity() << "×</span> <span><span class=\"name\">"
-           << plate.getName() << "</span> <span class=\"code\">" << plate.getNumber()
+           << plate.getName(TIMES) << "</span> <span class=\"code\">" << plate.getNumber()
            << "</span></span> <span>Green, drawn smaller</span> <span class=\"code\"><span>BrickLink\u00a06</span> "
            << "<span>LDraw\u00a02</span></span></p></li>\n";
 }

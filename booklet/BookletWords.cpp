@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <osgDB/FileNameUtils>
 
 namespace osgLego
 {
@@ -71,6 +72,21 @@ void BookletWords::writeIntroduction(const std::string& title)
            "front and lowest end. Copies of a submodel are equal, but may be attached turned.\n\nParts\n";
     for (const PartsList::Row& row : _model.getKinds())
         *_stream << describeParts(row, row.quantity) << ".\n";
+    if (_model.getBasePlate()) writeBasePlate(*_model.getBasePlate(), glm::ivec2(size));
+}
+
+/** @param size of the model, in columns and rows. */
+void BookletWords::writeBasePlate(const BasePlate& plate, const glm::ivec2& size)
+{
+    const std::size_t quantity = plate.getQuantity();
+    const std::string name = osgDB::convertToLowerCase(plate.getName());
+    const glm::ivec2 first = plate.getMargin() + 1;
+    const glm::ivec2 last = plate.getMargin() + size;
+    *_stream << formatNumber(quantity) << " green " << name << (quantity == 1 ? "" : ", side by side") << ".\n\n"
+             << (quantity == 1 ? "The model stands on the base plate"
+                               : "The model stands on the base plates, which are counted together")
+             << fmt::format(": on its {} and {}.\n", formatRange("column", first.x, last.x),
+                            formatRange("row", first.y, last.y));
 }
 
 /** The names of the parts of an attached submodel, in the order of building: those of the original, with the number of
@@ -167,7 +183,7 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
                             countOf(step.numNew, "part"));
     std::size_t part = step.numPlaced - step.numNew;
     for (const std::size_t end = part + step.numDirect; part < end; ++part)
-        writePart(places, part, step.isUpsideDown);
+        writePart(places, part, step.isUpsideDown, !chapter.isSubmodel && _model.getBasePlate());
     for (const std::size_t submodel : step.submodels)
     {
         writeSubmodel(submodel, places, part);
@@ -177,7 +193,7 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
 }
 
 /** @param part in the order of building; parts before it are in place. */
-void BookletWords::writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown)
+void BookletWords::writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown, bool isOnPlate)
 {
     const Place& own = places[part];
     const glm::ivec3 size = own.last - own.first + 1;
@@ -205,8 +221,10 @@ void BookletWords::writePart(const std::vector<Place>& places, std::size_t part,
         *_stream << fmt::format(" Its left edge is {0} that of {2}, its front edge {1} that of {2}.",
                                 formatWay(own.first.x - nearest->first.x, "right of", "left of"),
                                 formatWay(own.first.y - nearest->first.y, "behind", "in front of"), nearest->name);
+    else if (own.first.z > 1 && !isUpsideDown)
+        *_stream << " Nothing holds it yet.";
     else
-        *_stream << (own.first.z == 1 || isUpsideDown ? " On the table." : " Nothing holds it yet.");
+        *_stream << (isOnPlate ? " On the base plate." : " On the table.");
     *_stream << "\n";
 }
 

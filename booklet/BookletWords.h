@@ -35,9 +35,10 @@ private:
     std::vector<std::string> findNames(std::size_t chapter) const;
     std::vector<std::string> findNamesOfCopy(const BookletChapter& copy) const;
     void writeIntroduction(const std::string& title);
+    void writeBasePlate(const BasePlate& plate, const glm::ivec2& size);
     void writeChapter(std::size_t chapter);
     void writeStep(const BookletChapter& chapter, const BookletStep& step, const std::vector<Place>& places);
-    void writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown);
+    void writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown, bool isOnPlate);
     void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first);
 
     const BookletModel& _model;

@@ -147,6 +147,13 @@ void PartsList::writeCsv(std::ostream& stream) const
         quantity += row.quantity;
         mass += row.getMass();
     }
+    for (const Extra& extra : _extras)
+    {
+        stream << extra.number << ',' << quotedForCsv(extra.name) << ',' << optionalNumber(extra.color.code) << ','
+               << quotedForCsv(extra.color.name) << ',' << optionalNumber(extra.color.brickLink) << ','
+               << extra.quantity << ",,\n";
+        quantity += extra.quantity;
+    }
     stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
 }
 
@@ -154,14 +161,18 @@ void PartsList::writeWantedList(std::ostream& stream) const
 {
     // BrickLink refuses a list that begins with an XML declaration.
     stream << "<INVENTORY>\n";
-    for (const Row& row : getRows())
+    const auto writeItem = [&](std::string_view number, const PaletteColor& color, std::size_t quantity)
     {
-        stream << "<ITEM><ITEMTYPE>P</ITEMTYPE><ITEMID>" << row.type->number << "</ITEMID>";
-        if (row.color.brickLink >= 0) stream << "<COLOR>" << row.color.brickLink << "</COLOR>";
-        stream << "<MINQTY>" << row.quantity << "</MINQTY>";
-        if (row.color.brickLink < 0) stream << "<REMARKS>" << escapedForMarkup(row.color.name) << "</REMARKS>";
+        stream << "<ITEM><ITEMTYPE>P</ITEMTYPE><ITEMID>" << number << "</ITEMID>";
+        if (color.brickLink >= 0) stream << "<COLOR>" << color.brickLink << "</COLOR>";
+        stream << "<MINQTY>" << quantity << "</MINQTY>";
+        if (color.brickLink < 0) stream << "<REMARKS>" << escapedForMarkup(color.name) << "</REMARKS>";
         stream << "</ITEM>\n";
-    }
+    };
+    for (const Row& row : getRows())
+        writeItem(row.type->number, row.color, row.quantity);
+    for (const Extra& extra : _extras)
+        writeItem(extra.number, extra.color, extra.quantity);
     stream << "</INVENTORY>\n";
 }
 

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -36,9 +37,21 @@ public:
         double getMass() const { return type->mass * static_cast<double>(quantity); } //!< grams
     };
 
+    /** Parts that are not those of a model, such as base plates. */
+    struct Extra
+    {
+        std::string number; //!< of LDraw and BrickLink
+        std::string name;
+        PaletteColor color;
+        std::size_t quantity = 0;
+    };
+
     /** Add the parts of a model.
      * @param palette the colours that the model was built in, which override the library's colours of the same code. */
     void add(const BrickModel& model, std::span<const PaletteColor> palette);
+
+    /** Add parts that only the written lists have, at their end. */
+    void addExtra(Extra extra) { _extras.push_back(std::move(extra)); }
 
     /** The rows: bricks before plates, each from small to large and in the order of colours. */
     std::vector<Row> getRows() const;
@@ -48,7 +61,8 @@ public:
     static constexpr std::size_t NO_ROW = static_cast<std::size_t>(-1);
 
     /** Write a table: part, name, LDraw's code and name of the colour, BrickLink's number of the colour, quantity, mass
-     * of one part and of all in grams; the last row has the totals. Values are quoted as RFC 4180 demands. */
+     * of one part and of all in grams, but no mass of an Extra; the last row has the totals. Values are quoted as RFC
+     * 4180 demands. */
     void writeCsv(std::ostream& stream) const;
 
     /** Write a wanted list of BrickLink. Parts in colours without a number of BrickLink are wanted in any colour, with
@@ -67,6 +81,7 @@ private:
     static Key toKey(const Part& part, const PartType& type);
 
     std::map<Key, Row> _rows;
+    std::vector<Extra> _extras;
 };
 
 } // namespace osgLego

@@ -24,7 +24,7 @@ TEST(BasePlateTest, IsTheSmallestOnWhichAModelFits)
 {
     EXPECT_EQ(BasePlate(*createModel({8, 16})).getNumber(), "3865");
     EXPECT_EQ(BasePlate(*createModel({9, 16})).getNumber(), "3867");
-    EXPECT_EQ(BasePlate(*createModel({30, 12})).getName(), "Base plate 16\u202f×\u202f32");
+    EXPECT_EQ(BasePlate(*createModel({30, 12})).getName(), "Base plate 16 x 32");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getNumber(), "4186");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getQuantity(), 1u);
 }
@@ -45,6 +45,18 @@ TEST(BasePlateTest, LiesBelowTheMiddleOfTheModelWithItsStudsInTheModelsCells)
     EXPECT_DOUBLE_EQ(grid.origin.x, own.origin.x - 3.0 * own.cellSize.x);
     EXPECT_DOUBLE_EQ(grid.origin.y, own.origin.y - 2.0 * own.cellSize.y);
     EXPECT_DOUBLE_EQ(grid.origin.z + grid.cellSize.z, own.origin.z);
+}
+
+TEST(BasePlateTest, SaysHowManyOfItsStudsAreLeftOfAndInFrontOfTheModel)
+{
+    EXPECT_EQ(BasePlate(*createModel({11, 3})).getMargin(), glm::ivec2(2, 2)); // 3 and 3 on the other sides
+    // With y upwards, z points to the front.
+    std::vector<Part> parts(2);
+    parts[1].cell = {10, 0, 2};
+    BrickGrid grid = createPartGrid({11, 1, 3}, 1.2);
+    grid.upAxis = UpAxis::Y;
+    grid.cellSize = {1.0, 1.2, 1.0};
+    EXPECT_EQ(BasePlate(*BrickModel::createOfParts(grid, parts)).getMargin(), glm::ivec2(2, 3));
 }
 
 } // namespace osgLego::test

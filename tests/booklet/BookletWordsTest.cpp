@@ -259,6 +259,17 @@ TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
 }
 
+TEST(BookletWordsTest, SaysWhereTheModelStandsOnABasePlate)
+{
+    const std::string text = write(createTower({.base = BuildingBase::PLATE}));
+    for (const char* line :
+         {"1 green base plate 8 x 16.\n",
+          "The model stands on the base plate: on its columns 6 to 11 and rows 3 to 6.\n",
+          "1.1: red brick 2 x 4, from front to back. Columns 1 to 2, rows 1 to 4, layer 1. On the base plate.\n",
+          "B1.1: red brick 2 x 4, from left to right. Columns 1 to 4, rows 1 to 2, layer 1. On the table.\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+}
+
 TEST(BookletWordsTest, DescribesEqualSubmodelsOfAStepOnce)
 {
     const std::string text = write(createTwins());

@@ -46,6 +46,22 @@ TEST(PartsList, TheTableCountsAndWeighsEachTypeInEachColour)
                                    "total,,,,,4,,9.15\n");
 }
 
+TEST(PartsList, WrittenListsEndWithPartsThatAreNotThoseOfTheModel)
+{
+    PartsList list = createList();
+    list.addExtra({"3857", "Base plate 16 x 32", {2, "Green", {}, 6}, 2});
+    EXPECT_NE(csvOf(list).find("4.40,4.40\n3857,Base plate 16 x 32,2,Green,6,2,,\ntotal,,,,,6,,9.15\n"),
+              std::string::npos)
+        << csvOf(list);
+    std::ostringstream wanted;
+    list.writeWantedList(wanted);
+    EXPECT_NE(wanted.str().find("<ITEM><ITEMTYPE>P</ITEMTYPE><ITEMID>3857</ITEMID><COLOR>6</COLOR><MINQTY>2</MINQTY>"
+                                "</ITEM>\n</INVENTORY>"),
+              std::string::npos)
+        << wanted.str();
+    EXPECT_EQ(list.getRows().size(), 3u);
+}
+
 TEST(PartsList, PartsOfSeveralModelsAreAddedUp)
 {
     PartsList list = createList();
