@@ -19,7 +19,7 @@ namespace osgLego::test
 namespace
 {
 
-constexpr double UNLIMITED = std::numeric_limits<double>::infinity();
+constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
 
 /** The largest pull of the forces that are found; nothing if none are. */
 std::optional<double> findBound(const BrickModel& model, BuildingBase base, double capacity = StabilityReport::CAPACITY)
@@ -51,7 +51,7 @@ TEST(TensionBound, IsNotLessThanTheLeastTensionByClpAndIsFoundForMostTowersThatS
             const std::optional<double> bound = findBound(*tower, base);
             const bool stands = least && *least <= StabilityReport::CAPACITY;
             EXPECT_TRUE(stands || !bound) << seed;
-            EXPECT_GE(bound.value_or(UNLIMITED), least.value_or(UNLIMITED) - 1e-6) << seed;
+            EXPECT_GE(bound.value_or(NO_LIMIT), least.value_or(NO_LIMIT) - 1e-6) << seed;
             numStanding += stands;
             numFound += bound.has_value();
             numPulling += bound && *bound > 1e-3;
@@ -69,13 +69,13 @@ TEST(TensionBound, OfAModelWithOneWayToStandIsItsTension)
         const osg::ref_ptr<const BrickModel> model = createLoadedCantilever(0, numLoads);
         const std::optional<double> least = computePlainTension(*model, BuildingBase::PLATE);
         ASSERT_TRUE(least);
-        const std::optional<double> bound = findBound(*model, BuildingBase::PLATE, UNLIMITED);
+        const std::optional<double> bound = findBound(*model, BuildingBase::PLATE, NO_LIMIT);
         ASSERT_TRUE(bound) << numLoads;
         EXPECT_NEAR(*bound, *least, 1e-6) << numLoads;
         EXPECT_TRUE(findBound(*model, BuildingBase::PLATE, *least + 1e-3));
         EXPECT_FALSE(findBound(*model, BuildingBase::PLATE, *least - 1e-3));
         // It topples off a table, which does not pull.
-        EXPECT_FALSE(findBound(*model, BuildingBase::TABLE, UNLIMITED));
+        EXPECT_FALSE(findBound(*model, BuildingBase::TABLE, NO_LIMIT));
     }
 }
 
