@@ -20,8 +20,9 @@ struct LegoSettings;
 
 /** A list of colours in which models may be built, and the nearest of them for any colour.
  *
- * "Nearest" is the least colour difference CIEDE2000 (Sharma, Wu and Dalal 2005), looked up in a table of 64 x 64 x 64
- * entries, which is the same on the CPU and on the GPU.
+ * "Nearest" is the least colour difference CIEDE2000 (Sharma, Wu and Dalal 2005), with the hue of OKLab for vivid
+ * blues and darker, redder vivid yellows: otherwise the blue of displays would become purple, and their yellow cream.
+ * Nearest colours are looked up in a table of 64 x 64 x 64 entries, which is the same on the CPU and on the GPU.
  *
  * Usage:
  *

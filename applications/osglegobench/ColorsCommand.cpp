@@ -8,8 +8,8 @@
 #include <osgLego/cpu/CpuVoxelizer.h>
 #include <osgLego/cpu/DominantColors.h>
 #include <osgLego/flattening/LegoSource.h>
-#include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <algorithm>
 #include <array>
@@ -39,28 +39,29 @@ double chromaOf(const glm::dvec3& place)
     return std::hypot(place.y, place.z);
 }
 
-/** Compares the colours that a palette gives with the best ones, by CIEDE2000. */
+/** Compares the colours that a palette gives with the best ones, by the difference with which colours are matched. */
 class ColorComparison
 {
 public:
     explicit ColorComparison(const Palette& palette) : _palette(palette)
     {
         for (const PaletteColor& color : palette.getColors())
-            _places.push_back(toCieLab(color.color));
+            _places.push_back(toMatchingLab(color.color));
     }
 
     void add(const Color& color)
     {
-        const glm::dvec3 place = toCieLab(color);
-        const glm::dvec3& chosen = _places[_palette.findNearest(color)];
+        const glm::dvec3 place = toMatchingLab(color);
+        const std::size_t index = _palette.findNearest(color);
+        const glm::dvec3& chosen = _places[index];
         double best = ciede2000(place, _places.front());
         for (const glm::dvec3& other : _places)
             best = std::min(best, ciede2000(place, other));
-        const double error = ciede2000(place, chosen);
+        const double excess = ciede2000(place, chosen) - best;
         ++_count;
-        _error += error;
-        _excess += error - best;
-        _numWorse += error - best > NOTICEABLE ? 1 : 0;
+        _error += Palette::getDifference(color, _palette.getColors()[index].color);
+        _excess += excess;
+        _numWorse += excess > NOTICEABLE ? 1 : 0;
         _numNeutral += chromaOf(place) <= NEUTRAL ? 1 : 0;
         _numChromatic += chromaOf(place) <= NEUTRAL && chromaOf(chosen) > CHROMATIC ? 1 : 0;
     }

@@ -20,13 +20,13 @@ public:
     /** @param cells in the colours of the surface. @param colors those of the layout. */
     RecoloringCosts(const BrickModel& cells, const std::vector<PaletteColor>& colors);
 
-    /** The increase of the difference (CIEDE2000) between a cell and its surface.
+    /** The increase of the difference (CIEDE2000 between places of toMatchingLab()) between a cell and its surface.
      * @param place of a cell of the layout. @return at least 0; 0 for cells that can't be seen. */
     double get(const std::array<std::uint16_t, 3>& place, std::uint16_t from, std::uint16_t to) const;
 
 private:
     osg::ref_ptr<const BrickModel> _cells;
-    std::vector<glm::dvec3> _colors; // in CIELAB
+    std::vector<glm::dvec3> _colors; // by toMatchingLab()
 };
 
 } // namespace osgLego

@@ -1,7 +1,7 @@
 #include <osgLego/palette/ColorChoice.h>
 
-#include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <algorithm>
 #include <limits>
@@ -27,10 +27,10 @@ public:
         std::vector<glm::dvec3> places;
         places.reserve(shares.size());
         for (const ColorShare& share : shares)
-            places.push_back(toCieLab(share.color));
+            places.push_back(toMatchingLab(share.color));
         for (std::size_t color = 0; color < _numColors; ++color)
         {
-            const glm::dvec3 place = toCieLab(colors[color].color);
+            const glm::dvec3 place = toMatchingLab(colors[color].color);
             for (std::size_t point = 0; point < _numPoints; ++point)
             {
                 const double difference = ciede2000(places[point], place);

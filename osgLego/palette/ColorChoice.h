@@ -7,7 +7,8 @@ namespace osgLego
 {
 
 /** Choose the colours of a palette with which a surface is shown best: those with the least weighted sum of the squared
- * differences (CIEDE2000) between each colour of the surface and the nearest chosen colour.
+ * differences (CIEDE2000 between places of toMatchingLab()) between each colour of the surface and the nearest chosen
+ * colour.
  *
  * The colours are added one after the other, each time the one that helps most, and then exchanged as long as an
  * exchange helps (k-medoids; Kaufman and Rousseeuw 1990, with all exchanges of one colour evaluated together as by

@@ -1,7 +1,7 @@
 #include <osgLego/palette/EntryPlaces.h>
 
-#include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ EntryPlaces::EntryPlaces() :
     TableBlock::forEach(
         [&](const TableBlock& block)
         {
-            block.forEachEntry([&](std::size_t entry) { _places[entry] = toCieLab(middleOfEntry(entry)); });
+            block.forEachEntry([&](std::size_t entry) { _places[entry] = toMatchingLab(middleOfEntry(entry)); });
             _radii[block.getIndex()] = findRadius(block);
         });
 }

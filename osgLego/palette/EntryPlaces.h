@@ -21,8 +21,8 @@ inline std::array<std::uint8_t, 3> middleOfEntry(std::size_t entry)
     return {middleOf(entry % SIDE), middleOf(entry / SIDE % SIDE), middleOf(entry / SIDE / SIDE)};
 }
 
-/** The middles of all entries of Palette::getTable() in CIELAB, which are the same for every palette. Immutable; may be
- * used from any thread. */
+/** The places (toMatchingLab()) of the middles of all entries of Palette::getTable(), which are the same for every
+ * palette. Immutable; may be used from any thread. */
 class EntryPlaces
 {
 public:

@@ -3,6 +3,7 @@
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
 #include <osgLego/palette/EntryPlaces.h>
+#include <osgLego/palette/MatchingLab.h>
 #include <osgLego/palette/NearestTable.h>
 
 #include <algorithm>
@@ -51,7 +52,8 @@ public:
     {
         for (const PaletteColor& color : colors)
         {
-            _places.push_back(toCieLab(color.color));
+            _places.push_back(toMatchingLab(color.color));
+            _lightnesses.push_back(toCieLab(color.color).x);
             _lights.push_back(toLinear(color.color));
         }
         _differences.reserve(colors.size() * colors.size());
@@ -124,7 +126,7 @@ private:
     PaletteMixture toMixture(const Pair& pair, int share) const
     {
         // Of neighbouring entries, which may mix other pairs, the same cells then have the lighter colours.
-        const bool isLighter = _places[pair.first].x > _places[pair.second].x;
+        const bool isLighter = _lightnesses[pair.first] > _lightnesses[pair.second];
         return {static_cast<std::uint8_t>(isLighter ? pair.second : pair.first),
                 static_cast<std::uint8_t>(isLighter ? pair.first : pair.second),
                 static_cast<std::uint8_t>(isLighter ? WHOLE - share : share)};
@@ -134,7 +136,7 @@ private:
     double costOf(const Pair& pair, int share, const glm::dvec3& place) const
     {
         const double exactShare = static_cast<double>(share) / WHOLE;
-        const glm::dvec3 mean = linearToCieLab(glm::mix(_lights[pair.first], _lights[pair.second], exactShare));
+        const glm::dvec3 mean = linearToMatchingLab(glm::mix(_lights[pair.first], _lights[pair.second], exactShare));
         return ciede2000(place, mean) + costOfSpread(pair.first, pair.second, exactShare);
     }
 
@@ -151,7 +153,8 @@ private:
                                           std::span<const std::size_t> candidates) const
     {
         const glm::dvec3 light = toLinear(color);
-        const glm::dmat3 scale = ciede2000Scale(place) * cieLabDerivatives(light);
+        // Where places are moved, the derivatives of CIELAB are good enough to find pairs.
+        const glm::dmat3 scale = ciede2000Scale(linearToCieLab(light)) * cieLabDerivatives(light);
         const double limit = largestChroma(chromaOf(place));
         std::array<std::size_t, NUM_NEAREST + NUM_NEUTRAL> indices;
         std::array<glm::dvec3, NUM_NEAREST + NUM_NEUTRAL> places; // relative to the colour
@@ -182,8 +185,9 @@ private:
         return best;
     }
 
-    std::vector<glm::dvec3> _places; // in CIELAB
-    std::vector<glm::dvec3> _lights; // in linear light
+    std::vector<glm::dvec3> _places;  // at which colours are matched
+    std::vector<double> _lightnesses; // in CIELAB
+    std::vector<glm::dvec3> _lights;  // in linear light
     std::vector<double> _differences;
 };
 

@@ -1,8 +1,8 @@
 #include <osgLego/palette/NearestTable.h>
 
-#include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
 #include <osgLego/palette/EntryPlaces.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,7 +16,7 @@ namespace osgLego
 namespace
 {
 
-using Places = std::vector<glm::dvec3>; // of colours in CIELAB
+using Places = std::vector<glm::dvec3>; // at which colours are matched
 
 /** A colour that may be nearest to an entry of a block, and its difference from the middle entry. */
 struct Candidate
@@ -78,7 +78,7 @@ std::vector<std::uint8_t> makeNearestTable(std::span<const PaletteColor> colors)
     const EntryPlaces& entries = EntryPlaces::get();
     Places places;
     for (const PaletteColor& color : colors)
-        places.push_back(toCieLab(color.color));
+        places.push_back(toMatchingLab(color.color));
     const std::vector<std::uint8_t> indices = findDifferent(colors);
     constexpr std::size_t SIDE = PaletteLimits::TABLE_SIDE;
     std::vector<std::uint8_t> table(SIDE * SIDE * SIDE);

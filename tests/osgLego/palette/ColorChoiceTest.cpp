@@ -1,6 +1,6 @@
-#include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorChoice.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <Palettes.h>
 
@@ -41,7 +41,7 @@ double errorOf(const std::vector<PaletteColor>& colors, const std::vector<ColorS
     {
         double nearest = 1000.0;
         for (const PaletteColor& color : colors)
-            nearest = std::min(nearest, ciede2000(toCieLab(color.color), toCieLab(share.color)));
+            nearest = std::min(nearest, ciede2000(toMatchingLab(color.color), toMatchingLab(share.color)));
         sum += share.weight * nearest * nearest;
     }
     return sum;
@@ -160,6 +160,18 @@ TEST(ColorChoice, WeightsDecide)
     EXPECT_EQ(choose(10, 1, 1), "red");
     EXPECT_EQ(choose(1, 10, 1), "green");
     EXPECT_EQ(choose(1, 1, 10), "blue");
+}
+
+TEST(ColorChoice, VividBlueAndYellowKeepTheirNames)
+{
+    std::string error;
+    const osg::ref_ptr<const Palette> palette = Palette::read("ldraw", error);
+    ColorHistogram histogram;
+    histogram.add({0, 0, 255}, 10.0);
+    histogram.add({255, 255, 0}, 10.0);
+    const osg::ref_ptr<const Palette> chosen = chooseColors(*palette, histogram, 2);
+    EXPECT_EQ(chosen->getColors()[0].name, "Blue");
+    EXPECT_EQ(chosen->getColors()[1].name, "Yellow");
 }
 
 TEST(ColorChoice, KeepsThePaletteIfItHasNoMoreColours)

@@ -1,5 +1,6 @@
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 #include <osgLego/palette/MixtureTable.h>
 #include <osgLego/palette/NearestTable.h>
 
@@ -55,9 +56,9 @@ double mixtureCost(const Palette& palette, const Color& color, std::size_t first
 {
     const Color& firstColor = palette.getColors()[first].color;
     const Color& secondColor = palette.getColors()[second].color;
-    const glm::dvec3 mean = linearToCieLab(glm::mix(toLinear(firstColor), toLinear(secondColor), share));
-    return ciede2000(toCieLab(color), mean) +
-           0.1 * std::sqrt(share * (1.0 - share)) * ciede2000(toCieLab(firstColor), toCieLab(secondColor));
+    const glm::dvec3 mean = linearToMatchingLab(glm::mix(toLinear(firstColor), toLinear(secondColor), share));
+    return ciede2000(toMatchingLab(color), mean) +
+           0.1 * std::sqrt(share * (1.0 - share)) * ciede2000(toMatchingLab(firstColor), toMatchingLab(secondColor));
 }
 
 double mixtureCost(const Palette& palette, const Color& color, const PaletteMixture& mixture)
@@ -172,6 +173,17 @@ TEST(MixtureTable, BricksDifferOnlyWhereThatHelps)
         createPalette({{0, "grey", {120, 120, 120}}, {1, "white", {255, 255, 255}}});
     EXPECT_EQ(palette->getMixtures()[tableEntryOf({124, 124, 124})], (PaletteMixture{0, 0, 0}));
     EXPECT_GT(palette->getMixtures()[tableEntryOf({160, 160, 160})].share, 32);
+}
+
+TEST(MixtureTable, BluesHaveNoPurpleBricks)
+{
+    const osg::ref_ptr<const Palette> palette = readDefaultColors();
+    for (const std::uint8_t level : std::array<std::uint8_t, 4>{255, 200, 150, 100})
+    {
+        const PaletteMixture mixture = palette->getMixtures()[tableEntryOf({0, 0, level})];
+        for (const std::uint8_t index : {mixture.first, mixture.second})
+            EXPECT_NE(palette->getColors()[index].name, "Medium_Lilac") << int(level);
+    }
 }
 
 TEST(MixtureTable, AColourOfThePaletteStaysPlain)

@@ -2,6 +2,7 @@
 #include <osgLego/PartType.h>
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
+#include <osgLego/palette/MatchingLab.h>
 
 #include <Palettes.h>
 
@@ -49,12 +50,12 @@ const PaletteColor* findCode(const Palette& palette, std::int32_t code)
 
 using Places = std::vector<glm::dvec3>;
 
-/** The colours of a palette in CIELAB. */
+/** The places at which the colours of a palette are matched. */
 Places placesOf(const Palette& palette)
 {
     Places places;
     for (const PaletteColor& color : palette.getColors())
-        places.push_back(toCieLab(color.color));
+        places.push_back(toMatchingLab(color.color));
     return places;
 }
 
@@ -227,7 +228,7 @@ TEST(Palette, TheTableHasTheColourNearestToTheMiddleOfEachEntry)
             const std::size_t index = palette->getTable()[entry];
             ASSERT_LT(index, palette->getColors().size());
             if (isInEntryOf(palette->getColors()[index].color, first)) continue;
-            const glm::dvec3 middle = toCieLab(middleOf(first));
+            const glm::dvec3 middle = toMatchingLab(middleOf(first));
             ASSERT_LT(ciede2000(places[index], middle), leastDifference(places, middle) + 1e-6);
         }
     }
@@ -246,7 +247,7 @@ Excess excessOf(const Palette& palette, const std::vector<Color>& colors)
     Excess excess;
     for (const Color& color : colors)
     {
-        const glm::dvec3 place = toCieLab(color);
+        const glm::dvec3 place = toMatchingLab(color);
         const double difference = ciede2000(places[palette.findNearest(color)], place) - leastDifference(places, place);
         excess.mean += difference / static_cast<double>(colors.size());
         excess.maximum = std::max(excess.maximum, difference);
@@ -290,6 +291,65 @@ TEST(Palette, NearlyNeutralColoursStayNeutral)
             }
     EXPECT_GT(numNeutral, 3000);
     EXPECT_LE(numChromatic, numNeutral / 100);
+}
+
+/** A colour of a mesh, and the codes of the palette's colours that have its name. */
+struct NamedColor
+{
+    Color color;
+    std::vector<std::int32_t> codes;
+};
+
+void expectNames(const std::vector<NamedColor>& named)
+{
+    const osg::ref_ptr<const Palette> palette = readDefault();
+    for (const auto& [color, codes] : named)
+    {
+        const PaletteColor& nearest = palette->getColors()[palette->findNearest(color)];
+        EXPECT_NE(std::ranges::find(codes, nearest.code), codes.end())
+            << +color[0] << ' ' << +color[1] << ' ' << +color[2] << ": " << nearest.name;
+    }
+}
+
+TEST(Palette, BluesOfDisplaysAreBlueNotPurple)
+{
+    expectNames({{{0, 0, 255}, {1}},
+                 {{0, 0, 204}, {1}},
+                 {{51, 51, 204}, {1}},
+                 {{30, 60, 220}, {1}},
+                 {{0, 0, 200}, {1, 272}},
+                 {{0, 0, 150}, {1, 272}},
+                 {{0, 0, 128}, {272}},
+                 {{0, 0, 100}, {272}},
+                 {{25, 25, 112}, {272}}});
+}
+
+TEST(Palette, YellowsOfDisplaysAreYellowNotCream)
+{
+    expectNames({{{255, 255, 0}, {14}},
+                 {{255, 255, 26}, {14}},
+                 {{255, 240, 0}, {14}},
+                 {{230, 230, 0}, {14}},
+                 {{204, 204, 0}, {14}},
+                 {{255, 255, 128}, {226}}}); // is cream
+}
+
+TEST(Palette, OtherColoursOfDisplaysKeepTheirNames)
+{
+    expectNames({{{255, 0, 0}, {4}},
+                 {{128, 0, 0}, {320}},
+                 {{0, 128, 0}, {2}},
+                 {{128, 255, 0}, {27}},
+                 {{255, 165, 0}, {191}},
+                 {{255, 128, 0}, {25}},
+                 {{139, 69, 19}, {484}},
+                 {{75, 0, 130}, {85}},
+                 {{128, 0, 128}, {85}},
+                 {{255, 0, 255}, {5}},
+                 {{0, 128, 128}, {3}},
+                 {{100, 149, 237}, {73}},
+                 {{173, 216, 230}, {212}},
+                 {{234, 192, 134}, {19}}});
 }
 
 TEST(Palette, EveryGreyIsBuiltOfGrey)
