@@ -25,8 +25,8 @@ const float GAP_DARKNESS = 0.5;  // fraction of the light that does not reach th
 const float EDGE_DARKNESS = 0.5; // likewise the bottom of the groove between two rounded edges
 const float TILT = 0.006;        // tilt of faces, which are never perfectly flat
 const float SHADE = 0.04;
-const float TOWARDS_EYE = 0.35;     // for faces smaller than a pixel; see mergeFaces()
-const float MERGED_OPENNESS = 0.85; // faces and studs at an angle to each other block some of each other's light
+const float TOWARDS_EYE = 0.35; // for faces smaller than a pixel; see mergeFaces()
+const float ROUND_WALL = 0.785; // mean of the normals of a half cylinder
 
 struct Surface
 {
@@ -37,10 +37,14 @@ struct Surface
     vec3 outward;   // likewise, from the face or upwards
     vec3 shading;   // the normal used for shading, with edges, relief and tilt
     float openness; // 1; less in the gap of a joint
-    float agreement; // length of the pixel's mean normal; 1: all normals are equal
     float roughness;
     float lift; // where shadows are looked up above the surface, in eye coordinates
     float line; // the share of the pixel that lines cover
+    // Of a brick whose faces are smaller than a pixel:
+    float merged;    // how much they are shaded as one; 0: not at all
+    vec3 faces;      // their shares of the area that is seen, for each axis; negative if they point against it
+    float wall;      // likewise the share of the wall of the stud
+    vec3 wallNormal; // the middle of its normals
 };
 
 // The combined effect of edges and relief within the pixel.
@@ -158,8 +162,8 @@ vec3 axisOf(int axis)
 }
 
 // The mean normal, in eye coordinates, of the brick's open faces that are turned towards the eye, weighted by their projected
-// areas. Its length is 1 if there is only one face, and less if there are several.
-vec3 meanNormal(vec3 toEye)
+// areas. Its length is 1 if there is only one face, and less if there are several. Sets the shares of the faces.
+vec3 meanNormal(vec3 toEye, inout Surface surface)
 {
     vec3 sum = vec3(0.0);
     float area = 1e-5;
@@ -171,11 +175,17 @@ vec3 meanNormal(vec3 toEye)
         float seen = abs(cosine) * cellProportions[(axis + 1) % 3] * cellProportions[(axis + 2) % 3];
         area += seen;
         sum += sign(cosine) * seen * direction;
+        surface.faces[axis] = sign(cosine) * seen;
         if (axis != upAxis || cosine <= 0.0) continue;
         // The wall of the stud covers an equal area of the face behind it, and is round.
         float wall = min(2.0 * STUD_RADIUS * STUD_HEIGHT * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * seen);
-        sum += wall * (0.785 * normalize(toEye - cosine * direction + vec3(1e-5)) - direction);
+        surface.wallNormal = normalize(toEye - cosine * direction + vec3(1e-5));
+        surface.wall = wall;
+        surface.faces[axis] -= wall;
+        sum += wall * (ROUND_WALL * surface.wallNormal - direction);
     }
+    surface.faces /= area;
+    surface.wall /= area;
     return sum / area;
 }
 
@@ -186,13 +196,12 @@ void mergeFaces(inout Surface surface, vec3 toEye, float wide)
 {
     float share = clamp(2.0 * wide - 0.75, 0.0, 1.0);
     if (share == 0.0 || !isOutside) return;
-    vec3 mean = (meanNormal(toEye) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
+    vec3 mean = (meanNormal(toEye, surface) + TOWARDS_EYE * toEye) / (1.0 + TOWARDS_EYE);
     float agreement = min(length(mean), 1.0);
     vec3 direction = normalize(mean);
     surface.normal = normalize(mix(surface.normal, direction, share));
     surface.shading = mix(surface.shading, direction, share);
-    surface.agreement = mix(1.0, agreement, share);
-    surface.openness *= mix(1.0, MERGED_OPENNESS, share);
+    surface.merged = share;
     surface.roughness += share * (1.0 / (agreement * agreement) - 1.0);
     // Outside of the shadow that the brick casts on its own faces.
     surface.lift = share / length(normalMatrix[0]);
@@ -247,9 +256,12 @@ Surface surfaceHere(vec3 toEye)
     surface.openness = bend.openness;
     // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;
-    surface.agreement = 1.0;
     surface.lift = 0.0;
     surface.line = 0.0;
+    surface.merged = 0.0;
+    surface.faces = vec3(0.0);
+    surface.wall = 0.0;
+    surface.wallNormal = normal;
     mergeFaces(surface, toEye, wide);
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);

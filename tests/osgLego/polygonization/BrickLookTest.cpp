@@ -147,6 +147,34 @@ TEST_F(BrickLook, BricksSmallerThanAPixelDoNotSparkle)
     }
 }
 
+TEST_F(BrickLook, BricksSmallerThanAPixelAreAsBrightAsLargeOnes)
+{
+    const osg::ref_ptr<LegoNode> plate = createBrickBox({300, 300, 1}, "300", GREY);
+    const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", plate);
+    const auto measure = [&](double pixels, const osg::Vec3d& toEye)
+    {
+        const osg::Vec3d middle(150, 150, 0);
+        const osg::ref_ptr<osg::Image> image =
+            draw(*group, {middle + toEye * 400.0, middle, {0, 0, 1}, HEIGHT / pixels});
+        double sum = 0.0;
+        constexpr int REACH = 20;
+        for (int row = -REACH; row <= REACH; ++row)
+            for (int column = -REACH; column <= REACH; ++column)
+                sum += brightnessAt(*image, WIDTH / 2 + column, HEIGHT / 2 + row);
+        return sum / ((2 * REACH + 1) * (2 * REACH + 1));
+    };
+    for (const BrickOcclusion occlusion : {BrickOcclusion::OFF, BrickOcclusion::GRID, BrickOcclusion::SCREEN})
+        for (const osg::Vec3d& toEye : {osg::Vec3d(0.4, -0.8, 0.45), osg::Vec3d(-0.5, 0.2, 0.85)})
+        {
+            BrickAppearance appearance;
+            appearance.occlusion = occlusion;
+            plate->setAppearance(appearance);
+            group->setEnabled(occlusion == BrickOcclusion::SCREEN);
+            const double near = measure(8.0, toEye);
+            EXPECT_NEAR(measure(0.7, toEye), near, 0.07 * near) << static_cast<int>(occlusion) << " from " << toEye.x();
+        }
+}
+
 TEST_F(BrickLook, FogHidesTheBricksInBothLooks)
 {
     osg::ref_ptr<osg::Fog> fog = new osg::Fog;
