@@ -138,8 +138,10 @@ void BookletBlockMarkup::writeSmallStep(std::size_t chapter, std::size_t index)
     writeBoxes(step);
     _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
     const BookletPicture picture = _pictures.drawStep(chapter, index);
-    _markup.getStream() << "<div class=\"small-step\" id=\"" << nameStep(step) << "\"><h5>" << step.name << "</h5>";
+    _markup.getStream() << "<div class=\"small-step\" id=\"" << nameStep(step) << "\"><div class=\"number\"><h5>"
+                        << step.name << "</h5>";
     writeTurn(step);
+    _markup.getStream() << "</div>";
     writeFrame(chapter, step, picture, SheetMeasures::toBox(glm::dvec2(picture.width / picture.pitch)).x);
     _markup.getStream() << "</div>\n";
 }
@@ -153,7 +155,6 @@ void BookletBlockMarkup::writeStep(std::size_t chapter, std::size_t index, const
                         << formatPlace(place) << ">\n<header>";
     writeNumber(step);
     writeCallout(step);
-    writeTurn(step);
     _markup.getStream() << "</header>\n";
     writeBoxes(step);
     writeNote(step);
@@ -167,7 +168,9 @@ void BookletBlockMarkup::writeStep(std::size_t chapter, std::size_t index, const
 void BookletBlockMarkup::writeNumber(const BookletStep& step)
 {
     _markup.getStream() << "<div class=\"number\"><h3><span class=\"hidden\">Step </span>" << step.name << "</h3><p>"
-                        << countOf(step.numNew, "part") << "</p></div>\n";
+                        << countOf(step.numNew, "part") << "</p>";
+    writeTurn(step);
+    _markup.getStream() << "</div>\n";
 }
 
 /** List the parts, and the submodels of many parts, that a step adds. */
@@ -195,7 +198,7 @@ void BookletBlockMarkup::writeTurn(const BookletStep& step)
     if (!step.isTurned) return;
     _markup.getStream() << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
                         << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
-                        << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>\n";
+                        << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>";
 }
 
 /** Say whether the builder must hold something. */

@@ -2,6 +2,8 @@
 
 #include "BookletText.h"
 
+#include <common/NumberText.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,12 +25,14 @@ constexpr double QUANTITY_WIDTH = 2.5; // of a character
 constexpr double ROUNDING = 0.05;
 constexpr double NUMBER_WIDTH = 11.0;
 constexpr double NUMBER_CHARACTER = 4.6;
+constexpr double COUNT_CHARACTER = 1.3; // of the number of parts below it
 constexpr double NUMBER_HEIGHT = 11.0;
-constexpr double TURN = 9.0;
-constexpr double SPACE = 2.0; // between the parts of a header
+constexpr double TURN = 10.0;        // below a number, with the space above
+constexpr double SPACE = 2.0;        // between the things of a block
+constexpr double NUMBER_SPACE = 1.5; // beside a number
 constexpr glm::dvec2 ITEM_SPACE{2.5, 1.0};
-constexpr glm::dvec2 CALLOUT_PADDING{2.3, 1.9}; // on each side, with the border
-constexpr double BAR = 3.5;                     // beside submodels of many parts
+constexpr glm::dvec2 CALLOUT_PADDING{2.2, 1.9}; // on each side, with the border
+constexpr double BAR = 2.7;                     // beside submodels of many parts
 constexpr double LETTER = 6.0;
 constexpr double LETTER_PADDING = 3.4;    // beside the letters of a box, on both sides
 constexpr double HEADING_CHARACTER = 5.0; // of the letters of a submodel of many parts
@@ -59,6 +63,23 @@ glm::dvec2 flow(const std::vector<glm::dvec2>& items, double width, const glm::d
     }
     if (row.x > 0.0) end();
     return size;
+}
+
+/** Whether no item is wider than a list. */
+bool fit(const std::vector<glm::dvec2>& items, double width)
+{
+    constexpr double TOLERANCE = 1e-9;
+    return std::all_of(items.begin(), items.end(),
+                       [width](const glm::dvec2& item) { return item.x <= width + TOLERANCE; });
+}
+
+/** The height of a list in its frame; SheetFilling::IMPOSSIBLE if an item is too wide. Items are never shrunk, so that
+ * parts can be told apart by their length. */
+double measureList(const std::vector<glm::dvec2>& items, double width)
+{
+    const double inner = width - 2.0 * CALLOUT_PADDING.x;
+    if (!fit(items, inner)) return SheetFilling::IMPOSSIBLE;
+    return flow(items, inner, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
 }
 
 /** The largest scale at which something is low enough, down to a least one. */
@@ -123,7 +144,7 @@ double SheetMeasures::measureCallout(const BookletStep& step, double width) cons
             sizes.push_back(use * std::min(1.0, inner / use.x));
         }
     append(sizes, measureItems(step.items));
-    return sizes.empty() ? 0.0 : flow(sizes, inner, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y;
+    return sizes.empty() ? 0.0 : measureList(sizes, width);
 }
 
 glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
@@ -132,14 +153,16 @@ glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
     const double inner = width - 2.0 * CALLOUT_PADDING.x;
     Sizes sizes{{LETTER_PADDING + QUANTITY_WIDTH * static_cast<double>(own.letter.size()), LETTER}};
     if (own.quantity > 1) sizes.push_back({MULTIPLIER, LETTER});
-    append(sizes, measureItems(own.items));
+    const Sizes items = measureItems(own.items);
+    if (!fit(items, inner)) return {width, SheetFilling::IMPOSSIBLE};
+    append(sizes, items);
     for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
     {
         // Boxes within a box are a row across it.
         if (const Sizes boxes = measureBoxes(own.steps[step], inner); !boxes.empty())
             sizes.push_back({inner, flow(boxes, inner, glm::dvec2(SPACE)).y});
         const glm::dvec2 picture = toBox(_pictures.measureStep(chapter, step));
-        sizes.push_back({picture.x + LETTER, picture.y + (own.steps[step].isTurned ? LETTER : 0.0)});
+        sizes.push_back({picture.x + LETTER, std::max(picture.y, own.steps[step].isTurned ? 2.0 * LETTER : LETTER)});
     }
     const glm::dvec2 finished = _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * BOX_SCALE);
     sizes.push_back(finished * std::min(1.0, inner / finished.x));
@@ -175,9 +198,11 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
 /** The height of all but the picture of a step. */
 double SheetMeasures::measureHead(const BookletStep& step, double width) const
 {
-    const double number = std::max(NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(step.name.size()));
-    const double callout = measureCallout(step, width - number - SPACE - (step.isTurned ? TURN + SPACE : 0.0));
-    double head = std::max(callout, NUMBER_HEIGHT);
+    const std::string count = countOf(step.numNew, "part");
+    const double number = std::max({NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(step.name.size()),
+                                    COUNT_CHARACTER * static_cast<double>(count.size())});
+    double head =
+        std::max(measureCallout(step, width - number - NUMBER_SPACE), NUMBER_HEIGHT + (step.isTurned ? TURN : 0.0));
     if (const Sizes boxes = measureBoxes(step, width); !boxes.empty())
         head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
     if (const std::string note = describeHold(step); !note.empty())
@@ -208,14 +233,12 @@ double SheetMeasures::measureSubmodel(const BookletBlock& block, double width) c
 {
     const BookletChapter& own = _model.getChapters()[block.chapter];
     const Sizes items = measureItems(block.items);
-    const auto measureList = [&](double free)
-    { return flow(items, free - 2.0 * CALLOUT_PADDING.x, ITEM_SPACE).y + 2.0 * CALLOUT_PADDING.y; };
-    if (block.isContinued) return MORE_PARTS + SPACE + measureList(width) + 2.0 * SPACE;
+    if (block.isContinued) return MORE_PARTS + SPACE + measureList(items, width) + 2.0 * SPACE;
     const double letter = std::max(LETTER, HEADING_CHARACTER * static_cast<double>(own.letter.size())) + SPACE +
                           (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
     constexpr double UNLIMITED = 1e9;
     const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
-    const double list = items.empty() ? LETTER : measureList(width - letter);
+    const double list = items.empty() ? LETTER : measureList(items, width - letter);
     const glm::dvec2 picture = measureContents(block.chapter);
     const bool isBeside = natural + SPACE + picture.x <= width;
     return (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;

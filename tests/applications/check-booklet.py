@@ -222,26 +222,26 @@ def check_step(page, step, name, written, kinds, document, is_first):
     """A step of the page has the parts, submodels and the turn of a step of the .mpd. Returns its submodels' letters."""
     attached = [own.name for own in written.references if own.name in document.files]
     if step.has_class("small-step"):  # the box around it lists its parts
-        header = step
-        heading = step.children[0]
+        number = step.children[0]
+        heading = number.children[0]
         before = [index for index, own in enumerate(step.parent.children) if own is step][0]
         letters = read_boxes(step.parent.children[before - 1:before], f"step {name}")
     else:
-        header = next(own for own in step.children if own.tag == "header")
-        heading, count = header.children[0].children
+        number = next(own for own in step.children if own.tag == "header").children[0]
+        heading, count = number.children[:2]
         parts, letters = read_callout(step, kinds, f"step {name}")
         letters += read_boxes(step.children, f"step {name}")
         direct = collections.Counter((own.name, own.color) for own in written.references if own.name not in document.files)
         if parts != direct or len(letters) != len(attached):
             fail(f"step {name} shows {parts} and submodels {letters}, and the .mpd places {direct} and {attached}")
-        number = sum(direct.values()) + sum(document.count_parts(own).total() for own in attached)
-        if count.get_text() != f"{number} part{'s' if number != 1 else ''}":
-            fail(f"step {name} has {number} parts, and counts {count.get_text()}")
+        total = sum(direct.values()) + sum(document.count_parts(own).total() for own in attached)
+        if count.get_text() != f"{total} part{'s' if total != 1 else ''}":
+            fail(f"step {name} has {total} parts, and counts {count.get_text()}")
     if heading.get_text() != name:
         fail(f"step {name} shows the number '{heading.get_text()}'")
     # The first step begins upright, whatever its view is.
     must_turn = written.changes_view and (not is_first or written.is_from_below)
-    if any(own.has_class("turn") for own in header.children) != must_turn:
+    if any(own.has_class("turn") for own in number.children) != must_turn:
         fail(f"step {name} {'has no' if must_turn else 'has an'} arrow for turning, unlike the .mpd")
     return match_submodels(page, letters, attached, kinds, document, f"step {name}")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
-things overlap, pictures have nearly the size that was planned, and all texts are at least 2 mm high on A5.
+things overlap, pictures have nearly the size that was planned, those of parts have one scale, and all texts are at least 2 mm high
+on A5.
 
 Usage: check-sheets.py FILE.html
 """
@@ -23,6 +24,12 @@ FIND_FAILURES = """(() => {
         own.top > outer.top - TOLERANCE && own.bottom < outer.bottom + TOLERANCE;
     const overlap = (own, other) => own.left < other.right - TOLERANCE && other.left < own.right - TOLERANCE &&
         own.top < other.bottom - TOLERANCE && other.top < own.bottom - TOLERANCE;
+    // How large the picture of a part is, compared with the texts and lists around it.
+    const getPartScale = own => own.getBoundingClientRect().width / parseFloat(getComputedStyle(own).getPropertyValue("--w")) /
+        (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
+    const findParts = outer => [...outer.querySelectorAll(".callout svg, .items svg")].filter(
+        own => own.firstElementChild?.getAttribute("href")?.startsWith("#part-"));
+    const partScale = Math.max(...findParts(document).map(getPartScale));
     document.querySelectorAll(".sheet").forEach((sheet, index) => {
         const fail = text => failures.push(`sheet ${index + 1}: ${text}`);
         const limits = sheet.getBoundingClientRect();
@@ -53,6 +60,9 @@ FIND_FAILURES = """(() => {
             const unit = limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
             if (planned < 0.8 * unit) fail(`${name(own)} has ${(planned / unit).toFixed(2)} of the planned size`);
         }
+        for (const own of findParts(sheet))
+            if (getPartScale(own) < 0.99 * partScale)
+                fail(`${name(own)} ${own.ariaLabel} has ${(getPartScale(own) / partScale).toFixed(2)} of the scale of other parts`);
     });
     return failures;
 })()"""
