@@ -74,12 +74,12 @@ void BookletBlockMarkup::writeContents(const BookletBlock& block, const PlacedBl
     _markup.getStream() << "<section class=\"submodel\" id=\"" << nameSubmodel(own) << "\" data-stop=\"Submodel "
                         << own.letter << "\"" << formatPlace(place) << ">\n<header><h3>" << own.letter
                         << "<span class=\"hidden\">: submodel</span></h3>\n";
-    writeMultiplier(own);
     writeItems(block.items);
     const double width = SheetMeasures(_model, _pictures, _markup, _isWhole).measureContents(chapter).x;
     _markup.getStream() << "</header>\n<figure style=\"--print:" << fmt::format("{:.2f}", width) << "\">";
     writeUseOfSubmodel(chapter, _isWhole[chapter] ? describeStep(own, own.steps.front())
                                                   : "Submodel " + own.letter + ", finished");
+    writeMultiplier(own);
     _markup.getStream() << "</figure>\n</section>\n";
 }
 
@@ -118,15 +118,14 @@ void BookletBlockMarkup::writeBox(std::size_t chapter)
     const BookletChapter& own = _model.getChapters()[chapter];
     drawSubmodel(chapter);
     _markup.getStream() << "<section class=\"box\" id=\"" << nameSubmodel(own) << "\">\n<header><h4>" << own.letter
-                        << "<span class=\"hidden\">: submodel</span></h4>\n";
-    writeMultiplier(own);
-    _markup.getStream() << "<ul class=\"items\">\n";
+                        << "<span class=\"hidden\">: submodel</span></h4>\n<ul class=\"items\">\n";
     _markup.writeItems(own.items);
     _markup.getStream() << "</ul></header>\n";
     for (std::size_t step = 0; step < own.steps.size() && !_isWhole[chapter]; ++step)
         writeSmallStep(chapter, step);
     _markup.getStream() << "<figure>";
     writeUseOfSubmodel(chapter, "Submodel " + own.letter + ", finished");
+    writeMultiplier(own);
     _markup.getStream() << "</figure>\n</section>\n";
 }
 
@@ -183,7 +182,7 @@ void BookletBlockMarkup::writeCallout(const BookletStep& step)
     for (const std::size_t submodel : large)
     {
         const BookletChapter& own = _model.getChapters()[submodel];
-        _markup.getStream() << "<li>";
+        _markup.getStream() << "<li class=\"attached\">";
         writeUseOfSubmodel(submodel, "Submodel " + own.letter);
         _markup.getStream() << "<span class=\"letter\" aria-hidden=\"true\">" << own.letter << "</span>";
         writeMultiplier(own);

@@ -37,7 +37,8 @@ constexpr double LETTER = 6.0;
 constexpr double LETTER_PADDING = 3.4;    // beside the letters of a box, on both sides
 constexpr double HEADING_CHARACTER = 5.0; // of the letters of a submodel of many parts
 constexpr double MORE_PARTS = 5.0;        // the height of a line above the rest of a list
-constexpr double MULTIPLIER = 7.0;
+constexpr double MULTIPLIER = 8.0;        // with the space beside it
+constexpr double STEP_PADDING = 1.0;      // around a step in a box
 constexpr double NOTE_LINE = 4.0;
 constexpr double NOTE_PADDING = 4.0;
 constexpr double NOTE_CHARACTER = 1.6;
@@ -92,6 +93,23 @@ double findScale(const std::function<double(double)>& measure, double width, dou
     return scale;
 }
 
+glm::dvec2 shrink(const glm::dvec2& picture, double most)
+{
+    return picture * std::min(1.0, most / picture.x);
+}
+
+/** The width of the letter of a submodel in a list or a box. */
+double measureLetter(const BookletChapter& chapter)
+{
+    return LETTER_PADDING + QUANTITY_WIDTH * static_cast<double>(chapter.letter.size());
+}
+
+/** The width of the number of equal submodels; 0 without one. */
+double measureMultiplier(const BookletChapter& chapter)
+{
+    return chapter.quantity > 1 ? MULTIPLIER : 0.0;
+}
+
 void append(std::vector<glm::dvec2>& sizes, const std::vector<glm::dvec2>& others)
 {
     sizes.insert(sizes.end(), others.begin(), others.end());
@@ -126,10 +144,12 @@ SheetMeasures::Sizes SheetMeasures::measureItems(const std::vector<BookletItem>&
     return sizes;
 }
 
-/** The picture of a finished submodel, with its letter. */
-glm::dvec2 SheetMeasures::measureUse(std::size_t chapter) const
+/** The picture of a finished submodel, with its letter and its multiplier below. @param most width. */
+glm::dvec2 SheetMeasures::measureUse(std::size_t chapter, double most) const
 {
-    return _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE) + glm::dvec2(0.0, LETTER);
+    const BookletChapter& own = _model.getChapters()[chapter];
+    const glm::dvec2 picture = shrink(_pictures.measureFinished(chapter) * (PIXEL * PART_SCALE), most);
+    return {std::max(picture.x, measureLetter(own) + measureMultiplier(own)), picture.y + LETTER};
 }
 
 /** The height of the list of parts and submodels that a step adds. */
@@ -138,11 +158,7 @@ double SheetMeasures::measureCallout(const BookletStep& step, double width) cons
     const double inner = width - 2.0 * CALLOUT_PADDING.x;
     Sizes sizes;
     for (const std::size_t submodel : _model.getOriginals(step))
-        if (!_model.getChapters()[submodel].isCallout())
-        {
-            const glm::dvec2 use = measureUse(submodel);
-            sizes.push_back(use * std::min(1.0, inner / use.x));
-        }
+        if (!_model.getChapters()[submodel].isCallout()) sizes.push_back(measureUse(submodel, inner));
     append(sizes, measureItems(step.items));
     return sizes.empty() ? 0.0 : measureList(sizes, width);
 }
@@ -151,8 +167,7 @@ glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
     const double inner = width - 2.0 * CALLOUT_PADDING.x;
-    Sizes sizes{{LETTER_PADDING + QUANTITY_WIDTH * static_cast<double>(own.letter.size()), LETTER}};
-    if (own.quantity > 1) sizes.push_back({MULTIPLIER, LETTER});
+    Sizes sizes{{measureLetter(own), LETTER}};
     const Sizes items = measureItems(own.items);
     if (!fit(items, inner)) return {width, SheetFilling::IMPOSSIBLE};
     append(sizes, items);
@@ -162,10 +177,13 @@ glm::dvec2 SheetMeasures::measureBox(std::size_t chapter, double width) const
         if (const Sizes boxes = measureBoxes(own.steps[step], inner); !boxes.empty())
             sizes.push_back({inner, flow(boxes, inner, glm::dvec2(SPACE)).y});
         const glm::dvec2 picture = toBox(_pictures.measureStep(chapter, step));
-        sizes.push_back({picture.x + LETTER, std::max(picture.y, own.steps[step].isTurned ? 2.0 * LETTER : LETTER)});
+        const glm::dvec2 number(LETTER, own.steps[step].isTurned ? 2.0 * LETTER : LETTER);
+        sizes.push_back(glm::dvec2(number.x + picture.x, std::max(number.y, picture.y)) + 2.0 * STEP_PADDING);
     }
-    const glm::dvec2 finished = _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * BOX_SCALE);
-    sizes.push_back(finished * std::min(1.0, inner / finished.x));
+    const double multiplier = measureMultiplier(own);
+    const glm::dvec2 finished =
+        shrink(_pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * BOX_SCALE), inner - multiplier);
+    sizes.push_back({finished.x + multiplier, std::max(finished.y, LETTER)});
     return flow(sizes, inner, ITEM_SPACE) + 2.0 * CALLOUT_PADDING;
 }
 
@@ -215,7 +233,8 @@ glm::dvec2 SheetMeasures::measureContents(std::size_t chapter) const
 {
     constexpr double LARGEST = 30.0; // along each side
     const glm::dvec2 size = _pictures.measureFinished(chapter) * (PIXEL * PART_SCALE * CONTENTS_SCALE);
-    return size * std::min({1.0, LARGEST / size.x, LARGEST / size.y});
+    const double widest = LARGEST - measureMultiplier(_model.getChapters()[chapter]);
+    return size * std::min({1.0, widest / size.x, LARGEST / size.y});
 }
 
 SheetBlock SheetMeasures::measureSubmodel(const BookletBlock& block) const
@@ -234,12 +253,11 @@ double SheetMeasures::measureSubmodel(const BookletBlock& block, double width) c
     const BookletChapter& own = _model.getChapters()[block.chapter];
     const Sizes items = measureItems(block.items);
     if (block.isContinued) return MORE_PARTS + SPACE + measureList(items, width) + 2.0 * SPACE;
-    const double letter = std::max(LETTER, HEADING_CHARACTER * static_cast<double>(own.letter.size())) + SPACE +
-                          (own.quantity > 1 ? MULTIPLIER + SPACE : 0.0);
+    const double letter = std::max(LETTER, HEADING_CHARACTER * static_cast<double>(own.letter.size())) + SPACE;
     constexpr double UNLIMITED = 1e9;
     const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
     const double list = items.empty() ? LETTER : measureList(items, width - letter);
-    const glm::dvec2 picture = measureContents(block.chapter);
+    const glm::dvec2 picture = measureContents(block.chapter) + glm::dvec2(measureMultiplier(own), 0.0);
     const bool isBeside = natural + SPACE + picture.x <= width;
     return (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
 }

@@ -72,7 +72,7 @@ private:
     divide(const std::vector<BookletItem>& items, const std::function<bool(const std::vector<BookletItem>&)>& fits);
     SheetHeader measureHeader(const std::vector<BookletItem>& items) const;
     glm::dvec2 measureItem(const BookletItem& item) const;
-    glm::dvec2 measureUse(std::size_t chapter) const;
+    glm::dvec2 measureUse(std::size_t chapter, double most) const;
     Sizes measureItems(const std::vector<BookletItem>& items) const;
     double measureCallout(const BookletStep& step, double width) const;
     Sizes measureBoxes(const BookletStep& step, double width) const;

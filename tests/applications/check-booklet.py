@@ -147,7 +147,7 @@ def read_boxes(elements, where):
         letter = header.children[0].get_text()
         if box["id"] != f"submodel-{letter.lower()}":
             fail(f"{where} has a box {letter} with the id {box['id']}")
-        letters += [letter] * read_multiplier(header)
+        letters += [letter] * read_multiplier(next(own for own in box.children if own.tag == "figure"))
     return letters
 
 

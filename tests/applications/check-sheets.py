@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
-things overlap, pictures have nearly the size that was planned, those of parts have one scale, and all texts are at least 2 mm high
-on A5.
+things overlap, quantities are apart from numbers of steps, pictures have nearly the size that was planned, those of parts have one
+scale, and all texts are at least 2 mm high on A5.
 
 Usage: check-sheets.py FILE.html
 """
@@ -33,6 +33,7 @@ FIND_FAILURES = """(() => {
     document.querySelectorAll(".sheet").forEach((sheet, index) => {
         const fail = text => failures.push(`sheet ${index + 1}: ${text}`);
         const limits = sheet.getBoundingClientRect();
+        const unitOf = own => limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
         const things = [...sheet.querySelectorAll(THINGS)].map(own => ({own, size: own.getBoundingClientRect()}));
         for (const {own, size} of things) {
             if (!size.width || !size.height) fail(`${name(own)} has no size`);
@@ -57,8 +58,14 @@ FIND_FAILURES = """(() => {
         }
         for (const own of sheet.querySelectorAll(".model .frame")) {
             const planned = own.getBoundingClientRect().width / parseFloat(getComputedStyle(own).getPropertyValue("--print"));
-            const unit = limits.width / 128 * (parseFloat(getComputedStyle(own).getPropertyValue("--scale")) || 1);
-            if (planned < 0.8 * unit) fail(`${name(own)} has ${(planned / unit).toFixed(2)} of the planned size`);
+            if (planned < 0.8 * unitOf(own)) fail(`${name(own)} has ${(planned / unitOf(own)).toFixed(2)} of the planned size`);
+        }
+        for (const own of sheet.querySelectorAll(".small-step h5")) {
+            const size = own.getBoundingClientRect();
+            const isAbove = others => others.bottom <= size.top + TOLERANCE && others.bottom > size.top - 1.8 * unitOf(own) &&
+                others.left < size.right && size.left < others.right;
+            for (const other of own.closest(".box").querySelectorAll(".quantity, .multiplier"))
+                if (isAbove(other.getBoundingClientRect())) fail(`${name(other)} is close to the number ${own.textContent}`);
         }
         for (const own of findParts(sheet))
             if (getPartScale(own) < 0.99 * partScale)

@@ -91,7 +91,7 @@ TEST(BookletPage, ShowsSubmodelsOfFewPartsInTheStepThatAttachesThem)
 TEST(BookletPage, ShowsEqualSubmodelsOfAStepOnceWithTheirNumber)
 {
     const std::string html = write(createTwins());
-    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 2× 1× 1× A1 ");
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 1× 1× A1 2× ");
     EXPECT_NE(html.find("alt=\"Step 2 of 3: adds 2 submodels A\""), std::string::npos);
     EXPECT_EQ(html.find("id=\"submodel-c\""), std::string::npos);
     const std::string arrows = html.substr(html.find("adds 2 submodels A"));
@@ -112,7 +112,7 @@ TEST(BookletPage, ShowsTheStepsOfSubmodelsOfManyPartsBeforeTheStepThatAttachesTh
 TEST(BookletPage, ShowsNoStepsOfSubmodelsOfFewPartsIfTheirPictureShowsAllParts)
 {
     const std::string html = write(createTwins(), {}, true);
-    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 2× 1× 1× ");
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-a")), " A 1× 1× 2× ");
     EXPECT_EQ(html.find("id=\"step-a1\""), std::string::npos);
     EXPECT_NE(html.find("id=\"step-b1\""), std::string::npos) << "too many parts for one picture";
     const std::string nested = write(createTower(), {}, true);
