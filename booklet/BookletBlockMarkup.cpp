@@ -39,8 +39,7 @@ BookletBlockMarkup::BookletBlockMarkup(const BookletModel& model, BookletPicture
                                        const std::function<void(const std::string&)>& progress, BookletMarkup& markup,
                                        const std::vector<bool>& isWhole) :
     _model(model),
-    _pictures(pictures), _progress(progress), _markup(markup), _isWhole(isWhole),
-    _submodelSizes(model.getChapters().size())
+    _pictures(pictures), _progress(progress), _markup(markup), _isWhole(isWhole)
 {
 }
 
@@ -58,7 +57,6 @@ void BookletBlockMarkup::drawSubmodel(std::size_t chapter)
     const BookletChapter& own = _model.getChapters()[chapter];
     _progress("submodel " + own.letter);
     const BookletPicture picture = _pictures.drawFinished(chapter);
-    _submodelSizes[chapter] = glm::dvec2(picture.width, picture.height) / picture.density;
     _markup.getStream() << "<svg class=\"symbols\" aria-hidden=\"true\">";
     _markup.writeSymbol(nameSubmodel(own) + "-picture", picture);
     _markup.getStream() << "</svg>\n";
@@ -74,7 +72,7 @@ void BookletBlockMarkup::writeContents(const BookletBlock& block, const PlacedBl
     _markup.getStream() << "<section class=\"submodel\" id=\"" << nameSubmodel(own) << "\" data-stop=\"Submodel "
                         << own.letter << "\"" << formatPlace(place) << ">\n<header><h3>" << own.letter
                         << "<span class=\"hidden\">: submodel</span></h3>\n";
-    writeItems(block.items);
+    writeList(block.submodels, block.items);
     const double width = SheetMeasures(_model, _pictures, _markup, _isWhole).measureContents(chapter).x;
     _markup.getStream() << "</header>\n<figure style=\"--print:" << fmt::format("{:.2f}", width) << "\">";
     writeUseOfSubmodel(chapter, _isWhole[chapter] ? describeStep(own, own.steps.front())
@@ -89,16 +87,26 @@ void BookletBlockMarkup::writeMoreContents(const BookletBlock& block, const Plac
     const BookletChapter& own = _model.getChapters()[block.chapter];
     _markup.getStream() << "<section class=\"submodel continued\" data-of=\"" << nameSubmodel(own) << "\""
                         << formatPlace(place) << ">\n<p>More parts of " << own.letter << "</p>\n<header>";
-    writeItems(block.items);
+    writeList({}, block.items);
     _markup.getStream() << "</header>\n</section>\n";
 }
 
-void BookletBlockMarkup::writeItems(const std::vector<BookletItem>& items)
+/** List submodels of many parts, whose symbols may follow, and parts. */
+void BookletBlockMarkup::writeList(const std::vector<std::size_t>& submodels, const std::vector<BookletItem>& items)
 {
-    if (items.empty()) return;
+    if (submodels.empty() && items.empty()) return;
     _markup.getStream() << "<ul class=\"callout\">\n";
+    for (const std::size_t submodel : submodels)
+    {
+        const BookletChapter& own = _model.getChapters()[submodel];
+        _markup.getStream() << "<li class=\"attached\">";
+        writeUseOfSubmodel(submodel, "Submodel " + own.letter);
+        _markup.getStream() << "<span class=\"letter\" aria-hidden=\"true\">" << own.letter << "</span>";
+        writeMultiplier(own);
+        _markup.getStream() << "</li>\n";
+    }
     _markup.writeItems(items);
-    _markup.getStream() << "</ul>";
+    _markup.getStream() << "</ul>\n";
 }
 
 /** Write the submodels of few parts that a step attaches, each in a box. */
@@ -177,19 +185,7 @@ void BookletBlockMarkup::writeCallout(const BookletStep& step)
 {
     std::vector<std::size_t> large = _model.getOriginals(step);
     std::erase_if(large, [this](std::size_t submodel) { return _model.getChapters()[submodel].isCallout(); });
-    if (large.empty() && step.items.empty()) return;
-    _markup.getStream() << "<ul class=\"callout\">\n";
-    for (const std::size_t submodel : large)
-    {
-        const BookletChapter& own = _model.getChapters()[submodel];
-        _markup.getStream() << "<li class=\"attached\">";
-        writeUseOfSubmodel(submodel, "Submodel " + own.letter);
-        _markup.getStream() << "<span class=\"letter\" aria-hidden=\"true\">" << own.letter << "</span>";
-        writeMultiplier(own);
-        _markup.getStream() << "</li>\n";
-    }
-    _markup.writeItems(step.items);
-    _markup.getStream() << "</ul>\n";
+    writeList(large, step.items);
 }
 
 void BookletBlockMarkup::writeTurn(const BookletStep& step)
@@ -226,7 +222,8 @@ void BookletBlockMarkup::writeFrame(std::size_t chapter, const BookletStep& step
 
 void BookletBlockMarkup::writeUseOfSubmodel(std::size_t chapter, const std::string& text)
 {
-    _markup.writeUse(nameSubmodel(_model.getChapters()[chapter]) + "-picture", text, _submodelSizes[chapter]);
+    _markup.writeUse(nameSubmodel(_model.getChapters()[chapter]) + "-picture", text,
+                     _pictures.measureFinished(chapter));
 }
 
 /** Say how often a submodel is built, if it is several times. */

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
-
 namespace osgLego
 {
 
@@ -33,7 +31,7 @@ public:
 private:
     void writeContents(const BookletBlock& block, const PlacedBlock& place);
     void writeMoreContents(const BookletBlock& block, const PlacedBlock& place);
-    void writeItems(const std::vector<BookletItem>& items);
+    void writeList(const std::vector<std::size_t>& submodels, const std::vector<BookletItem>& items);
     void writeBoxes(const BookletStep& step);
     void writeBox(std::size_t chapter);
     void writeSmallStep(std::size_t chapter, std::size_t index);
@@ -54,7 +52,6 @@ private:
     const std::function<void(const std::string&)>& _progress;
     BookletMarkup& _markup;
     const std::vector<bool>& _isWhole;
-    std::vector<glm::dvec2> _submodelSizes; // of their symbols, in pixels of CSS
 };
 
 } // namespace osgLego

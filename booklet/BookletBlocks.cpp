@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -58,7 +59,7 @@ void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<boo
     contents.step = 0;
     contents.quantity *= own.quantity;
     BookletBlock inner = contents;
-    if (own.isListed()) contents.items = own.items;
+    if (own.isListed()) list(model, contents);
     if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
     _blocks.push_back(std::move(contents));
     inner.isContents = false;
@@ -66,6 +67,27 @@ void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<boo
     inner.isDivisible = inner.quantity == 1;
     for (inner.step = 0; inner.step < own.steps.size() && !isWhole[block.chapter]; ++inner.step)
         addStep(model, isWhole, inner);
+}
+
+/** List the contents of a submodel. Parts of submodels of many parts within it are in the lists of these, so that the
+ * builder gathers each part once. */
+void BookletBlocks::list(const BookletModel& model, BookletBlock& contents)
+{
+    std::vector<BookletItem> placed;
+    for (const BookletStep& step : model.getChapters()[contents.chapter].steps)
+    {
+        addCopies(step.items, 1, placed);
+        for (const std::size_t submodel : step.submodels)
+            if (const BookletChapter& inner = model.getChapters()[submodel]; inner.isCallout())
+                addCopies(inner.items, 1, placed);
+            else if (inner.original == submodel)
+                contents.submodels.push_back(submodel);
+    }
+    std::map<std::size_t, std::size_t> quantities;
+    for (const BookletItem& item : placed)
+        quantities[item.kind] += item.quantity;
+    for (const auto& [kind, quantity] : quantities)
+        contents.items.push_back({kind, quantity});
 }
 
 std::vector<BookletBlock> BookletBlocks::select(std::size_t firstBlock, std::size_t endBlock, std::size_t firstStep,

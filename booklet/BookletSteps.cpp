@@ -72,13 +72,14 @@ std::vector<BookletBlock> BookletSteps::divide(std::span<const BookletBlock> blo
     {
         divided.push_back(block);
         if (!block.isContents) continue;
-        const std::vector<std::vector<BookletItem>> lists = measures.divideContents(block.chapter, block.items);
+        const std::vector<std::vector<BookletItem>> lists = measures.divideContents(block);
         divided.back().items = lists.front();
         for (std::size_t list = 1; list < lists.size(); ++list)
         {
             divided.push_back(block);
             divided.back().items = lists[list];
             divided.back().isContinued = true;
+            divided.back().submodels.clear();
             divided.back().placed.clear();
         }
     }

@@ -152,14 +152,23 @@ glm::dvec2 SheetMeasures::measureUse(std::size_t chapter, double most) const
     return {std::max(picture.x, measureLetter(own) + measureMultiplier(own)), picture.y + LETTER};
 }
 
+/** The entries of a list of submodels and parts. @param most width of pictures of submodels. */
+SheetMeasures::Sizes SheetMeasures::measureEntries(const std::vector<std::size_t>& submodels,
+                                                   const std::vector<BookletItem>& items, double most) const
+{
+    Sizes sizes;
+    for (const std::size_t submodel : submodels)
+        sizes.push_back(measureUse(submodel, most));
+    append(sizes, measureItems(items));
+    return sizes;
+}
+
 /** The height of the list of parts and submodels that a step adds. */
 double SheetMeasures::measureCallout(const BookletStep& step, double width) const
 {
-    const double inner = width - 2.0 * CALLOUT_PADDING.x;
-    Sizes sizes;
-    for (const std::size_t submodel : _model.getOriginals(step))
-        if (!_model.getChapters()[submodel].isCallout()) sizes.push_back(measureUse(submodel, inner));
-    append(sizes, measureItems(step.items));
+    std::vector<std::size_t> large = _model.getOriginals(step);
+    std::erase_if(large, [this](std::size_t submodel) { return _model.getChapters()[submodel].isCallout(); });
+    const Sizes sizes = measureEntries(large, step.items, width - 2.0 * CALLOUT_PADDING.x);
     return sizes.empty() ? 0.0 : measureList(sizes, width);
 }
 
@@ -251,25 +260,24 @@ SheetBlock SheetMeasures::measureSubmodel(const BookletBlock& block) const
 double SheetMeasures::measureSubmodel(const BookletBlock& block, double width) const
 {
     const BookletChapter& own = _model.getChapters()[block.chapter];
-    const Sizes items = measureItems(block.items);
-    if (block.isContinued) return MORE_PARTS + SPACE + measureList(items, width) + 2.0 * SPACE;
+    if (block.isContinued) return MORE_PARTS + SPACE + measureList(measureItems(block.items), width) + 2.0 * SPACE;
     const double letter = std::max(LETTER, HEADING_CHARACTER * static_cast<double>(own.letter.size())) + SPACE;
     constexpr double UNLIMITED = 1e9;
-    const double natural = letter + flow(items, UNLIMITED, ITEM_SPACE).x + 2.0 * CALLOUT_PADDING.x;
-    const double list = items.empty() ? LETTER : measureList(items, width - letter);
+    const double natural = letter + 2.0 * CALLOUT_PADDING.x +
+                           flow(measureEntries(block.submodels, block.items, UNLIMITED), UNLIMITED, ITEM_SPACE).x;
+    const Sizes entries = measureEntries(block.submodels, block.items, width - letter - 2.0 * CALLOUT_PADDING.x);
+    const double list = entries.empty() ? LETTER : measureList(entries, width - letter);
     const glm::dvec2 picture = measureContents(block.chapter) + glm::dvec2(measureMultiplier(own), 0.0);
     const bool isBeside = natural + SPACE + picture.x <= width;
     return (isBeside ? std::max(list, picture.y) : list + SPACE + picture.y) + 2.0 * SPACE;
 }
 
-std::vector<std::vector<BookletItem>> SheetMeasures::divideContents(std::size_t chapter,
-                                                                    const std::vector<BookletItem>& items) const
+std::vector<std::vector<BookletItem>> SheetMeasures::divideContents(const BookletBlock& contents) const
 {
-    return divide(items,
+    return divide(contents.items,
                   [&](const std::vector<BookletItem>& part)
                   {
-                      BookletBlock block;
-                      block.chapter = chapter;
+                      BookletBlock block = contents;
                       block.items = part;
                       return measureSubmodel(block).scales[0] >= LEAST_SCALE;
                   });

@@ -49,8 +49,7 @@ public:
     /** The contents of a submodel of many parts. */
     SheetBlock measureSubmodel(const BookletBlock& block) const;
     /** Divide the list of the contents of a submodel into as few lists as fit on a sheet each, nearly equally long. */
-    std::vector<std::vector<BookletItem>> divideContents(std::size_t chapter,
-                                                         const std::vector<BookletItem>& items) const;
+    std::vector<std::vector<BookletItem>> divideContents(const BookletBlock& contents) const;
     /** A list of parts, likewise divided: blocks may be below the last of the headers only. */
     std::vector<SheetHeader> measureHeaders(const std::vector<BookletItem>& items) const;
     /** The foot of a sheet that names some colours. Hundreds of them are less than 2 mm high. */
@@ -74,6 +73,8 @@ private:
     glm::dvec2 measureItem(const BookletItem& item) const;
     glm::dvec2 measureUse(std::size_t chapter, double most) const;
     Sizes measureItems(const std::vector<BookletItem>& items) const;
+    Sizes measureEntries(const std::vector<std::size_t>& submodels, const std::vector<BookletItem>& items,
+                         double most) const;
     double measureCallout(const BookletStep& step, double width) const;
     Sizes measureBoxes(const BookletStep& step, double width) const;
     glm::dvec2 measureBox(std::size_t chapter, double width) const;

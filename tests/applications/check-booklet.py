@@ -199,14 +199,23 @@ def find_steps(page, letter):
     return [own for own in page.elements if re.fullmatch(rf"step-{letter.lower()}\d+", own.get("id", ""))]
 
 
+def list_parts(page, letter, kinds):
+    """The parts of a submodel by its lists and those of the submodels that they name."""
+    name = f"submodel-{letter.lower()}"
+    listed = collections.Counter()
+    for own in [page.find_id(name)] + find_continued(page, name):
+        parts, letters = read_callout(own, kinds, f"submodel {letter}")
+        listed += parts
+        for inner in letters:
+            listed += list_parts(page, inner, kinds)
+    return listed
+
+
 def match_submodels(page, letters, attached, kinds, document, where):
     """Find a submodel of the .mpd with the same parts for each letter. Equal ones have one letter."""
     pairs, left = {}, list(attached)
     for letter in letters:
-        name = f"submodel-{letter.lower()}"
-        listed = collections.Counter()
-        for own in [page.find_id(name)] + find_continued(page, name):
-            listed += read_callout(own, kinds, f"submodel {letter}")[0]
+        listed = list_parts(page, letter, kinds)
         # Submodels of so many parts have no lists: those of bags have their parts.
         same = [own for own in left if document.count_parts(own) == listed or
                 (not listed and document.count_parts(own).total() > MOST_LISTED)]

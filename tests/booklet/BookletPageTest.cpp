@@ -109,6 +109,25 @@ TEST(BookletPage, ShowsTheStepsOfSubmodelsOfManyPartsBeforeTheStepThatAttachesTh
     EXPECT_LT(html.find("id=\"step-b5\""), html.find("id=\"step-3\""));
 }
 
+TEST(BookletPage, ListsOfSubmodelsNameTheSubmodelsWithinThemInsteadOfTheirParts)
+{
+    // A brick on which A stands: two bricks, five of B, and one in the box of C.
+    std::vector<Part> parts;
+    for (std::uint16_t z = 0; z < 9; ++z)
+        parts.push_back({{0, 0, z}, {2, 2, 1}, {180, 0, 0}, 4});
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 9}, 1.2), parts);
+    const Submodel outer{{createStep({1, 2}), createStep({}, {1}), createStep({}, {2})}};
+    const Submodel inner{{createStep({3, 4, 5}), createStep({6, 7})}};
+    const auto plan =
+        BuildingPlan::create(9, {createStep({0}), createStep({}, {0})}, {outer, inner, {{createStep({8})}}});
+    const std::string html = write({*bricks, *plan, Palette::getKnownColors()});
+    const std::string list = findElement(html, "submodel-a");
+    EXPECT_EQ(toVisibleText(list), " A B 3× ") << "the two bricks, and that of C";
+    EXPECT_NE(list.find("aria-label=\"Submodel B\" style=\"--w:300\""), std::string::npos) << list;
+    EXPECT_NE(list.find("<use href=\"#submodel-b-picture\"/>"), std::string::npos) << list;
+    EXPECT_EQ(toVisibleText(findElement(html, "submodel-b")), " B 5× ");
+}
+
 TEST(BookletPage, ShowsNoStepsOfSubmodelsOfFewPartsIfTheirPictureShowsAllParts)
 {
     const std::string html = write(createTwins(), {}, true);
