@@ -164,7 +164,7 @@ void BookletBlockMarkup::writeStep(std::size_t chapter, std::size_t index, const
     writeCallout(step);
     _markup.getStream() << "</header>\n";
     writeBoxes(step);
-    writeNote(step);
+    writeNote(own, step);
     _progress(fmt::format("step {} of {}", step.name, own.steps.size()));
     const BookletPicture picture = _pictures.drawStep(chapter, index);
     _markup.getStream() << "<figure class=\"model\">";
@@ -197,9 +197,9 @@ void BookletBlockMarkup::writeTurn(const BookletStep& step)
 }
 
 /** Say whether the builder must hold something. */
-void BookletBlockMarkup::writeNote(const BookletStep& step)
+void BookletBlockMarkup::writeNote(const BookletChapter& chapter, const BookletStep& step)
 {
-    if (const std::string note = describeHold(step); !note.empty())
+    if (const std::string note = describeHold(chapter, step); !note.empty())
         _markup.getStream() << "<p class=\"note\">" << note << "</p>\n";
 }
 

@@ -40,7 +40,7 @@ private:
     void writeNumber(const BookletStep& step);
     void writeCallout(const BookletStep& step);
     void writeTurn(const BookletStep& step);
-    void writeNote(const BookletStep& step);
+    void writeNote(const BookletChapter& chapter, const BookletStep& step);
     void writeFrame(std::size_t chapter, const BookletStep& step, const BookletPicture& picture, double width);
     void writeUseOfSubmodel(std::size_t chapter, const std::string& text);
     void writeMultiplier(const BookletChapter& chapter);

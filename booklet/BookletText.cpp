@@ -58,10 +58,16 @@ std::string describeParts(const PartsList::Row& row, std::size_t quantity)
            name.substr(space);
 }
 
-std::string describeHold(const BookletStep& step)
+std::string nameBuilt(const BookletChapter& chapter)
+{
+    return chapter.isSubmodel ? "submodel" : "model";
+}
+
+std::string describeHold(const BookletChapter& chapter, const BookletStep& step)
 {
     if (step.numUnheld > 0) return "Nothing holds " + countOf(step.numUnheld, "part") + " of this step.";
-    return step.falls() ? "Hold the model after this step: it does not stand by itself yet." : std::string();
+    return step.falls() ? "Hold the " + nameBuilt(chapter) + " after this step: it does not stand by itself yet."
+                        : std::string();
 }
 
 std::string joinWords(const std::vector<std::string>& words)

@@ -23,8 +23,11 @@ std::string nameBrickLinkColor(const PaletteColor& color);
 /** Parts of one kind within a sentence, such as "2 red bricks 2 x 4". */
 std::string describeParts(const PartsList::Row& row, std::size_t quantity);
 
-/** A sentence that says whether the builder must hold something after a step; empty otherwise. */
-std::string describeHold(const BookletStep& step);
+/** The main model or a submodel, such as "model", without an article. */
+std::string nameBuilt(const BookletChapter& chapter);
+
+/** A sentence that says whether the builder must hold something after a step of a chapter; empty otherwise. */
+std::string describeHold(const BookletChapter& chapter, const BookletStep& step);
 
 /** Join words, as in "a, b and c". */
 std::string joinWords(const std::vector<std::string>& words);

@@ -189,7 +189,8 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
         writeSubmodel(submodel, places, part);
         part += _model.getChapters()[submodel].model->getParts().size();
     }
-    if (step.numUnheld == 0 && step.falls()) *_stream << "Hold the model, it does not stand by itself yet.\n";
+    if (step.numUnheld == 0 && step.falls())
+        *_stream << "Hold the " << nameBuilt(chapter) << ", it does not stand by itself yet.\n";
 }
 
 /** @param part in the order of building; parts before it are in place. */

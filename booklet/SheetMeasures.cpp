@@ -217,13 +217,13 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
         block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
     }
     if (chapter > 0) block.lostWidth = BAR;
-    findScales([&](double width) { return measureHead(own, width - block.lostWidth); }, SheetArrangement::MOST_HEAD,
-               block);
+    findScales([&](double width) { return measureHead(_model.getChapters()[chapter], own, width - block.lostWidth); },
+               SheetArrangement::MOST_HEAD, block);
     return block;
 }
 
 /** The height of all but the picture of a step. */
-double SheetMeasures::measureHead(const BookletStep& step, double width) const
+double SheetMeasures::measureHead(const BookletChapter& chapter, const BookletStep& step, double width) const
 {
     const std::string count = countOf(step.numNew, "part");
     const double number = std::max({NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(step.name.size()),
@@ -232,7 +232,7 @@ double SheetMeasures::measureHead(const BookletStep& step, double width) const
         std::max(measureCallout(step, width - number - NUMBER_SPACE), NUMBER_HEIGHT + (step.isTurned ? TURN : 0.0));
     if (const Sizes boxes = measureBoxes(step, width); !boxes.empty())
         head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
-    if (const std::string note = describeHold(step); !note.empty())
+    if (const std::string note = describeHold(chapter, step); !note.empty())
         head += NOTE_PADDING +
                 NOTE_LINE * std::ceil(static_cast<double>(note.size()) * NOTE_CHARACTER / (width - NOTE_PADDING));
     return head;

@@ -65,7 +65,7 @@ private:
     using HeightFunction = std::function<double(double)>;
 
     static void findScales(const HeightFunction& measure, double most, SheetBlock& block);
-    double measureHead(const BookletStep& step, double width) const;
+    double measureHead(const BookletChapter& chapter, const BookletStep& step, double width) const;
     double measureSubmodel(const BookletBlock& block, double width) const;
     static std::vector<std::vector<BookletItem>>
     divide(const std::vector<BookletItem>& items, const std::function<bool(const std::vector<BookletItem>&)>& fits);

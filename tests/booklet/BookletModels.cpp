@@ -52,7 +52,7 @@ BookletModel createTower(const TowerSetting& setting)
     return {*model, *plan, Palette::getKnownColors(), setting.base};
 }
 
-BookletModel createTwins()
+BookletModel createTwins(bool largeFalls)
 {
     std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, RED, RED_CODE}};
     for (std::uint16_t x = 0; x <= 2; x = static_cast<std::uint16_t>(x + 2))
@@ -72,6 +72,7 @@ BookletModel createTwins()
     submodels.push_back({});
     for (int z = 1; z <= 5; ++z)
         submodels.back().steps.push_back(createStep({find(4, z)}));
+    submodels.back().steps[1].stands = !largeFalls;
     const auto plan = BuildingPlan::create(
         parts.size(), {createStep({find(0, 0)}), createStep({}, {0, 1}), createStep({}, {2})}, submodels);
     return {*model, *plan, Palette::getKnownColors()};

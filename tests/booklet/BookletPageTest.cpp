@@ -214,6 +214,12 @@ TEST(BookletPage, SaysWhenTheBuilderMustHoldTheModelAndWhichPartsNothingHolds)
     EXPECT_EQ(textOf("step-3"), " 3 2 parts 1× 1× Nothing holds 1 part of this step. ");
 }
 
+TEST(BookletPage, SaysWhenTheBuilderMustHoldASubmodel)
+{
+    EXPECT_EQ(toVisibleText(findElement(write(createTwins(true)), "step-b2")),
+              " B2 1 part 1× Hold the submodel after this step: it does not stand by itself yet. ");
+}
+
 TEST(BookletPage, CountsThePartsOfEachPage)
 {
     const auto count = [](const BookletModel& model)

@@ -270,6 +270,17 @@ TEST(BookletWordsTest, SaysWhereTheModelStandsOnABasePlate)
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
 }
 
+TEST(BookletWordsTest, SaysWhetherTheModelOrASubmodelMustBeHeld)
+{
+    EXPECT_NE(write(createTower({.fallingSteps = {0}})).find("Hold the model, it does not stand by itself yet.\n"),
+              std::string::npos);
+    const std::string text = write(createTwins(true));
+    EXPECT_NE(text.find("Hold the submodel, it does not stand by itself yet.\n", text.find("Step B2 of 5.")),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("Hold the model"), std::string::npos);
+}
+
 TEST(BookletWordsTest, DescribesEqualSubmodelsOfAStepOnce)
 {
     const std::string text = write(createTwins());
