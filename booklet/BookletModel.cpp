@@ -235,9 +235,9 @@ std::size_t BookletModel::getNumFallingSteps() const
     return number;
 }
 
-std::size_t BookletModel::getNumSteps() const
+std::size_t BookletModel::getNumStepsOfSubmodels() const
 {
-    return std::accumulate(_chapters.begin(), _chapters.end(), std::size_t{0},
+    return std::accumulate(_chapters.begin() + 1, _chapters.end(), std::size_t{0},
                            [](std::size_t number, const BookletChapter& chapter)
                            { return number + chapter.steps.size(); });
 }

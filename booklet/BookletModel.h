@@ -104,8 +104,9 @@ public:
     std::vector<std::size_t> getOriginals(const BookletStep& step) const;
 
     std::size_t getNumParts() const;
-    /** The number of steps, those of submodels included. */
-    std::size_t getNumSteps() const;
+    /** The number of steps of the main model, which are numbered without letters. */
+    std::size_t getNumSteps() const { return getMainChapter().steps.size(); }
+    std::size_t getNumStepsOfSubmodels() const;
     /** The number of pieces that no stud holds together. */
     std::size_t getNumPieces() const { return _numPieces; }
     double getMass() const; //!< grams

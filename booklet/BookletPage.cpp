@@ -132,10 +132,10 @@ void BookletPage::writeFacts()
 {
     const glm::dvec3 size = _model.getSize();
     constexpr double PITCH = 8.0;
-    const std::size_t numSteps = _model.getMainChapter().steps.size();
-    std::string steps = formatNumber(_model.getNumSteps());
-    if (_model.getNumSteps() > numSteps)
-        steps += fmt::format(", {} of them in submodels", formatNumber(_model.getNumSteps() - numSteps));
+    const std::size_t numSteps = _model.getNumSteps();
+    std::string steps = formatNumber(numSteps);
+    if (const std::size_t number = _model.getNumStepsOfSubmodels())
+        steps += fmt::format(", and {} in submodels", formatNumber(number));
     if (_facts.endStep - _facts.firstStep < numSteps)
         steps = fmt::format("{} to {} of {}", _facts.firstStep + 1, _facts.endStep, formatNumber(numSteps));
     const std::vector<std::pair<std::string, std::string>> rows{

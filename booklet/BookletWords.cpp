@@ -56,13 +56,15 @@ void BookletWords::writeIntroduction(const std::string& title)
     glm::ivec3 size(0);
     for (const Place& place : places)
         size = glm::max(size, place.last);
+    std::string steps = countOf(_model.getNumSteps(), "step");
+    if (const std::size_t number = _model.getNumStepsOfSubmodels())
+        steps += ", and " + countOf(number, "step") + " in submodels";
     *_stream
         << title << "\nBuilding instructions in words\n\n"
         << fmt::format("The model is {} wide, {} deep and {} high. It has {} in {}.\n",
                        countOf(static_cast<std::size_t>(size.x), "stud"),
                        countOf(static_cast<std::size_t>(size.y), "stud"),
-                       countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"),
-                       countOf(_model.getNumSteps(), "step"))
+                       countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"), steps)
         << "Columns count from left to right, rows from the front to the back, and layers from the bottom up.\n"
         << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
         << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"

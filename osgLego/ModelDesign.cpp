@@ -69,9 +69,9 @@ std::string explainBuilding(const DesignCandidate& best)
     std::size_t numInSubmodels = 0;
     for (const Submodel& submodel : plan.getSubmodels())
         numInSubmodels += submodel.steps.size();
-    std::string text = "building: " + counted(plan.getSteps().size() + numInSubmodels, "step", "steps");
+    std::string text = "building: " + counted(plan.getSteps().size(), "step", "steps");
     if (numInSubmodels > 0)
-        text += ", " + std::to_string(numInSubmodels) + " of them in " +
+        text += ", and " + counted(numInSubmodels, "step", "steps") + " in " +
                 counted(plan.getSubmodels().size(), "submodel", "submodels") + " of up to " +
                 counted(plan.getLargestSubmodel(), "part", "parts") + ", nested " +
                 std::to_string(plan.getDeepestSubmodel()) + " deep";

@@ -329,12 +329,14 @@ def check_wanted_list(text, parts):
 
 
 def check_cover(page, document, is_whole):
-    """The cover counts the steps of the .mpd, those of submodels included."""
+    """The cover counts the steps of the .mpd, and those of submodels apart."""
     facts = {own.children[0].get_text(): own.children[1].get_text() for own in page.elements
              if own.tag == "div" and [child.tag for child in own.children] == ["dt", "dd"]}
-    number = sum(len(steps) for steps in document.files.values())
-    if is_whole and facts["Steps"].split(",")[0] != str(number):
-        fail(f"the cover counts {facts['Steps']} steps, and the .mpd {number}")
+    number = len(document.files[document.main])
+    inner = sum(len(steps) for steps in document.files.values()) - number
+    expected = f"{number:,}" + (f", and {inner:,} in submodels" if inner else "")
+    if is_whole and facts["Steps"] != expected:
+        fail(f"the cover counts {facts['Steps']} steps, and the .mpd {expected}")
 
 
 def main():

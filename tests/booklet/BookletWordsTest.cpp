@@ -248,7 +248,8 @@ TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
 {
     const std::string text = write(createTower());
     for (const char* line :
-         {"The model is 6 studs wide, 4 studs deep and 3 layers high. It has 6 parts in 6 steps.\n",
+         {"The model is 6 studs wide, 4 studs deep and 3 layers high. It has 6 parts in 3 steps, and 3 steps in "
+          "submodels.\n",
           "3 red bricks 2 x 4.\n", "\nStep 1 of 3. Add 2 parts.\n",
           "1.1: red brick 2 x 4, from front to back. Columns 1 to 2, rows 1 to 4, layer 1. On the table.\n",
           "\nSubmodel A, of 2 parts. Build it apart.\n", "\nSubmodel B, of 1 part. Build it apart.\n",
@@ -268,6 +269,17 @@ TEST(BookletWordsTest, SaysWhereTheModelStandsOnABasePlate)
           "1.1: red brick 2 x 4, from front to back. Columns 1 to 2, rows 1 to 4, layer 1. On the base plate.\n",
           "B1.1: red brick 2 x 4, from left to right. Columns 1 to 4, rows 1 to 2, layer 1. On the table.\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+}
+
+TEST(BookletWordsTest, CountsTheStepsOfTheModelAndThoseOfSubmodelsApart)
+{
+    const std::string text = write(createTower());
+    EXPECT_NE(text.find("It has 6 parts in 3 steps, and 3 steps in submodels.\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("Step 1 of 3."), std::string::npos);
+    const std::vector<Part> parts{{{0, 0, 0}, {2, 2, 1}, {180, 0, 0}, 4}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 1}, 1.2), parts);
+    const std::string one = write({*bricks, *BuildingPlan::create(1, {createStep({0})}), Palette::getKnownColors()});
+    EXPECT_NE(one.find("It has 1 part in 1 step.\n"), std::string::npos) << one;
 }
 
 TEST(BookletWordsTest, SaysWhetherTheModelOrASubmodelMustBeHeld)
