@@ -85,8 +85,10 @@ std::string describe(const std::vector<PartsList::Row>& rows, const std::functio
         }
     if (!most) return {};
     return std::to_string(quantity) + (quantity == 1 ? " part" : " parts") +
-           (kinds == 1 ? " (" : " of " + std::to_string(kinds) + " kinds (most of them ") + most->type->getName() +
-           " in " + most->color.name + ")";
+           (kinds == 1 ? " ("
+                       : " of " + std::to_string(kinds) + " kinds (" +
+                             (2 * most->quantity > quantity ? "most of them " : "for example ")) +
+           most->type->getName() + " in " + most->color.name + ")";
 }
 
 } // namespace

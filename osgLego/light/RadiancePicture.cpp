@@ -1,6 +1,7 @@
 #include <osgLego/light/RadiancePicture.h>
 
 #include <osgLego/light/LatitudeLongitude.h>
+#include <osgLego/text/CountedNoun.h>
 
 #include <algorithm>
 #include <array>
@@ -205,11 +206,11 @@ bool RadiancePicture::mend()
         endless += isEndless;
     }
     if (light && dark > 0)
-        OSG_WARN << "osgLego: pixels of a light probe's picture that are negative or not numbers, and count as 0: "
-                 << dark << std::endl;
+        OSG_WARN << "osgLego: " << counted(dark, "pixel", "pixels")
+                 << " of a light probe's picture with negative values or without numbers; they count as 0" << std::endl;
     if (light && endless > 0)
-        OSG_WARN << "osgLego: pixels of a light probe's picture that are infinite, and count as " << LARGEST_HALF
-                 << ": " << endless << std::endl;
+        OSG_WARN << "osgLego: " << counted(endless, "infinite pixel", "infinite pixels")
+                 << " of a light probe's picture; they count as " << LARGEST_HALF << std::endl;
     return light;
 }
 

@@ -110,8 +110,8 @@ int countStarts(int numParts)
     return std::clamp(PARTS_OF_ALL_STARTS / std::max(numParts, 1), 1, MOST);
 }
 
-/** Search with Effort::BEST for a solid model, several times if it is small. All layouts are added to `best`, except the
- * last one, which the map has then.
+/** Search with Effort::BEST for a solid model, several times if it is small. All layouts are added to `best`, except
+ * the last one, which the map has then.
  * @return false if it was cancelled. */
 bool searchSolid(PartMap& map, const PartSizes& sizes, const LayoutOptions& options, const std::vector<bool>& isActive,
                  BestLayout& best)
@@ -121,8 +121,7 @@ bool searchSolid(PartMap& map, const PartSizes& sizes, const LayoutOptions& opti
     {
         LayoutOptions own = options;
         own.seed = options.seed + static_cast<std::uint32_t>(numStarts - 1 - start);
-        if (options.progress)
-            own.progress = [&](double done) { options.progress((start + done) / numStarts); };
+        if (options.progress) own.progress = [&](double done) { options.progress((start + done) / numStarts); };
         if (start + 1 == numStarts) return search(map, sizes, own, isActive, best);
         PartMap again(map);
         if (!search(again, sizes, own, isActive, best)) return false;

@@ -24,7 +24,7 @@ std::vector<SearchPhase> lowerPhases(int numRounds, int seamCost)
 {
     constexpr std::array DIVISORS{1, 2, 4, 8};
     constexpr int NUM_PHASES = static_cast<int>(DIVISORS.size());
-    constexpr int LENGTH = 10;                                     // rounds, if there are enough
+    constexpr int LENGTH = 10;                                 // rounds, if there are enough
     constexpr int SEQUENCE = NUM_PHASES * LENGTH + LENGTH / 2; // with half a phase that ignores seams
     const int numSequences = std::max((numRounds + LENGTH / 2) / SEQUENCE, 1);
     const int length = 2 * numRounds / ((2 * NUM_PHASES + 1) * numSequences - 1);

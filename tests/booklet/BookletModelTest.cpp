@@ -171,8 +171,7 @@ TEST(BookletModel, ABasePlateJoinsThePiecesThatStandOnIt)
     // Two bricks on the base, one on one of them, and one in the air.
     const auto model = BrickModel::createOfParts(test::createPartGrid({9, 1, 3}, 1.2),
                                                  {Part{{0, 0, 0}}, Part{{4, 0, 0}}, Part{{4, 0, 1}}, Part{{8, 0, 2}}});
-    const auto plan =
-        BuildingPlan::create(4, {createStep({0, 1}), createStep({2}), createStep({3})}, {}, {3});
+    const auto plan = BuildingPlan::create(4, {createStep({0, 1}), createStep({2}), createStep({3})}, {}, {3});
     EXPECT_EQ(BookletModel(*model, *plan, {}, BuildingBase::TABLE).getNumPieces(), 3u);
     EXPECT_EQ(BookletModel(*model, *plan, {}, BuildingBase::PLATE).getNumPieces(), 2u);
 }

@@ -98,7 +98,7 @@ TEST(PartsList, NamesPartsThatWereNeverMadeOrHaveNoNumber)
 {
     const PartsList list = createList();
     EXPECT_EQ(list.describeNeverMade(),
-              "never made in this size and colour: 2 parts of 2 kinds (most of them Brick 1 x 1 in #010203)");
+              "never made in this size and colour: 2 parts of 2 kinds (for example Brick 1 x 1 in #010203)");
     EXPECT_EQ(list.describeWithoutNumber(),
               "in a colour without a number of BrickLink: 1 part (Brick 1 x 1 in #010203)");
 }

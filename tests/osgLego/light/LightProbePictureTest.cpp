@@ -80,8 +80,12 @@ TEST(LightProbePicture, InvalidPixelsAreRepaired)
 
     osg::ref_ptr<LightProbe> probe;
     const std::string notices = noticesOf([&] { probe = createProbe(image); });
-    EXPECT_NE(notices.find("negative or not numbers, and count as 0: 3\n"), std::string::npos) << notices;
-    EXPECT_NE(notices.find("infinite, and count as 65504: 1\n"), std::string::npos) << notices;
+    EXPECT_NE(
+        notices.find("3 pixels of a light probe's picture with negative values or without numbers; they count as 0\n"),
+        std::string::npos)
+        << notices;
+    EXPECT_NE(notices.find("1 infinite pixel of a light probe's picture; they count as 65504\n"), std::string::npos)
+        << notices;
     EXPECT_EQ(probe->getCoefficients(), createProbe(mended)->getCoefficients());
     EXPECT_GT(probe->getIrradiance({1.0, 0.0, 0.0}).x(), 0.0);
 }

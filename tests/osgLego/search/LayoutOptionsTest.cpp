@@ -121,9 +121,9 @@ TEST(LayoutOptions, BestEffortLaysSmallSolidsSeveralTimes)
         LayoutOptions options = withEffort(Effort::BEST);
         std::vector<double> reports;
         options.progress = [&](double done) { reports.push_back(done); };
-        layOut(makeCells({numParts + 1, 1, 1},
-                         [=](int x, int, int) { return x == numParts ? LayoutCell::ANY_COLOR : x % 2; },
-                         std::vector<LayoutColor>(2)),
+        layOut(makeCells(
+                   {numParts + 1, 1, 1}, [=](int x, int, int) { return x == numParts ? LayoutCell::ANY_COLOR : x % 2; },
+                   std::vector<LayoutColor>(2)),
                options);
         EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end())) << numParts << " parts";
         EXPECT_EQ(reports.back(), 1.0) << numParts << " parts";
