@@ -111,7 +111,9 @@ void BookletPage::writeHead()
 void BookletPage::writeCover()
 {
     _progress("cover");
-    *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1>" << escapedForMarkup(_facts.title)
+    constexpr std::size_t LONG_TITLE = 40; // bytes, which fill three lines of A5 in large letters
+    *_stream << "<section class=\"cover\" id=\"cover\" data-stop=\"Cover\">\n<h1"
+             << (_facts.title.size() > LONG_TITLE ? " class=\"long\">" : ">") << escapedForMarkup(_facts.title)
              << "</h1>\n<p class=\"subtitle\">Building instructions"
              << (_facts.author.empty() ? std::string() : " by " + escapedForMarkup(_facts.author))
              << "</p>\n<figure class=\"picture\">";

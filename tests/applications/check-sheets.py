@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the sheets of a booklet as Chromium lays them out for A5 and for A4 sideways: nothing leaves its sheet, its column or its block, no two
 things overlap, quantities are apart from numbers of steps, pictures have nearly the size that was planned, those of parts have one
-scale, and all texts are at least 2 mm high on A5.
+scale, all texts are at least 2 mm high on A5, and the picture of the cover is large.
 
 Usage: check-sheets.py FILE.html
 """
@@ -30,6 +30,13 @@ FIND_FAILURES = """(() => {
     const findParts = outer => [...outer.querySelectorAll(".callout svg, .items svg")].filter(
         own => own.firstElementChild?.getAttribute("href")?.startsWith("#part-"));
     const partScale = Math.max(...findParts(document).map(getPartScale));
+    // A long title and long warnings leave a fifth of the cover to the picture.
+    const cover = document.querySelector(".cover").getBoundingClientRect();
+    const picture = document.querySelector(".cover .picture").getBoundingClientRect();
+    if (picture.height < cover.height / 5)
+        failures.push(`the picture has ${(picture.height / cover.height).toFixed(2)} of the height of the cover`);
+    for (const own of document.querySelectorAll(".cover > *"))
+        if (!isIn(own.getBoundingClientRect(), cover)) failures.push(`${name(own)} leaves the cover`);
     document.querySelectorAll(".sheet").forEach((sheet, index) => {
         const fail = text => failures.push(`sheet ${index + 1}: ${text}`);
         const limits = sheet.getBoundingClientRect();
