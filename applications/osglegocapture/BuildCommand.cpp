@@ -111,12 +111,13 @@ void checkLength(const CaptureOptions& options, const LegoNode& lego)
 }
 
 /** The mesh and the goals, for the report. */
-std::string describeGoals(const CaptureOptions& options)
+std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
 {
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
     if (options.buildParts) goals += fmt::format(", of at most {} parts", *options.buildParts);
     if (!options.settingsText.empty()) goals += ", with " + options.settingsText;
+    goals += fmt::format(", with its {} axis upwards", upAxis == UpAxis::Z ? "Z" : "Y");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
 }
 
@@ -198,7 +199,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     if (options.base == BuildingBase::PLATE) scene.addBasePlate(*createBasePlate(*best.model));
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
-    const std::string report = describeGoals(options) + '\n' + choice.toString();
+    const std::string report = describeGoals(options, best.settings.grid.upAxis) + '\n' + choice.toString();
     writeText(files.get("-report.txt"), [&](std::ostream& stream) { stream << report; });
     const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     std::error_code ignored;
