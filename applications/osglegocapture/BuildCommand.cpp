@@ -138,8 +138,6 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
                                       best.isWhole() ? "tips" : "one tips", *best.stability.tippingAngle));
     else if (!best.stability.safe)
         defects.push_back(fmt::format("{}, but not safely", standing));
-    if (const std::size_t numFalling = best.plan ? best.plan->getNumFalling() : 0)
-        defects.push_back(fmt::format("after {}, the model or a submodel has to be held", countOf(numFalling, "step")));
     if (best.plan && best.exceedsLimits())
         defects.push_back(
             fmt::format("the largest submodel has {} parts, and submodels are nested {} deep; easy to build "
