@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Scarcities, OutOfMemoryInLongWork,
                                            Scarcity(MemoryFaults::Extent::ALL_AFTER, 2)),
                          nameOf);
 
-constexpr const char* SETTINGS = "4,proportions=plate,parts=bricks,fill=shell,connect=on";
+constexpr const char* SETTINGS = "5,proportions=plate,parts=bricks,fill=shell,connect=on";
 
 /** A model whose plan needs linear programs, since parts of it hang. */
 osg::ref_ptr<const BrickModel> createHangingModel()
