@@ -1,10 +1,9 @@
 #include "BookletModel.h"
 
-#include <osgLego/data/UnionFind.h>
+#include <osgLego/PieceCount.h>
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -50,34 +49,6 @@ osg::ref_ptr<const BrickModel> createPartialModel(const BrickModel& model, const
         chosen.push_back(model.getParts()[part]);
     }
     return BrickModel::createOfParts(model.getGrid(), std::move(chosen));
-}
-
-/** A base plate joins the parts that stand on it. */
-std::size_t countPieces(const BrickModel& model, BuildingBase base)
-{
-    const int up = model.getGrid().getUpIndex();
-    int lowest = std::numeric_limits<int>::max();
-    for (const Part& part : model.getParts())
-        lowest = std::min(lowest, part.getCell()[up]);
-    UnionFind pieces;
-    pieces.reset(model.getParts().size());
-    std::size_t number = model.getParts().size();
-    const auto join = [&](std::int32_t a, std::int32_t b) { number -= pieces.join(a, b) ? 1 : 0; };
-    std::optional<std::int32_t> onPlate;
-    for (std::size_t brick = 0; brick < model.getBricks().size(); ++brick)
-    {
-        const auto part = static_cast<std::int32_t>(model.getPartIndices()[brick]);
-        glm::ivec3 cell = model.getBricks()[brick].getCell();
-        if (base == BuildingBase::PLATE && cell[up] == lowest)
-        {
-            if (!onPlate) onPlate = part;
-            join(*onPlate, part);
-        }
-        ++cell[up];
-        if (const Part* above = model.findPart(cell))
-            join(part, static_cast<std::int32_t>(above - model.getParts().data()));
-    }
-    return number;
 }
 
 } // namespace

@@ -141,21 +141,22 @@ void PartsList::writeCsv(std::ostream& stream) const
     stream << "part,name,ldraw_color,color_name,bricklink_color,quantity,mass,total_mass\n";
     std::size_t quantity = 0;
     double mass = 0.0;
+    const auto writeParts = [&](std::string_view number, const std::string& name, const PaletteColor& color,
+                                std::size_t count, const std::string& masses)
+    {
+        stream << number << ',' << quotedForCsv(name) << ',' << optionalNumber(color.code) << ','
+               << quotedForCsv(color.name) << ',' << optionalNumber(color.brickLink) << ',' << count << ',' << masses
+               << '\n';
+        quantity += count;
+    };
     for (const Row& row : getRows())
     {
-        stream << row.type->number << ',' << row.type->getName() << ',' << optionalNumber(row.color.code) << ','
-               << quotedForCsv(row.color.name) << ',' << optionalNumber(row.color.brickLink) << ',' << row.quantity
-               << ',' << formatMass(row.type->mass) << ',' << formatMass(row.getMass()) << '\n';
-        quantity += row.quantity;
+        writeParts(row.type->number, row.type->getName(), row.color, row.quantity,
+                   formatMass(row.type->mass) + ',' + formatMass(row.getMass()));
         mass += row.getMass();
     }
     for (const Extra& extra : _extras)
-    {
-        stream << extra.number << ',' << quotedForCsv(extra.name) << ',' << optionalNumber(extra.color.code) << ','
-               << quotedForCsv(extra.color.name) << ',' << optionalNumber(extra.color.brickLink) << ','
-               << extra.quantity << ",,\n";
-        quantity += extra.quantity;
-    }
+        writeParts(extra.number, extra.name, extra.color, extra.quantity, ",");
     stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
 }
 

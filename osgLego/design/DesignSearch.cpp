@@ -1,8 +1,8 @@
 #include <osgLego/design/DesignSearch.h>
 
 #include <osgLego/BuildingPlanner.h>
+#include <osgLego/PieceCount.h>
 #include <osgLego/Stability.h>
-#include <osgLego/design/PieceCount.h>
 #include <osgLego/design/ResolutionSearch.h>
 #include <osgLego/model/CpuBricks.h>
 

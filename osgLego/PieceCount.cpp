@@ -1,4 +1,4 @@
-#include <osgLego/design/PieceCount.h>
+#include <osgLego/PieceCount.h>
 
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/JointGraph.h>

@@ -1,4 +1,4 @@
-#include <osgLego/design/PieceCount.h>
+#include <osgLego/PieceCount.h>
 
 #include <gtest/gtest.h>
 
