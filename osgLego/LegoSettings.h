@@ -69,7 +69,7 @@ enum class Look
 /** The technique that draws bricks; the picture is the same. */
 enum class Drawing
 {
-    AUTO,      //!< splats if OpenGL is a software renderer, otherwise triangles
+    AUTO,      //!< the faster one on all renderers that were measured: splats
     TRIANGLES, //!< triangles from a geometry shader
     SPLATS     //!< points whose pixels cast rays; triangles if rays can't show the bricks, such as bricks cut open
 };

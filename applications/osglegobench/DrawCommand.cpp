@@ -97,13 +97,6 @@ JsonValue drawProgress(FrameViewer& viewer, LegoNode& lego, unsigned int numFram
     return row;
 }
 
-/** The requested drawing; if it is Drawing::AUTO, the one used with this renderer. */
-std::string findDrawing(const DrawOptions& options)
-{
-    if (options.drawing != "auto") return options.drawing;
-    return isSoftwareRenderer() ? "splats" : "triangles";
-}
-
 osg::ref_ptr<osg::Node> createBox()
 {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -130,7 +123,7 @@ JsonValue measure(const DrawOptions& options, FrameViewer& viewer)
                   {"device", options.device},
                   {"look", options.look},
                   {"parts", options.hasParts},
-                  {"drawnBy", lego ? findDrawing(options) : "triangles"},
+                  {"drawnBy", lego && options.drawing != "triangles" ? "splats" : "triangles"},
                   {"occlusion", options.hasOcclusion},
                   {"frames", options.numFrames},
                   {"mebibytes",

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -24,8 +25,14 @@ namespace
 struct FrameOptions : BenchOptions
 {
     BenchRuns runs{5, 0};
+    std::string drawing = "auto"; //!< of the present way
 
     glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
+    Drawing getDrawing() const
+    {
+        if (drawing == "auto") return Drawing::AUTO;
+        return drawing == "splats" ? Drawing::SPLATS : Drawing::TRIANGLES;
+    }
 };
 
 /** "plain" and "full" are looks of LegoSettings; "occlusion" is the full look under an AmbientOcclusionScene, and
@@ -167,10 +174,14 @@ void runFrame(const FrameOptions& options)
     document["width"] = options.getSize().x;
     document["height"] = options.getSize().y;
     document["frames"] = options.runs.numRuns;
+    document["drawing"] = options.drawing;
     for (const unsigned int resolution : options.getResolutions({16}, {64, 128, 256}))
-        for (const auto& [view, scene] : createViews(source, resolution))
+        for (auto& [view, scene] : createViews(source, resolution))
+        {
+            scene.settings.view.drawing = options.getDrawing();
             for (const char* look : LOOKS)
                 document["rows"].append(compareWays(scene, view, look, options));
+        }
     options.write(document);
 }
 
@@ -183,6 +194,8 @@ void addFrameCommand(BenchCommandLine& commands)
     const auto options = std::make_shared<FrameOptions>();
     options->addTo(command, "64,128,256");
     options->runs.addTo(command);
+    command.addChoice("--drawing", options->drawing, "The way to compare: auto, triangles, splats (auto)",
+                      {"auto", "triangles", "splats"});
     command.setRun([options] { runFrame(*options); });
 }
 

@@ -193,8 +193,7 @@ SplatJob* BrickDrawable::findSplats(osg::RenderInfo& renderInfo, const SplatDest
 {
     osg::State& state = *renderInfo.getState();
     SplatTarget& target = _splats.getTarget(state);
-    if (_drawing == Drawing::TRIANGLES || !state.getLastAppliedProgramObject() || !target.isFor(_drawing))
-        return nullptr;
+    if (_drawing == Drawing::TRIANGLES || !state.getLastAppliedProgramObject() || !target.isUsable()) return nullptr;
     // Splats of partly built models have their numbers in other bits.
     const std::optional<SplatPicture> picture = _isPartial ? std::nullopt : SplatPicture::find(renderInfo, destination);
     const osg::ref_ptr<const osg::RefMatrix> modelView =
@@ -337,7 +336,7 @@ void BrickDrawable::drawDepths(osg::State& state, const SplatDestination& destin
     const CellView view = createView(state, bricks.grid, *workspace.cellsToEye);
     const Faces faces = findVisibleFaces(state, view);
     workspace.ranges.find(bricks.blocks, bricks.grid, view, faces, bricks.numPlaced);
-    const bool hasSplats = _drawing != Drawing::TRIANGLES && _splats.getTarget(state).isFor(_drawing) &&
+    const bool hasSplats = _drawing != Drawing::TRIANGLES && _splats.getTarget(state).isUsable() &&
                            _splats.drawDepths(state, destination, bricks, {view, faces, workspace.ranges});
     if (!hasSplats && applyBrickState(state, _states->getDepths(!clipPlanes.isEmpty())))
     {

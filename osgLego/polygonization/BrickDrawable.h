@@ -20,7 +20,7 @@ namespace osgLego
 {
 
 /** Draws the bricks of a context: as points that a geometry shader turns into faces and studs (the paper, section
- * III-C, Algorithm 5) or, on software renderers, as splats (BrickSplats).
+ * III-C, Algorithm 5) or, by default, as splats (BrickSplats).
  *
  * Sets the uniforms of the scene's lights and fog in the programs of BrickStates; with GL_LIGHTING off, colours are
  * drawn unchanged. Draws nothing in a context that has no bricks yet. It is not an osg::Geometry, since the optimizer

@@ -31,7 +31,7 @@ struct DepthJob
     const BrickRanges& ranges; //!< with these faces
 };
 
-/** Draws bricks as points instead of triangles, for software renderers, on which small triangles are expensive: each
+/** Draws bricks as points instead of triangles, since small triangles are expensive: each
  * pixel of a point intersects its ray with the brick; then each pixel of the picture is shaded once.
  *
  * Depth and colour are the same as with the geometry shader, provided that the bricks are behind the near plane and the

@@ -1,6 +1,5 @@
 #include <osgLego/polygonization/SplatTarget.h>
 
-#include <osgLego/gl/GlRequirements.h>
 #include <osgLego/gl/PassState.h>
 #include <osgLego/polygonization/BrickStates.h>
 
@@ -113,8 +112,7 @@ std::optional<SplatPicture> SplatPicture::find(osg::RenderInfo& renderInfo, cons
 }
 
 SplatTarget::SplatTarget(const osg::State& state) :
-    _owner(&state), _isSoftware(GlRequirements::getRenderer(state.getContextID()) == Renderer::SOFTWARE),
-    _splats(createTexture(GL_R32UI, GL_RED_INTEGER_EXT, GL_UNSIGNED_INT)),
+    _owner(&state), _splats(createTexture(GL_R32UI, GL_RED_INTEGER_EXT, GL_UNSIGNED_INT)),
     _depths(createTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT)),
     _frameBuffer(new osg::FrameBufferObject)
 {

@@ -100,9 +100,8 @@ public:
     bool belongsTo(const osg::State& state) const { return _owner == &state; }
     /** Whether the context has been closed. */
     bool isAbandoned() const { return !_owner.valid(); }
-    /** Whether splats are to be used on this renderer. */
-    bool isFor(Drawing drawing) const { return (_isSoftware || drawing == Drawing::SPLATS) && !_hasFailed; }
-
+    /** Whether splats can be drawn, as far as is known. */
+    bool isUsable() const { return !_hasFailed; }
     /** Stop using this target: a program or the frame buffer could not be created. */
     void fail() { _hasFailed = true; }
 
@@ -149,7 +148,6 @@ private:
     void resize(const glm::ivec2& size);
 
     osg::observer_ptr<const osg::State> _owner;
-    bool _isSoftware = false;
     bool _hasFailed = false;
     float _maximumPointSize = 1.0f;
     glm::ivec2 _maximumSize{0};

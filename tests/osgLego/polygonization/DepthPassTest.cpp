@@ -152,19 +152,37 @@ protected:
 
     osg::Matrixd _warp; // of orthographic pictures
 
+    /** The change of the depth from a pixel to its neighbours, along both axes; at an edge, that on one of its sides.
+     */
+    static float slopeAt(const std::vector<float>& depths, std::size_t pixel)
+    {
+        const auto least = [&](std::size_t place, std::size_t step)
+        {
+            const float before = place > 0 ? std::abs(depths[pixel] - depths[pixel - step]) : 1.0f;
+            const float after = place + 1 < SIDE ? std::abs(depths[pixel + step] - depths[pixel]) : 1.0f;
+            return std::min(before, after);
+        };
+        return least(pixel % SIDE, 1) + least(pixel / SIDE, SIDE);
+    }
+
     /** Expect the same depths, except in a few pixels at edges. */
     static void expectSame(const Picture& actual, const Picture& expected)
     {
         constexpr float ROUNDING = 2e-6f;
+        // GPUs round the corners of triangles to 1 / 256 of a pixel, and move their planes.
+        constexpr float CORNER_ROUNDING = 1.0f / 256.0f; // pixels
         std::size_t numDrawn = 0;
         std::size_t numWrong = 0;
+        float largest = 0.0f;
         for (std::size_t pixel = 0; pixel < expected.depths.size(); ++pixel)
         {
             if (expected.depths[pixel] < 1.0f) ++numDrawn;
-            if (std::abs(actual.depths[pixel] - expected.depths[pixel]) > ROUNDING) ++numWrong;
+            const float difference = std::abs(actual.depths[pixel] - expected.depths[pixel]);
+            largest = std::max(largest, difference);
+            if (difference > ROUNDING + CORNER_ROUNDING * slopeAt(expected.depths, pixel)) ++numWrong;
         }
         EXPECT_GT(numDrawn, 5000u);
-        EXPECT_LT(numWrong, numDrawn / 200);
+        EXPECT_LT(numWrong, numDrawn / 200) << "the largest difference is " << largest;
     }
 };
 

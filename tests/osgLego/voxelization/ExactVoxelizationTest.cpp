@@ -282,16 +282,21 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
         const osg::ref_ptr<const GridTriangles> triangles =
             GridTriangles::create(*SceneTriangles::create(*node), settings);
         const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
-        ASSERT_EQ(gpu->getBricks().size(), cpu->getBricks().size()) << text;
+        // A cell that triangles only touch may be found by one of the two.
+        for (const Brick& brick : cpu->getBricks())
+        {
+            const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
+            EXPECT_TRUE(gpu->find(cell) || areaIn(*triangles, cell) < 1e-3) << text;
+        }
         std::size_t weighed = 0;
         std::size_t off = 0;
         for (const Brick& brick : gpu->getBricks())
         {
             const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
-            const Brick* expected = cpu->find(cell);
-            ASSERT_TRUE(expected);
             // In a cell that triangles only touch, the weights depend on the subdivision.
             if (areaIn(*triangles, cell) < 1e-3) continue;
+            const Brick* expected = cpu->find(cell);
+            ASSERT_TRUE(expected) << text;
             ++weighed;
             off += isColorOff(brick, *expected) ? 1 : 0;
         }
