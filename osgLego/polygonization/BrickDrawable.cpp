@@ -82,6 +82,8 @@ void BrickDrawable::drawImplementation(osg::RenderInfo& renderInfo) const
     const std::lock_guard lock(bricks->getMutex());
     state.unbindVertexBufferObject();
     if (!prepare(state, *bricks, shown)) return;
+    // A job is for the blocks that were known when its points were drawn.
+    if (!job) bricks->pollBlocks(state);
 
     // osg::State accepts matrices only as osg::RefMatrix.
     const osg::ref_ptr<const osg::RefMatrix> modelView =
@@ -179,7 +181,6 @@ bool BrickDrawable::prepare(const osg::State& state, ContextBricks& bricks, cons
 {
     // Also if they are drawn partly built, so that the last frame of an animation has nothing to upload.
     if (shown.bricks && shown.bricks->hasPoints()) bricks.upload(state, *shown.bricks);
-    bricks.pollBlocks(state);
     const bool hasBuilding = _isPartial && shown.building && bricks.upload(state, *shown.building);
     bricks.highlight(state, shown.highlight);
     if (!_isPartial) return bricks.numBricks > 0;
@@ -229,7 +230,8 @@ void BrickDrawable::addSplats(const osg::State& state, const SplatDestination& d
     const Shown shown = getShown();
     const std::lock_guard lock(bricks->getMutex());
     if (!prepare(state, *bricks, shown)) return;
-    // Now, since the blocks of bricks made on the GPU may become known with it, and a job is for the same blocks.
+    bricks->pollBlocks(state);
+    // Now, since the blocks of bricks made on the GPU may become known with it, too.
     findOcclusion(state, *bricks);
     if (!job.cellsToEye) job.cellsToEye = new osg::RefMatrix;
     job.cellsToEye->set(getCellsToEye(*bricks, modelView));

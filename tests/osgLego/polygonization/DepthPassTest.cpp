@@ -1,6 +1,7 @@
 #include <common/RacingCar.h>
 
 #include <LookTest.h>
+#include <osgLego/gl/GlRequirements.h>
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,11 @@ protected:
         return {{depths, depths + SIDE * SIDE}, primitives.get()};
     }
 
+    bool isSoftware() const
+    {
+        return GlRequirements::getRenderer(_context->getState()->getContextID()) == Renderer::SOFTWARE;
+    }
+
     osg::Matrixd _warp; // of orthographic pictures
 
     /** The change of the depth from a pixel to its neighbours, along both axes; at an edge, that on one of its sides.
@@ -166,7 +172,7 @@ protected:
     }
 
     /** Expect the same depths, except in a few pixels at edges. */
-    static void expectSame(const Picture& actual, const Picture& expected)
+    void expectSame(const Picture& actual, const Picture& expected) const
     {
         constexpr float ROUNDING = 2e-6f;
         // GPUs round the corners of triangles to 1 / 256 of a pixel, and move their planes.
@@ -182,7 +188,9 @@ protected:
             if (difference > ROUNDING + CORNER_ROUNDING * slopeAt(expected.depths, pixel)) ++numWrong;
         }
         EXPECT_GT(numDrawn, 5000u);
-        EXPECT_LT(numWrong, numDrawn / 200) << "the largest difference is " << largest;
+        // Walls of studs are triangles narrower than a pixel, whose planes GPUs move further.
+        // Walls of studs are triangles narrower than a pixel, whose planes GPUs move further.
+        EXPECT_LT(numWrong, numDrawn / (isSoftware() ? 200 : 40)) << "the largest difference is " << largest;
     }
 };
 

@@ -259,16 +259,26 @@ osg::ref_ptr<osg::Node> createLatticeTriangles(int count)
     return geometry;
 }
 
-/** The total area of all triangles in a cell. */
-double areaIn(const GridTriangles& triangles, const glm::ivec3& cell)
+/** The total area of all triangles in a cell.
+ * @param scale of the triangles about the centre of the cell; a little more than 1 leaves out those in its faces. */
+double areaIn(const GridTriangles& triangles, const glm::ivec3& cell, double scale = 1.0)
 {
+    const glm::dvec3 center = glm::dvec3(cell) + 0.5;
+    const auto scaled = [&](const GridVertex& vertex)
+    { return glm::vec3(center + scale * (glm::dvec3(vertex.position) - center)); };
     double area = 0.0;
     for (const GridBatch& batch : triangles.getBatches())
         for (std::size_t first = 0; first < batch.vertices.size(); first += 3)
-            area += areaOf(clipByCell({batch.vertices[first].position, batch.vertices[first + 1].position,
-                                       batch.vertices[first + 2].position},
-                                      cell));
+            area += areaOf(clipByCell(
+                {scaled(batch.vertices[first]), scaled(batch.vertices[first + 1]), scaled(batch.vertices[first + 2])},
+                cell));
     return area;
+}
+
+/** Whether triangles only touch a cell, so that rounding decides whether it is found. */
+bool isTouched(const GridTriangles& triangles, const Brick& brick)
+{
+    return areaIn(triangles, glm::ivec3(brick.cell[0], brick.cell[1], brick.cell[2]), 1.001) < 1e-3;
 }
 
 TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
@@ -282,12 +292,9 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
         const osg::ref_ptr<const GridTriangles> triangles =
             GridTriangles::create(*SceneTriangles::create(*node), settings);
         const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
-        // A cell that triangles only touch may be found by one of the two.
         for (const Brick& brick : cpu->getBricks())
-        {
-            const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
-            EXPECT_TRUE(gpu->find(cell) || areaIn(*triangles, cell) < 1e-3) << text;
-        }
+            EXPECT_TRUE(gpu->find({brick.cell[0], brick.cell[1], brick.cell[2]}) || isTouched(*triangles, brick))
+                << text;
         std::size_t weighed = 0;
         std::size_t off = 0;
         for (const Brick& brick : gpu->getBricks())
@@ -296,7 +303,8 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
             // In a cell that triangles only touch, the weights depend on the subdivision.
             if (areaIn(*triangles, cell) < 1e-3) continue;
             const Brick* expected = cpu->find(cell);
-            ASSERT_TRUE(expected) << text;
+            EXPECT_TRUE(expected || isTouched(*triangles, brick)) << text;
+            if (!expected) continue;
             ++weighed;
             off += isColorOff(brick, *expected) ? 1 : 0;
         }
