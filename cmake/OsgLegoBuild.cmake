@@ -53,6 +53,15 @@ if(OSGLEGO_BUILD_FUZZERS)
     if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
         message(FATAL_ERROR "OSGLEGO_BUILD_FUZZERS needs libFuzzer; expected Clang as the compiler")
     endif()
-    # Count the branches that inputs reach. Only the fuzzers themselves link the main function of libFuzzer.
-    target_compile_options(osgLegoOptions INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# Have the fuzzers count the branches that inputs reach in targets, and see the values that they are compared with. Other targets
+# need no counters, which slow them and their compilation.
+function(osglego_count_branches)
+    if(OSGLEGO_BUILD_FUZZERS)
+        foreach(target IN LISTS ARGN)
+            target_compile_options(${target} PRIVATE
+                -fsanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,trace-cmp)
+        endforeach()
+    endif()
+endfunction()

@@ -116,11 +116,13 @@ std::filesystem::path folderOf(const Stages& stages)
     return std::filesystem::path(OSGLEGO_TEST_PROGRAMS) / std::to_string(std::hash<std::string>()(all));
 }
 
-/** Link a program with glslangValidator. @return its messages and the folder with the stages; empty if there are none.
- */
+/** Link a program with glslangValidator, unless any process has linked it without messages.
+ * @return its messages and the folder with the stages; empty if there are none. */
 std::string check(const Stages& stages)
 {
     const std::filesystem::path folder = folderOf(stages);
+    const std::filesystem::path mark = folder / "linked";
+    if (std::filesystem::exists(mark)) return {};
     std::filesystem::create_directories(folder);
     std::string command = "'" OSGLEGO_GLSLANG_VALIDATOR "' -l";
     for (const auto& [name, text] : stages)
@@ -134,7 +136,9 @@ std::string check(const Stages& stages)
         command += " '" + file + "'";
     }
     std::string output;
-    return run(command, output) ? std::string() : output + "in " + folder.string();
+    if (!run(command, output)) return output + "in " + folder.string();
+    std::ofstream{mark};
+    return {};
 }
 
 } // namespace
