@@ -11,6 +11,8 @@ namespace osgLego
 namespace
 {
 
+constexpr double SHOWN_TILT = 0.05; // degrees; less is printed as 0.0
+
 std::string countParts(std::size_t count)
 {
     return std::to_string(count) + (count == 1 ? " part is" : " parts are");
@@ -39,6 +41,11 @@ std::string StabilityReport::toString() const
         const double least = *std::min_element(tiltAngles->begin(), tiltAngles->end());
         text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
              << (least >= MOST_TILT || isTiltBound ? ", or more" : ", but not more");
+        // The weights change so little that forces can balance them again, except torques about a single stud.
+        if (least < SHOWN_TILT && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
+            text << ", since parts that one stud holds beside their centre would turn about it; the friction that "
+                    "prevents "
+                    "this is not computed";
     }
     if (!unknown.empty())
         text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";

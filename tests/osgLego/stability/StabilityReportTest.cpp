@@ -37,6 +37,22 @@ TEST(StabilityReport, SaysThatAModelThatTipsEasilyDoesNotStandSafely)
               "would tip as a whole at 1.2 degrees");
 }
 
+TEST(StabilityReport, ExplainsWhyAModelThatStandsSafelyHoldsNoTilt)
+{
+    StabilityReport report;
+    report.tiltAngles = {0.0, 12.0, 12.0, 12.0};
+    EXPECT_EQ(report.toString(),
+              "the model stands safely, with a margin of 100 %; it stands on a base that is tilted by "
+              "0.0 degrees, but not more, since parts that one stud holds beside their centre would "
+              "turn about it; the friction that prevents this is not computed");
+    report.tiltAngles = {0.1, 12.0, 12.0, 12.0};
+    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
+    // Or it tips over, which friction does not prevent.
+    report.tiltAngles = {0.0, 12.0, 12.0, 12.0};
+    report.tippingAngle = 0.0;
+    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
+}
+
 TEST(StabilityReport, MarksAMarginThatIsABound)
 {
     StabilityReport report;

@@ -57,6 +57,16 @@ TEST(TiltSolver, ColumnsTipOverOnATable)
     EXPECT_LT((*thin.tiltAngles)[0], 2.0);
 }
 
+TEST(TiltSolver, APartThatOneStudHoldsBesideItsCentreTurnsAtAnyTilt)
+{
+    const osg::ref_ptr<const BrickModel> model = createPartModel(
+        {createBrick({20, 20, 0}, 2, 2), createBrick({20, 20, 1}, 1, 1), createBrick({20, 20, 2}, 3, 1)});
+    const StabilityReport report = computeTilted(*model, BuildingBase::PLATE);
+    EXPECT_TRUE(report.safe);
+    EXPECT_NEAR((*report.tiltAngles)[2], 0.0, 1e-6);
+    EXPECT_NE(report.toString().find("would turn about it"), std::string::npos);
+}
+
 TEST(TiltSolver, JointsBreakBeforeColumnsOnAPlateTipOver)
 {
     // The lowest stud of a column of 60 bricks 1 x 1: it turns about a point a quarter of the pitch from the axis, and
