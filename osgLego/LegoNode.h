@@ -53,7 +53,7 @@ class LegoPipeline;
  * Usage:
  *
  *     osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode;
- *     lego->addChild(osgDB::readRefNodeFile("bunny.ply"));
+ *     lego->addChild(osgDB::readRefNodeFile("cow.osgt"));
  *     viewer.setSceneData(lego);
  *
  * Node visitors other than the update, event and cull visitors see the bricks alone if they traverse active children,
