@@ -56,7 +56,8 @@ if(OSGLEGO_BUILD_FUZZERS)
 endif()
 
 # Have the fuzzers count the branches that inputs reach in targets, and see the values that they are compared with. Other targets
-# need no counters, which slow them and their compilation.
+# need no counters, which slow them and their compilation. The options of -fsanitize=fuzzer-no-link, but those that would need
+# precompiled headers of their own.
 function(osglego_count_branches)
     if(OSGLEGO_BUILD_FUZZERS)
         foreach(target IN LISTS ARGN)

@@ -42,8 +42,9 @@ std::string StabilityReport::toString() const
         text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
              << (least >= MOST_TILT || isTiltBound ? ", or more" : ", but not more");
         // The weights change so little that forces can balance them again, except torques about a single stud.
-        if (least < SHOWN_TILT && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
-            text << ", since parts that one stud holds beside their centre would turn about it; the friction that "
+        if (least < SHOWN_TILT && safe && !isTiltBound && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
+            text << ", probably since parts that one stud holds beside their centre would turn about it; the friction "
+                    "that "
                     "prevents "
                     "this is not computed";
     }

@@ -194,7 +194,9 @@ SplatJob* BrickDrawable::findSplats(osg::RenderInfo& renderInfo, const SplatDest
 {
     osg::State& state = *renderInfo.getState();
     SplatTarget& target = _splats.getTarget(state);
-    if (_drawing == Drawing::TRIANGLES || !state.getLastAppliedProgramObject() || !target.isUsable()) return nullptr;
+    if (_drawing == Drawing::TRIANGLES || destination.hasSamples() || !state.getLastAppliedProgramObject() ||
+        !target.isUsable())
+        return nullptr;
     // Splats of partly built models have their numbers in other bits.
     const std::optional<SplatPicture> picture = _isPartial ? std::nullopt : SplatPicture::find(renderInfo, destination);
     const osg::ref_ptr<const osg::RefMatrix> modelView =
@@ -231,7 +233,7 @@ void BrickDrawable::addSplats(const osg::State& state, const SplatDestination& d
     const std::lock_guard lock(bricks->getMutex());
     if (!prepare(state, *bricks, shown)) return;
     bricks->pollBlocks(state);
-    // Now, since the blocks of bricks made on the GPU may become known with it, too.
+    // Before the blocks are culled, since they may become known with the occlusion, too.
     findOcclusion(state, *bricks);
     if (!job.cellsToEye) job.cellsToEye = new osg::RefMatrix;
     job.cellsToEye->set(getCellsToEye(*bricks, modelView));
@@ -258,7 +260,7 @@ void BrickDrawable::addFollowing(osg::RenderInfo& renderInfo, const SplatDestina
         for (auto leaf = own + 1; leaf != graph->_leaves.end(); ++leaf)
         {
             const auto* node = dynamic_cast<const BrickDrawable*>((*leaf)->_drawable.get());
-            if (node && !node->_isPartial && node->_drawing == _drawing &&
+            if (node && !node->_isPartial && node->_drawing != Drawing::TRIANGLES &&
                 *(*leaf)->_projection == state.getProjectionMatrix())
                 node->addSplats(state, destination, *(*leaf)->_modelview);
         }

@@ -152,6 +152,7 @@ bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destinat
     const DepthConversion conversion(state);
     const glm::ivec2 size = destination.getSize();
     SplatTarget::setPointViewport(size);
+    destination.clipPoints(state.getLastAppliedMode(GL_SCISSOR_TEST));
     bool isDrawn = true;
     for (const bool hasStuds : {false, true})
     {
@@ -165,6 +166,7 @@ bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destinat
         drawBrickPoints(state, bricks, parts);
     }
     destination.restore();
+    if (!state.getLastAppliedMode(GL_SCISSOR_TEST)) glDisable(GL_SCISSOR_TEST);
     return isDrawn;
 }
 

@@ -31,8 +31,8 @@ struct DepthJob
     const BrickRanges& ranges; //!< with these faces
 };
 
-/** Draws bricks as points instead of triangles, since small triangles are expensive: each
- * pixel of a point intersects its ray with the brick; then each pixel of the picture is shaded once.
+/** Draws bricks as points instead of triangles, since small triangles are expensive on all renderers that were
+ * measured: each pixel of a point intersects its ray with the brick; then each pixel of the picture is shaded once.
  *
  * Depth and colour are the same as with the geometry shader, provided that the bricks are behind the near plane and the
  * state shows only the nearest surface. All functions for drawing need the context of the state current.

@@ -1,5 +1,6 @@
 #include <osgLego/polygonization/SplatTarget.h>
 
+#include <osgLego/gl/GlRequirements.h>
 #include <osgLego/gl/PassState.h>
 #include <osgLego/polygonization/BrickStates.h>
 
@@ -87,6 +88,21 @@ void SplatDestination::restore() const
     glScissor(_scissor[0], _scissor[1], _scissor[2], _scissor[3]);
 }
 
+void SplatDestination::clipPoints(bool isScissored) const
+{
+    glm::ivec2 lower(_viewport[0], _viewport[1]);
+    glm::ivec2 upper = lower + glm::ivec2(_viewport[2], _viewport[3]);
+    if (isScissored)
+    {
+        const glm::ivec2 corner(_scissor[0], _scissor[1]);
+        lower = glm::max(lower, corner);
+        upper = glm::min(upper, corner + glm::ivec2(_scissor[2], _scissor[3]));
+    }
+    const glm::ivec2 size = glm::max(upper - lower, 0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(lower.x, lower.y, size.x, size.y);
+}
+
 std::optional<SplatPicture> SplatPicture::find(osg::RenderInfo& renderInfo, const SplatDestination& destination)
 {
     const osg::State& state = *renderInfo.getState();
@@ -117,7 +133,8 @@ SplatTarget::SplatTarget(const osg::State& state) :
     _frameBuffer(new osg::FrameBufferObject)
 {
     std::array<GLfloat, 2> range{};
-    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
+    // In the core profile, GL_POINT_SIZE_RANGE has replaced the others, and the value of the one for smooth points.
+    glGetFloatv(GlRequirements::isCore(state) ? GL_SMOOTH_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE, range.data());
     _maximumPointSize = range[1];
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
@@ -129,6 +146,14 @@ SplatTarget::SplatTarget(const osg::State& state) :
 }
 
 SplatTarget::~SplatTarget() = default;
+
+void SplatTarget::fail()
+{
+    if (!_hasFailed)
+        OSG_WARN << "osgLego: splats can't be drawn in this context; triangles are drawn instead, which takes longer"
+                 << std::endl;
+    _hasFailed = true;
+}
 
 osg::ref_ptr<SplatTarget> SplatTarget::get(const osg::State& state)
 {

@@ -38,6 +38,9 @@ public:
     glm::ivec2 getOrigin() const { return {_viewport[0], _viewport[1]}; }
     glm::ivec2 getSize() const { return {_viewport[2], _viewport[3]}; }
 
+    /** Enable the scissor test and limit it to the viewport, since GL does not clip the squares of points. restore()
+     * gives the scissor box back, but does not disable the test. @param isScissored whether the test is enabled. */
+    void clipPoints(bool isScissored) const;
     void restore() const;
 
 private:
@@ -102,8 +105,8 @@ public:
     bool isAbandoned() const { return !_owner.valid(); }
     /** Whether splats can be drawn, as far as is known. */
     bool isUsable() const { return !_hasFailed; }
-    /** Stop using this target: a program or the frame buffer could not be created. */
-    void fail() { _hasFailed = true; }
+    /** Stop using this target, with a message: a program or the frame buffer could not be created. */
+    void fail();
 
     float getMaximumPointSize() const { return _maximumPointSize; }
     GLsizei getMaximumBricks() const { return _maximumBricks; }

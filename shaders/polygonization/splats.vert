@@ -162,6 +162,6 @@ void main()
     vec2 extent = 0.5 * (most - least) * pictureSize;
     bool isInPicture = splat.y != 0u && all(greaterThanEqual(extent, vec2(0.0)));
     vec2 place = 0.5 * (least + most);
-    gl_PointSize = max(extent.x, extent.y) + 2.0 * MARGIN;
+    gl_PointSize = isInPicture ? max(extent.x, extent.y) + 2.0 * MARGIN : 1.0;
     gl_Position = isInPicture ? vec4(0.5 + 0.5 * place.x, place.y, 0.0, 1.0) : NOWHERE;
 }

@@ -116,12 +116,14 @@ std::filesystem::path folderOf(const Stages& stages)
     return std::filesystem::path(OSGLEGO_TEST_PROGRAMS) / std::to_string(std::hash<std::string>()(all));
 }
 
-/** Link a program with glslangValidator, unless any process has linked it without messages.
+/** Link a program with glslangValidator, unless an earlier run, in any process, has linked it without errors.
  * @return its messages and the folder with the stages; empty if there are none. */
 std::string check(const Stages& stages)
 {
     const std::filesystem::path folder = folderOf(stages);
-    const std::filesystem::path mark = folder / "linked";
+    // A later version of the validator checks again.
+    const auto version = std::filesystem::last_write_time(OSGLEGO_GLSLANG_VALIDATOR).time_since_epoch().count();
+    const std::filesystem::path mark = folder / ("linked-" + std::to_string(version));
     if (std::filesystem::exists(mark)) return {};
     std::filesystem::create_directories(folder);
     std::string command = "'" OSGLEGO_GLSLANG_VALIDATOR "' -l";

@@ -14,8 +14,8 @@ void watchPrograms();
 bool hasValidator();
 
 /** The errors that glslangValidator finds in programs recorded since the last call, except those that it has checked
- * before in this process, or found right in any process. Each error names the folder with the stages of the program.
- * Without glslangValidator, nothing is checked. */
+ * before in this process, or that an earlier run has linked without errors. Each error names the folder with the stages
+ * of the program. Without glslangValidator, nothing is checked. */
 std::vector<std::string> takeProgramErrors();
 
 /** Whether names are defined, by the names that `#if defined(NAME)` and `#ifdef NAME` test. */
