@@ -44,9 +44,7 @@ std::string StabilityReport::toString() const
         // The weights change so little that forces can balance them again, except torques about a single stud.
         if (least < SHOWN_TILT && safe && !isTiltBound && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
             text << ", probably since parts that one stud holds beside their centre would turn about it; the friction "
-                    "that "
-                    "prevents "
-                    "this is not computed";
+                    "that prevents this is not computed";
     }
     if (!unknown.empty())
         text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
@@ -28,10 +29,10 @@ struct FrameOptions : BenchOptions
     std::string drawing = "auto"; //!< of the present way
 
     glm::ivec2 getSize() const { return isQuick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720); }
-    Drawing getDrawing() const
+    void apply(LegoSettings& settings) const
     {
-        if (drawing == "auto") return Drawing::AUTO;
-        return drawing == "splats" ? Drawing::SPLATS : Drawing::TRIANGLES;
+        std::string error;
+        if (!LegoSettings::parse("drawing=" + drawing, settings, error)) throw std::runtime_error(error);
     }
 };
 
@@ -178,7 +179,7 @@ void runFrame(const FrameOptions& options)
     for (const unsigned int resolution : options.getResolutions({16}, {64, 128, 256}))
         for (auto& [view, scene] : createViews(source, resolution))
         {
-            scene.settings.view.drawing = options.getDrawing();
+            options.apply(scene.settings);
             for (const char* look : LOOKS)
                 document["rows"].append(compareWays(scene, view, look, options));
         }

@@ -152,7 +152,6 @@ bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destinat
     const DepthConversion conversion(state);
     const glm::ivec2 size = destination.getSize();
     SplatTarget::setPointViewport(size);
-    destination.clipPoints(state.getLastAppliedMode(GL_SCISSOR_TEST));
     bool isDrawn = true;
     for (const bool hasStuds : {false, true})
     {
@@ -163,10 +162,10 @@ bool BrickSplats::drawDepths(osg::State& state, const SplatDestination& destinat
         setBrickUniforms(state, bricks, job.view, job.faces);
         setRays(state, rays.onAxesOfStud(bricks.grid.getUpIndex()), size);
         setDepthConversion(state, conversion);
+        destination.clipPoints();
         drawBrickPoints(state, bricks, parts);
     }
     destination.restore();
-    if (!state.getLastAppliedMode(GL_SCISSOR_TEST)) glDisable(GL_SCISSOR_TEST);
     return isDrawn;
 }
 

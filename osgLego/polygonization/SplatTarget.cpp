@@ -73,7 +73,8 @@ std::uint64_t hashContents(const osgUtil::RenderBin& bin)
 
 } // namespace
 
-SplatDestination::SplatDestination(const osg::State& state) : _extensions(*state.get<osg::GLExtensions>())
+SplatDestination::SplatDestination(const osg::State& state) :
+    _extensions(*state.get<osg::GLExtensions>()), _isScissored(state.getLastAppliedMode(GL_SCISSOR_TEST))
 {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &_frameBuffer);
     glGetIntegerv(GL_VIEWPORT, _viewport.data());
@@ -86,13 +87,14 @@ void SplatDestination::restore() const
     _extensions.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(_frameBuffer));
     glViewport(_viewport[0], _viewport[1], _viewport[2], _viewport[3]);
     glScissor(_scissor[0], _scissor[1], _scissor[2], _scissor[3]);
+    if (!_isScissored) glDisable(GL_SCISSOR_TEST);
 }
 
-void SplatDestination::clipPoints(bool isScissored) const
+void SplatDestination::clipPoints() const
 {
     glm::ivec2 lower(_viewport[0], _viewport[1]);
     glm::ivec2 upper = lower + glm::ivec2(_viewport[2], _viewport[3]);
-    if (isScissored)
+    if (_isScissored)
     {
         const glm::ivec2 corner(_scissor[0], _scissor[1]);
         lower = glm::max(lower, corner);

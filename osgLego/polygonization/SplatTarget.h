@@ -38,9 +38,8 @@ public:
     glm::ivec2 getOrigin() const { return {_viewport[0], _viewport[1]}; }
     glm::ivec2 getSize() const { return {_viewport[2], _viewport[3]}; }
 
-    /** Enable the scissor test and limit it to the viewport, since GL does not clip the squares of points. restore()
-     * gives the scissor box back, but does not disable the test. @param isScissored whether the test is enabled. */
-    void clipPoints(bool isScissored) const;
+    /** Limit the scissor test to the viewport until restore(), since GL does not clip the squares of points. */
+    void clipPoints() const;
     void restore() const;
 
 private:
@@ -48,6 +47,7 @@ private:
     GLint _frameBuffer = 0;
     std::array<GLint, 4> _viewport{};
     std::array<GLint, 4> _scissor{};
+    bool _isScissored = false;
     GLint _sampleBuffers = 0;
 };
 

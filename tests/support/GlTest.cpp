@@ -5,6 +5,7 @@
 #include "Settings.h"
 
 #include <offscreen/OffscreenContext.h>
+#include <osgLego/gl/GlRequirements.h>
 
 #include <cstdlib>
 #include <stdexcept>
@@ -132,6 +133,18 @@ void GlTest::expectPictureOfCpu(osg::GraphicsContext& context, const osg::Node& 
     constexpr std::size_t MOST_DIFFERENT = 10;
     // Reading makes the context current again, as its viewer left it.
     EXPECT_LE(countDifferent(*expected, *readPixels(context), 3), MOST_DIFFERENT);
+}
+
+bool GlTest::isSoftware()
+{
+    static const bool result = []
+    {
+        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
+        context->makeCurrent();
+        GlRequirements::getMissing(*context->getState());
+        return GlRequirements::getRenderer(context->getState()->getContextID()) == Renderer::SOFTWARE;
+    }();
+    return result;
 }
 
 osg::ref_ptr<const BrickModel> GlTest::legolizeOnGpu(osg::Node& source, const LegoSettings& settings,

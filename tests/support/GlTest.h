@@ -49,6 +49,9 @@ protected:
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,
                                                         LegoStatistics* statistics = nullptr);
 
+    /** Whether OpenGL is a software renderer here; GPUs round in other ways. */
+    static bool isSoftware();
+
     /** Parse settings; unless the text names a device, the passes of the GPU run, even on a software renderer. */
     static LegoSettings parseSettings(const std::string& text);
 };

@@ -293,6 +293,10 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
         const osg::ref_ptr<const GridTriangles> triangles =
             GridTriangles::create(*SceneTriangles::create(*node), settings);
         const osg::ref_ptr<const BrickModel> cpu = voxelizeOnCpu(*triangles);
+        if (isSoftware())
+        {
+            ASSERT_EQ(gpu->getBricks().size(), cpu->getBricks().size()) << text;
+        }
         for (const Brick& brick : cpu->getBricks())
             EXPECT_TRUE(gpu->find({brick.cell[0], brick.cell[1], brick.cell[2]}) || isTouched(*triangles, brick))
                 << text;
@@ -302,7 +306,7 @@ TEST_F(ExactVoxelizationLimits, ChordsAlongEdgesOfCellsGiveTheWeightsOfTheCpu)
         {
             const glm::ivec3 cell(brick.cell[0], brick.cell[1], brick.cell[2]);
             const Brick* expected = cpu->find(cell);
-            EXPECT_TRUE(expected || isTouched(*triangles, brick)) << text;
+            ASSERT_TRUE(expected || isTouched(*triangles, brick)) << text;
             // In a cell that triangles only touch, the weights depend on the subdivision.
             if (!expected || areaIn(*triangles, cell) < 1e-3) continue;
             ++weighed;
