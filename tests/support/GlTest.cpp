@@ -135,16 +135,11 @@ void GlTest::expectPictureOfCpu(osg::GraphicsContext& context, const osg::Node& 
     EXPECT_LE(countDifferent(*expected, *readPixels(context), 3), MOST_DIFFERENT);
 }
 
-bool GlTest::isSoftware()
+bool GlTest::isSoftware(osg::GraphicsContext& context)
 {
-    static const bool result = []
-    {
-        const osg::ref_ptr<osg::GraphicsContext> context = createContext();
-        context->makeCurrent();
-        GlRequirements::getMissing(*context->getState());
-        return GlRequirements::getRenderer(context->getState()->getContextID()) == Renderer::SOFTWARE;
-    }();
-    return result;
+    context.makeCurrent();
+    GlRequirements::getMissing(*context.getState());
+    return GlRequirements::getRenderer(context.getState()->getContextID()) == Renderer::SOFTWARE;
 }
 
 osg::ref_ptr<const BrickModel> GlTest::legolizeOnGpu(osg::Node& source, const LegoSettings& settings,

@@ -49,8 +49,9 @@ protected:
     static osg::ref_ptr<const BrickModel> legolizeOnGpu(osg::Node& source, const LegoSettings& settings,
                                                         LegoStatistics* statistics = nullptr);
 
-    /** Whether OpenGL is a software renderer here; GPUs round in other ways. */
-    static bool isSoftware();
+    /** Whether a context's OpenGL is a software renderer; GPUs round in other ways. The context is current afterwards.
+     */
+    static bool isSoftware(osg::GraphicsContext& context);
 
     /** Parse settings; unless the text names a device, the passes of the GPU run, even on a software renderer. */
     static LegoSettings parseSettings(const std::string& text);

@@ -173,12 +173,12 @@ protected:
     }
 
     /** Expect the same depths, except in a few pixels at edges. */
-    static void expectSame(const Picture& actual, const Picture& expected)
+    void expectSame(const Picture& actual, const Picture& expected)
     {
         constexpr float ROUNDING = 2e-6f;
         // GPUs round the corners of triangles to 1 / 256 of a pixel, and move their planes.
         constexpr float CORNER_ROUNDING = 1.0f / 256.0f; // pixels
-        const bool isExact = isSoftware();
+        const bool isExact = isSoftware(*_context);
         std::size_t numDrawn = 0;
         std::size_t numWrong = 0;
         float largest = 0.0f;
