@@ -67,6 +67,15 @@ public:
         return numRoots + numAlone;
     }
 
+    /** Call this after count(). */
+    std::vector<std::int32_t> getComponents()
+    {
+        std::vector<std::int32_t> components(_isInColumn.size(), NO_COMPONENT);
+        for (std::size_t cell = 0; cell < components.size(); ++cell)
+            if (_isInColumn[cell]) components[cell] = _sets.find(static_cast<std::int32_t>(cell));
+        return components;
+    }
+
 private:
     const LayoutCell& getCell(std::uint32_t index) const { return _problem.cells[index]; }
 
@@ -222,6 +231,13 @@ private:
 std::size_t countPossibleComponents(const LayoutProblem& problem)
 {
     return ColumnSearch(problem).count();
+}
+
+std::vector<std::int32_t> findPossibleComponents(const LayoutProblem& problem)
+{
+    ColumnSearch search(problem);
+    search.count();
+    return search.getComponents();
 }
 
 } // namespace osgLego

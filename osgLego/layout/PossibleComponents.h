@@ -3,6 +3,8 @@
 #include <osgLego/layout/LayoutProblem.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace osgLego
 {
@@ -14,5 +16,11 @@ namespace osgLego
  * a part that it shares with a column; if no part reaches a column from it, its part is a component of its own, and the
  * largest parts give a bound on how many of those there are. */
 std::size_t countPossibleComponents(const LayoutProblem& problem);
+
+constexpr std::int32_t NO_COMPONENT = -1;
+
+/** For each cell, the possible component that every layout connects it to: the same number for two cells if a layout
+ * may connect them, different numbers if none can. NO_COMPONENT for cells without a cell above and below. */
+std::vector<std::int32_t> findPossibleComponents(const LayoutProblem& problem);
 
 } // namespace osgLego

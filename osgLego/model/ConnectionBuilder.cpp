@@ -35,7 +35,7 @@ LayoutCell toLayoutCell(const glm::ivec3& cell)
         {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y), static_cast<std::uint16_t>(cell.z)}};
 }
 
-/** The cells that joins add or change. */
+/** The cells that joins add or change, or that need another part: one that also covers a cell beside it. */
 std::vector<glm::ivec3> collectChanged(const std::vector<Join>& joins)
 {
     std::vector<glm::ivec3> cells;
@@ -44,8 +44,9 @@ std::vector<glm::ivec3> collectChanged(const std::vector<Join>& joins)
         for (const std::vector<Join::Change>* changes : {&join.added, &join.recolored})
             for (const Join::Change& change : *changes)
                 cells.push_back(change.cell);
-        cells.push_back(join.begin);
-        cells.push_back(join.end);
+        const bool isDirect = join.added.empty();
+        if (isDirect || join.added.back().cell.z == join.begin.z) cells.push_back(join.begin);
+        if (isDirect || join.added.front().cell.z == join.end.z) cells.push_back(join.end);
     }
     return cells;
 }
@@ -71,41 +72,42 @@ LayoutProblem applyJoins(const std::vector<Join>& joins, const LayoutProblem& pr
     return changed;
 }
 
-bool isNear(const LaidPart& part, const glm::ivec3& cell)
+bool isNear(const LaidPart& part, const glm::ivec3& cell, const glm::ivec3& reach)
 {
     const glm::ivec3 lower = toVector(part.place);
     for (int axis = 0; axis < 3; ++axis)
     {
         const int last = lower[axis] + part.size[static_cast<std::size_t>(axis)] - 1;
-        if (lower[axis] - cell[axis] > REACH[axis] || cell[axis] - last > REACH[axis]) return false;
+        if (lower[axis] - cell[axis] > reach[axis] || cell[axis] - last > reach[axis]) return false;
     }
     return true;
 }
 
-/** The parts that are not near any of the cells. */
-LaidParts keepOthers(const LaidParts& parts, const std::vector<glm::ivec3>& cells)
+/** The parts that are not within reach of any of the cells. */
+LaidParts keepOthers(const LaidParts& parts, const std::vector<glm::ivec3>& cells, const glm::ivec3& reach)
 {
     LaidParts kept;
     std::copy_if(parts.begin(), parts.end(), std::back_inserter(kept),
-                 [&](const LaidPart& part) {
+                 [&](const LaidPart& part)
+                 {
                      return std::none_of(cells.begin(), cells.end(),
-                                         [&](const glm::ivec3& cell) { return isNear(part, cell); });
+                                         [&](const glm::ivec3& cell) { return isNear(part, cell, reach); });
                  });
     return kept;
 }
 
 /** @param cells some of the others, in another colour or not. */
-std::size_t countRecolored(const std::vector<LayoutCell>& cells, const std::vector<LayoutCell>& others)
+std::vector<glm::ivec3> findRecolored(const std::vector<LayoutCell>& cells, const std::vector<LayoutCell>& others)
 {
-    std::size_t count = 0;
+    std::vector<glm::ivec3> recolored;
     auto other = others.begin();
     for (const LayoutCell& cell : cells)
     {
         while (other->place != cell.place)
             ++other;
-        if (other->color != cell.color) ++count;
+        if (other->color != cell.color) recolored.push_back(toVector(cell.place));
     }
-    return count;
+    return recolored;
 }
 
 } // namespace
@@ -114,11 +116,13 @@ ConnectionBuilder::ConnectionBuilder(const LayoutOptions& options, const Recolor
     _options(options), _costs(costs)
 {
     _options.progress = nullptr;
+    _roundOptions = _options;
+    _roundOptions.effort = std::min(_options.effort, Effort::NORMAL);
 }
 
 bool ConnectionBuilder::build(JoinedLayout& layout)
 {
-    _penalties.clear();
+    _penalties = {};
     std::optional<LayoutPieces> pieces(layout.parts);
     _statistics = {};
     _statistics.numPiecesBefore = pieces->getCount();
@@ -134,29 +138,46 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
         const std::vector<Join> joins = findJoins(layout, *pieces);
         if (isCancelled()) return false;
         if (joins.empty()) break;
-        std::optional<JoinedLayout> joined = layAgain(layout, joins);
+        std::optional<JoinedLayout> joined = layAgain(layout, joins, numFailures % 2 == 0 ? glm::ivec3(0) : REACH);
         if (!joined) return false;
         const LayoutPieces found(joined->parts);
         const bool isBetter = found.getCount() < pieces->getCount();
-        penalizeFailed(joins, found, isBetter);
         numFailures = isBetter ? 0 : numFailures + 1;
+        penalizeFailed(joins, found, isBetter, PENALTY * std::max(numFailures, 1));
         if (!isBetter) continue;
         layout = std::move(*joined);
         pieces = found;
     }
     removeUnneededCells(layout);
+    const std::vector<glm::ivec3> recolored = findRecolored(cells, layout.problem.cells);
+    if (_options.effort > _roundOptions.effort && !improve(layout, recolored)) return false;
     _statistics.numAddedCells = layout.added.size();
-    _statistics.numRecolored = countRecolored(cells, layout.problem.cells);
+    _statistics.numRecolored = recolored.size();
     _statistics.numPieces = pieces->getCount();
     return true;
 }
 
-/** Lay the parts near some joins again. @return nothing if it was cancelled. */
-std::optional<JoinedLayout> ConnectionBuilder::layAgain(const JoinedLayout& layout, const std::vector<Join>& joins)
+/** Lay the parts near all changed cells again, with all of the effort, unless more parts or pieces result.
+ * @return false if it was cancelled. */
+bool ConnectionBuilder::improve(JoinedLayout& layout, std::vector<glm::ivec3> recolored)
 {
-    _options.seed += SEED_OF_ROUND;
+    std::vector<glm::ivec3> changed = std::move(recolored);
+    changed.insert(changed.end(), layout.added.begin(), layout.added.end());
+    if (changed.empty()) return true;
+    LaidParts parts = layOut(layout.problem, _options, keepOthers(layout.parts, changed, REACH));
+    if (parts.empty()) return false;
+    const auto rank = [](const LaidParts& some) { return std::pair(LayoutPieces(some).getCount(), some.size()); };
+    if (rank(parts) < rank(layout.parts)) layout.parts = std::move(parts);
+    return true;
+}
+
+/** Lay the parts near some joins again. @return nothing if it was cancelled. */
+std::optional<JoinedLayout> ConnectionBuilder::layAgain(const JoinedLayout& layout, const std::vector<Join>& joins,
+                                                        const glm::ivec3& reach)
+{
+    _roundOptions.seed += SEED_OF_ROUND;
     JoinedLayout joined{applyJoins(joins, layout.problem), {}, layout.added};
-    joined.parts = layOut(joined.problem, _options, keepOthers(layout.parts, collectChanged(joins)));
+    joined.parts = layOut(joined.problem, _roundOptions, keepOthers(layout.parts, collectChanged(joins), reach));
     if (joined.parts.empty()) return std::nullopt;
     for (const Join& join : joins)
         for (const Join::Change& change : join.added)
@@ -165,23 +186,24 @@ std::optional<JoinedLayout> ConnectionBuilder::layAgain(const JoinedLayout& layo
 }
 
 /** Make joins more expensive that did not join their pieces. If all did, but other parts came loose, all of them. */
-void ConnectionBuilder::penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter)
+void ConnectionBuilder::penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter,
+                                       double penalty)
 {
     const auto hasFailed = [&](const Join& join) { return pieces.find(join.begin) != pieces.find(join.end); };
     const bool isAny = isBetter || std::any_of(joins.begin(), joins.end(), hasFailed);
     for (const Join& join : joins)
-        if (!isAny || hasFailed(join)) penalize(join);
+        if (!isAny || hasFailed(join)) penalize(join, penalty);
 }
 
-/** Make the cells of a join, and direct steps near it, more expensive. */
-void ConnectionBuilder::penalize(const Join& join)
+/** Make the cells of a join more expensive, and direct steps where parts were laid again in vain. */
+void ConnectionBuilder::penalize(const Join& join, double penalty)
 {
     for (const std::vector<Join::Change>* changes : {&join.added, &join.recolored})
         for (const Join::Change& change : *changes)
-            _penalties[toCellKey(change.cell)] += PENALTY;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            _penalties[toCellKey(join.begin + glm::ivec3(x, y, 0))] += PENALTY;
+            _penalties.changes[toCellKey(change.cell)] += penalty;
+    for (int y = -REACH.y; y <= REACH.y; ++y)
+        for (int x = -REACH.x; x <= REACH.x; ++x)
+            _penalties.directSteps[toCellKey(join.begin + glm::ivec3(x, y, 0))] += penalty;
 }
 
 /** The cheapest joins after which all pieces that can be joined are one, the smallest pieces first. */

@@ -28,7 +28,7 @@ struct JoinedLayout
  * In each round, every piece but the largest looks for its cheapest join to another one (JoinSearch): cells in another
  * colour, or additional cells, hidden ones first. Parts around these are laid again. Joins that fail become more
  * expensive. Rounds end when one piece is left, when no piece can be joined, or when MOST_FAILURES rounds in a row have
- * joined none.
+ * joined none. Rounds use at most normal effort; with Effort::BEST, parts around all changes are laid again at the end.
  *
  * Usage:
  *
@@ -54,11 +54,14 @@ public:
 private:
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
     std::vector<Join> findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const;
-    std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins);
-    void penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter);
-    void penalize(const Join& join);
+    bool improve(JoinedLayout& layout, std::vector<glm::ivec3> recolored);
+    std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins,
+                                         const glm::ivec3& reach);
+    void penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter, double penalty);
+    void penalize(const Join& join, double penalty);
 
     LayoutOptions _options;
+    LayoutOptions _roundOptions; //!< at most normal effort, which shows as well whether a join holds
     const RecoloringCosts& _costs;
     JoinSearch::Penalties _penalties;
     ConnectionStatistics _statistics;

@@ -17,10 +17,18 @@ constexpr std::array<glm::ivec3, 2> UP_AND_DOWN{{{0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<glm::ivec3, 4> SIDES{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
 /** The number of cells of a piece that may be recoloured as a whole. */
 constexpr std::size_t STRAY_CELLS = 2;
+/** The length of the longest part. */
+constexpr std::size_t LONGEST_PART = 8;
 
 glm::ivec3 toCell(CellKey key)
 {
     return {static_cast<int>(key & 0xffff), static_cast<int>(key >> 16 & 0xffff), static_cast<int>(key >> 32)};
+}
+
+double findPenalty(const std::unordered_map<CellKey, double>& penalties, const glm::ivec3& cell)
+{
+    const auto penalty = penalties.find(toCellKey(cell));
+    return penalty == penalties.end() ? 0.0 : penalty->second;
 }
 
 } // namespace
@@ -31,6 +39,7 @@ std::optional<Join> JoinSearch::find(std::uint32_t piece)
     _best.reset();
     _reached.clear();
     _open.clear();
+    _extensible.clear();
     for (const glm::ivec3& cell : _map.getCells(piece))
         begin(cell);
     while (!_open.empty())
@@ -60,12 +69,13 @@ void JoinSearch::begin(const glm::ivec3& cell)
     for (std::size_t side = 0; side < SIDES.size(); ++side)
     {
         const glm::ivec3 next = cell + SIDES[side];
+        if (!mayExtend(_piece, side / 2)) continue;
         if (_map.isEmpty(next))
         {
             first.cost = BESIDE + getCost(next);
             reach({toCellKey(next), _map.getColor(cell), static_cast<std::uint8_t>(side / 2)}, first);
         }
-        else if (isOfOther(next))
+        else if (isOfOther(next) && mayExtend(_map.getPiece(next), side / 2))
             joinBeside(cell, next);
     }
 }
@@ -77,16 +87,16 @@ void JoinSearch::joinBeside(const glm::ivec3& cell, const glm::ivec3& other)
     first.begin = cell;
     const std::uint16_t color = _map.getColor(cell);
     const std::uint16_t otherColor = _map.getColor(other);
-    const double cost = BESIDE + getPenalty(cell) + getPenalty(other);
     if (PartSizes::join(color, otherColor))
     {
-        finish(first, nullptr, other, std::nullopt, cost);
+        const double penalty = getPenaltyOfDirectStep(cell) + getPenaltyOfDirectStep(other);
+        if (_map.mayBeConnected(cell, other)) finish(first, nullptr, other, std::nullopt, BESIDE + penalty);
         return;
     }
-    recolor(first, nullptr, other, color, cost);
+    recolor(first, nullptr, other, color, BESIDE);
     if (!mayBeRecolored(cell)) return;
     first.recolored = Join::Change{cell, otherColor};
-    finish(first, nullptr, other, std::nullopt, cost + getRecoloringCost(cell, otherColor));
+    finish(first, nullptr, other, std::nullopt, BESIDE + getRecoloringCost(cell, otherColor));
 }
 
 void JoinSearch::continueFrom(const State& state)
@@ -119,7 +129,7 @@ void JoinSearch::continueFrom(const State& state)
             reach({toCellKey(other), state.color, axis}, next);
             continue;
         }
-        if (!isOfOther(other)) continue;
+        if (!isOfOther(other) || !mayExtend(_map.getPiece(other), axis)) continue;
         if (PartSizes::join(state.color, _map.getColor(other)))
             finish(last, &state, other, std::nullopt, last.cost + BESIDE);
         else
@@ -180,21 +190,25 @@ void JoinSearch::finish(const Reached& last, const State* state, const glm::ivec
 double JoinSearch::getCost(const glm::ivec3& cell)
 {
     const auto [place, isNew] = _cellCosts.try_emplace(toCellKey(cell), 0.0);
-    if (isNew) place->second = HIDDEN + EXPOSED * _exposure.get(cell) + getPenalty(cell);
+    if (isNew) place->second = HIDDEN + EXPOSED * _exposure.get(cell) + getPenaltyOfChange(cell);
     return place->second;
 }
 
-double JoinSearch::getPenalty(const glm::ivec3& cell) const
+double JoinSearch::getPenaltyOfChange(const glm::ivec3& cell) const
 {
-    const auto penalty = _penalties.find(toCellKey(cell));
-    return penalty == _penalties.end() ? 0.0 : penalty->second;
+    return findPenalty(_penalties.changes, cell);
+}
+
+double JoinSearch::getPenaltyOfDirectStep(const glm::ivec3& cell) const
+{
+    return findPenalty(_penalties.directSteps, cell);
 }
 
 double JoinSearch::getRecoloringCost(const glm::ivec3& cell, std::uint16_t color) const
 {
     const std::array<std::uint16_t, 3> place{static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y),
                                              static_cast<std::uint16_t>(cell.z)};
-    return RECOLORING + DIFFERENCE * _costs.get(place, _map.getColor(cell), color) + getPenalty(cell);
+    return RECOLORING + DIFFERENCE * _costs.get(place, _map.getColor(cell), color) + getPenaltyOfChange(cell);
 }
 
 /** Whether a cell remains connected to its piece in another colour: by a cell above or below, or since the piece is
@@ -204,6 +218,25 @@ bool JoinSearch::mayBeRecolored(const glm::ivec3& cell)
     if (_map.getCells(_map.getPiece(cell)).size() <= STRAY_CELLS) return true;
     return std::any_of(UP_AND_DOWN.begin(), UP_AND_DOWN.end(),
                        [&](const glm::ivec3& step) { return _map.isCovered(cell + step); });
+}
+
+/** Whether a part that covers a cell of a piece and one beside it along an axis may join the piece. If no cell of the
+ * piece has one above or below, the part must cover all of its cells: these are a row along the axis. */
+bool JoinSearch::mayExtend(std::uint32_t piece, std::size_t axis)
+{
+    const auto [place, isNew] = _extensible.try_emplace(piece);
+    if (!isNew) return place->second[axis];
+    const std::vector<glm::ivec3>& cells = _map.getCells(piece);
+    const auto isInColumn = [&](const glm::ivec3& cell)
+    { return _map.isCovered(cell + UP_AND_DOWN[0]) || _map.isCovered(cell + UP_AND_DOWN[1]); };
+    const bool isFlat = std::none_of(cells.begin(), cells.end(), isInColumn);
+    for (glm::length_t side = 0; side < 2; ++side)
+    {
+        const auto isInRow = [&](const glm::ivec3& cell) { return cell[1 - side] == cells.front()[1 - side]; };
+        place->second[static_cast<std::size_t>(side)] =
+            !isFlat || (cells.size() < LONGEST_PART && std::all_of(cells.begin(), cells.end(), isInRow));
+    }
+    return place->second[axis];
 }
 
 /** Whether a cell belongs to a piece other than the one that is joined. */

@@ -7,6 +7,8 @@
 #include <osgLego/model/PieceMap.h>
 #include <osgLego/model/RecoloringCosts.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -22,8 +24,9 @@ namespace osgLego
  *
  * A path leads from a cell of the piece through empty cells to a cell of another piece. Two cells above each other are
  * always connected. Two cells beside each other are connected if a part covers both, so they need a common colour, and
- * a path can't turn within a layer. An empty cell costs HIDDEN, and up to EXPOSED more if it can be seen. A covered
- * cell at either end may get another colour instead.
+ * a path can't turn within a layer. Only a part that covers all cells of a piece joins one without cells above each
+ * other to a cell beside it. An empty cell costs HIDDEN, and up to EXPOSED more if it can be seen. A covered cell at
+ * either end may get another colour instead.
  *
  * The arguments must exist as long as this object; joins may be added to the map between searches. One thread. */
 class JoinSearch
@@ -36,9 +39,12 @@ public:
     static constexpr double DIFFERENCE = 0.07; //!< of each unit of CIEDE2000 by which the cell then differs more
     static constexpr double LIMIT = 24.0;      //!< the cost of the most expensive join
 
-    /** Additional costs of cells near joins that failed: of covering an empty cell, of another colour for a covered
-     * one, and of a direct step from a covered one to the next piece. */
-    using Penalties = std::unordered_map<CellKey, double>;
+    /** Additional costs of cells near joins that failed. */
+    struct Penalties
+    {
+        std::unordered_map<CellKey, double> changes;     //!< of covering an empty cell, or changing a covered one
+        std::unordered_map<CellKey, double> directSteps; //!< from a covered cell to the next piece, without a change
+    };
 
     JoinSearch(PieceMap& map, const CellExposure& exposure, const RecoloringCosts& costs, const Penalties& penalties) :
         _map(map), _exposure(exposure), _costs(costs), _penalties(penalties)
@@ -87,9 +93,11 @@ private:
     void recolor(const Reached& last, const State* state, const glm::ivec3& cell, std::uint16_t color, double cost);
 
     double getCost(const glm::ivec3& cell);
-    double getPenalty(const glm::ivec3& cell) const;
+    double getPenaltyOfChange(const glm::ivec3& cell) const;
+    double getPenaltyOfDirectStep(const glm::ivec3& cell) const;
     double getRecoloringCost(const glm::ivec3& cell, std::uint16_t color) const;
     bool mayBeRecolored(const glm::ivec3& cell);
+    bool mayExtend(std::uint32_t piece, std::size_t axis);
     bool isOfOther(const glm::ivec3& cell);
 
     PieceMap& _map;
@@ -97,6 +105,7 @@ private:
     const RecoloringCosts& _costs;
     const Penalties& _penalties;
     std::unordered_map<CellKey, double> _cellCosts;
+    std::unordered_map<std::uint32_t, std::array<bool, 2>> _extensible; //!< by piece and axis, during one find()
 
     std::uint32_t _piece = 0;
     std::map<State, Reached> _reached;

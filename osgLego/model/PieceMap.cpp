@@ -1,5 +1,7 @@
 #include <osgLego/model/PieceMap.h>
 
+#include <osgLego/layout/PossibleComponents.h>
+
 namespace osgLego
 {
 
@@ -8,12 +10,17 @@ PieceMap::PieceMap(const LayoutProblem& problem, const LayoutPieces& pieces) :
 {
     _cells.reserve(problem.cells.size());
     _members.resize(pieces.getCount());
-    for (const LayoutCell& cell : problem.cells)
+    _components.resize(pieces.getCount(), NO_COMPONENT);
+    const std::vector<std::int32_t> components = findPossibleComponents(problem);
+    for (std::size_t index = 0; index < problem.cells.size(); ++index)
     {
+        const LayoutCell& cell = problem.cells[index];
         const glm::ivec3 place(cell.place[0], cell.place[1], cell.place[2]);
         const std::uint32_t piece = pieces.find(place);
         _cells.emplace(toCellKey(place), Cell{cell.color, piece});
         _members[piece].push_back(place);
+        // A piece is connected, so all its columns are in one possible component.
+        if (components[index] != NO_COMPONENT) _components[piece] = components[index];
     }
     _unions.reset(pieces.getCount());
 }
@@ -34,6 +41,13 @@ std::uint32_t PieceMap::getPiece(const glm::ivec3& cell)
 std::uint32_t PieceMap::getUnion(std::uint32_t piece)
 {
     return static_cast<std::uint32_t>(_unions.find(static_cast<std::int32_t>(piece)));
+}
+
+bool PieceMap::mayBeConnected(const glm::ivec3& cell, const glm::ivec3& other) const
+{
+    const std::int32_t component = _components[_cells.at(toCellKey(cell)).piece];
+    const std::int32_t otherComponent = _components[_cells.at(toCellKey(other)).piece];
+    return component == NO_COMPONENT || otherComponent == NO_COMPONENT || component == otherComponent;
 }
 
 void PieceMap::add(const Join& join)

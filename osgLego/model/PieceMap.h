@@ -36,6 +36,9 @@ public:
     /** The covered cells of a piece. @param piece a result of getPiece() or getUnion(). */
     const std::vector<glm::ivec3>& getCells(std::uint32_t piece) const { return _members[piece]; }
 
+    /** Whether some layout of the cells at the beginning may connect the pieces of two covered cells. */
+    bool mayBeConnected(const glm::ivec3& cell, const glm::ivec3& other) const;
+
     /** Change cells, and unite the pieces that are connected then. */
     void add(const Join& join);
 
@@ -52,6 +55,7 @@ private:
     int _ground; //!< the height of the lowest cells
     std::unordered_map<CellKey, Cell> _cells;
     std::vector<std::vector<glm::ivec3>> _members;
+    std::vector<std::int32_t> _components; //!< for each piece, a result of findPossibleComponents()
     UnionFind _unions;
 };
 

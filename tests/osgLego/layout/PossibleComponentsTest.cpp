@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -110,6 +111,13 @@ TEST(PossibleComponents, OverhangsOfPlatesAreOfPlates)
     EXPECT_EQ(countPossibleComponents(problem), 2u);
     problem.colors[0] = {1, 0x7ff};
     EXPECT_EQ(countPossibleComponents(problem), 1u);
+}
+
+TEST(PossibleComponents, HaveANumberForCellsAboveEachOtherOnly)
+{
+    using testing::ElementsAre;
+    EXPECT_THAT(findPossibleComponents(drawProblem({{"aa...a"}, {"a....a"}})), ElementsAre(0, NO_COMPONENT, 2, 0, 2));
+    EXPECT_THAT(findPossibleComponents(drawProblem({{"aab"}, {"aab"}})), ElementsAre(0, 0, 2, 0, 0, 2));
 }
 
 } // namespace

@@ -15,10 +15,12 @@ namespace
 {
 
 /** Lay the cells, join the pieces, and check all that holds for every model. */
-JoinedLayout connect(const ColoredCells& cells, ConnectionStatistics& statistics)
+JoinedLayout connect(const ColoredCells& cells, ConnectionStatistics& statistics, Effort effort = Effort::NORMAL)
 {
-    JoinedLayout layout{cells.problem, layOut(cells.problem, {}), {}};
-    ConnectionBuilder builder({}, cells.costs);
+    LayoutOptions options;
+    options.effort = effort;
+    JoinedLayout layout{cells.problem, layOut(cells.problem, options), {}};
+    ConnectionBuilder builder(options, cells.costs);
     EXPECT_TRUE(builder.build(layout));
     statistics = builder.getStatistics();
     EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
@@ -49,6 +51,29 @@ TEST(ConnectionBuilder, JoinsAChessboardOfTowers)
     EXPECT_EQ(statistics.numPiecesBefore, 12u);
     EXPECT_EQ(statistics.numPieces, 1u);
     EXPECT_LE(statistics.numAddedCells + statistics.numRecolored, 12u) << "a roof would suffice";
+}
+
+TEST(ConnectionBuilder, JoinsFlatPartsByCellsAboveThem)
+{
+    const ColoredCells cells = drawColoredCells({std::vector<std::string>(6, "aaaaaaaa"), {"........"}});
+    for (const Effort effort : {Effort::NORMAL, Effort::BEST})
+    {
+        ConnectionStatistics statistics;
+        connect(cells, statistics, effort);
+        EXPECT_GT(statistics.numPiecesBefore, 1u);
+        EXPECT_EQ(statistics.numPieces, 1u);
+        EXPECT_LE(statistics.numAddedCells, 4u);
+    }
+}
+
+TEST(ConnectionBuilder, UsesFewerPartsWithAllEffort)
+{
+    const ColoredCells cells =
+        drawColoredCells({std::vector<std::string>(5, std::string(9, 'a')), {std::string(9, '.')}});
+    ConnectionStatistics statistics;
+    const std::size_t numParts = connect(cells, statistics, Effort::NORMAL).parts.size();
+    EXPECT_LT(connect(cells, statistics, Effort::BEST).parts.size(), numParts);
+    EXPECT_EQ(statistics.numPieces, 1u);
 }
 
 TEST(ConnectionBuilder, CountsCellsInAnotherColor)

@@ -27,8 +27,8 @@ std::optional<Join> findJoin(const ColoredCells& cells, const JoinSearch::Penalt
 
 TEST(JoinSearch, RecolorsAStrayCellThatDiffersLittle)
 {
-    const ColoredCells cells = drawColoredCells({{"aaaab", "aaaaa"}, {".....", "....."}});
-    const LayoutPieces pieces({{{0, 0, 0}, {4, 2, 1}}, {{4, 0, 0}, {1, 1, 1}, 1}, {{4, 1, 0}}});
+    const ColoredCells cells = drawColoredCells({{"aaaab", "aaaaa"}, {"aaa..", "aaa.."}});
+    const LayoutPieces pieces({{{0, 0, 0}, {4, 2, 1}}, {{0, 0, 1}, {3, 2, 1}}, {{4, 0, 0}, {1, 1, 1}, 1}, {{4, 1, 0}}});
     PieceMap map(cells.problem, pieces);
     const CellExposure exposure(cells.problem);
     const JoinSearch::Penalties penalties;
@@ -80,9 +80,69 @@ TEST(JoinSearch, CostsMoreWhereAnEarlierJoinFailed)
     const std::optional<Join> join = findJoin(cells);
     ASSERT_TRUE(join);
     const glm::ivec3 cell = join->added[0].cell;
-    const std::optional<Join> other = findJoin(cells, {{toCellKey(cell), 10.0}});
+    const std::optional<Join> other = findJoin(cells, {.changes = {{toCellKey(cell), 10.0}}, .directSteps = {}});
     ASSERT_TRUE(other);
     EXPECT_NE(other->added[0].cell, cell);
+}
+
+TEST(JoinSearch, PrefersOtherChangesWhereADirectStepFailed)
+{
+    const std::vector<std::string> wall(2, "aaaa");
+    const ColoredCells cells = drawColoredCells({wall, wall, {"....", "...."}});
+    const LayoutPieces pieces(
+        {{{0, 0, 0}, {2, 2, 1}}, {{2, 0, 0}, {2, 2, 1}}, {{0, 0, 1}, {2, 2, 1}}, {{2, 0, 1}, {2, 2, 1}}});
+    const auto find = [&](const JoinSearch::Penalties& penalties)
+    {
+        PieceMap map(cells.problem, pieces);
+        const CellExposure exposure(cells.problem);
+        return JoinSearch(map, exposure, cells.costs, penalties).find(1);
+    };
+    const std::optional<Join> direct = find({});
+    ASSERT_TRUE(direct);
+    EXPECT_TRUE(direct->added.empty());
+    JoinSearch::Penalties penalties;
+    for (const int x : {1, 2})
+        for (const int y : {0, 1})
+            for (const int z : {0, 1})
+                penalties.directSteps[toCellKey({x, y, z})] = 10.0;
+    const std::optional<Join> other = find(penalties);
+    ASSERT_TRUE(other);
+    EXPECT_FALSE(other->added.empty());
+}
+
+TEST(JoinSearch, AddsCellsAboveFlatPartsThatNoPartBesideThemJoins)
+{
+    const ColoredCells cells = drawColoredCells({std::vector<std::string>(4, "aaaaaaaa"), {"........"}});
+    const std::optional<Join> join = findJoin(cells);
+    ASSERT_TRUE(join);
+    EXPECT_EQ(join->added.size(), 2u) << "one part across both";
+}
+
+TEST(JoinSearch, ExtendsARowOnlyAsFarAsPartsReach)
+{
+    const std::optional<Join> join = findJoin(drawColoredCells({{"bbba"}, {"...a"}, {"...a"}}));
+    ASSERT_TRUE(join);
+    EXPECT_TRUE(join->added.empty());
+    EXPECT_EQ(join->recolored.size(), 1u);
+    const std::optional<Join> longer = findJoin(drawColoredCells({{"bbbbbbbba"}, {"........a"}, {"........a"}}));
+    ASSERT_TRUE(longer);
+    EXPECT_FALSE(longer->added.empty()) << "no part is nine long";
+}
+
+TEST(JoinSearch, KnowsWhichPiecesNoLayoutConnects)
+{
+    // The colour has no part of 1x2, so that columns are joined by added cells only.
+    ColoredCells cells = drawColoredCells({{"aa"}, {"aa"}, {".."}});
+    cells.problem.colors[0].bricks = 1;
+    cells.problem.colors[0].plates = 1;
+    const LayoutPieces pieces(
+        {{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 1}, {1, 1, 1}}, {{1, 0, 0}, {1, 1, 1}}, {{1, 0, 1}, {1, 1, 1}}});
+    PieceMap map(cells.problem, pieces);
+    const CellExposure exposure(cells.problem);
+    const JoinSearch::Penalties penalties;
+    const std::optional<Join> join = JoinSearch(map, exposure, cells.costs, penalties).find(1);
+    ASSERT_TRUE(join);
+    EXPECT_EQ(join->added.size(), 2u);
 }
 
 TEST(JoinSearch, FindsNothingFarAway)
