@@ -37,9 +37,9 @@ osg::ref_ptr<const BrickModel> legolizeOnCpu(const osg::Node& node, const LegoSe
     CpuBricksWork work;
     work.isCancelled = [&] { return isCancelled.load(); };
     if (proceed)
-        work.progress = [&](double fraction)
+        work.progress = [&](const LegoProgress& progress)
         {
-            if (!proceed(fraction)) isCancelled = true;
+            if (!proceed(progress.stage == LegoProgress::Stage::PARTS ? progress.fraction : 1.0)) isCancelled = true;
         };
     if (proceed && !proceed(0.0)) return nullptr;
     osg::ref_ptr<const BrickModel> model = makeBricksOnCpu(*source, work);

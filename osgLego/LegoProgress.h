@@ -8,13 +8,15 @@ struct LegoProgress
 {
     enum class Stage
     {
-        IDLE,  //!< no bricks are being made
-        CELLS, //!< cells are being found and filled
-        PARTS  //!< parts are being laid; LegoSettings::Parts::support may begin this stage again
+        IDLE,       //!< no bricks are being made
+        CELLS,      //!< cells are being found and filled
+        PARTS,      //!< parts are being laid
+        CONNECTION, //!< pieces are being joined
+        SUPPORT     //!< the model is being made to stand
     };
 
     Stage stage = Stage::IDLE;
-    float fraction = 0.0f; //!< of the stage, 0 to 1; 0 in all stages but PARTS
+    float fraction = 0.0f; //!< of the stage, 0 to 1; 0 in all stages but PARTS and CONNECTION
 };
 
 } // namespace osgLego

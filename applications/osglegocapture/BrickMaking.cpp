@@ -14,10 +14,18 @@ namespace
 
 void show(const LegoProgress& progress, const ProgressBar& bar)
 {
-    if (progress.stage == LegoProgress::Stage::PARTS)
-        bar.show(progress.fraction, "laying parts");
-    else
+    switch (progress.stage)
+    {
+    case LegoProgress::Stage::PARTS:
+        return bar.show(progress.fraction, "laying parts");
+    case LegoProgress::Stage::CONNECTION:
+        return bar.show(progress.fraction, "joining pieces");
+    case LegoProgress::Stage::SUPPORT:
+        return bar.show("supporting the model");
+    case LegoProgress::Stage::IDLE:
+    case LegoProgress::Stage::CELLS:
         bar.show("making bricks");
+    }
 }
 
 /** Make bricks on a separate thread; if the system can't start one, in the first call that waits without a limit. */

@@ -113,7 +113,7 @@ std::vector<glm::ivec3> findRecolored(const std::vector<LayoutCell>& cells, cons
 } // namespace
 
 ConnectionBuilder::ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs) :
-    _options(options), _costs(costs)
+    _progress(options.progress), _options(options), _costs(costs)
 {
     _options.progress = nullptr;
     _roundOptions = _options;
@@ -147,6 +147,8 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
         if (!isBetter) continue;
         layout = std::move(*joined);
         pieces = found;
+        if (_progress)
+            _progress(1.0 - static_cast<double>(found.getCount()) / static_cast<double>(_statistics.numPiecesBefore));
     }
     removeUnneededCells(layout);
     const std::vector<glm::ivec3> recolored = findRecolored(cells, layout.problem.cells);

@@ -9,6 +9,7 @@
 #include <osgLego/search/LayoutOptions.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,8 @@ class ConnectionBuilder
 public:
     static constexpr int MOST_FAILURES = 10;
 
+    /** @param options for layouts; its progress is called after each round that has joined pieces, with the fraction of
+     * the pieces before that are left no longer. */
     ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs);
 
     /** Change cells and parts. @return false if it was cancelled. */
@@ -60,6 +63,7 @@ private:
     void penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter, double penalty);
     void penalize(const Join& join, double penalty);
 
+    std::function<void(double)> _progress;
     LayoutOptions _options;
     LayoutOptions _roundOptions; //!< at most normal effort, which shows as well whether a join holds
     const RecoloringCosts& _costs;

@@ -17,9 +17,9 @@ namespace osgLego
 /** Options for making bricks on the CPU, and results other than the bricks. */
 struct CpuBricksWork
 {
-    std::function<bool()> isCancelled;    //!< called from any thread; may be empty
-    std::function<void(double)> progress; //!< called with the fraction of the layout that is done; may be empty
-    PreviousLayout* previous = nullptr;   //!< parts to keep where the cells have not changed; replaced by the new ones
+    std::function<bool()> isCancelled;                 //!< called from any thread; may be empty
+    std::function<void(const LegoProgress&)> progress; //!< may be empty; see ModelBuilder::setProgress()
+    PreviousLayout* previous = nullptr; //!< parts to keep where the cells have not changed; replaced by the new ones
     /** The layout that is shown, whose parts a draft keeps, and whose colours cells keep; null: `previous`. */
     const PreviousLayout* shown = nullptr;
     /** Called with parts laid with Effort::INSTANT and without columns, and their layout, before those of the settings

@@ -220,6 +220,13 @@ osg::ref_ptr<const BrickModel> ModelBuilder::build(const BrickModel& cells)
     return lay(filled, cells, statistics);
 }
 
+/** A function that reports which fraction of a stage is done; empty without anyone to report to. */
+std::function<void(double)> ModelBuilder::reportStage(LegoProgress::Stage stage) const
+{
+    if (!_progress) return {};
+    return [this, stage](double fraction) { _progress({stage, static_cast<float>(fraction)}); };
+}
+
 osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const BrickModel& surface,
                                                  LayoutStatistics& statistics)
 {
@@ -234,20 +241,22 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     if (_previous && _previous->settings.givesSameBricks(_settings) && _previous->colors == colors)
         previous = selectPrevious(*_previous, grid);
     if (isCancelled()) return nullptr;
-    const LayoutOptions options{.effort = _settings.parts.effort,
-                                .isGreedy = _isGreedy,
-                                .seed = _settings.parts.seed,
-                                .isCancelled = _isCancelled,
-                                .progress = _progress};
+    LayoutOptions options{.effort = _settings.parts.effort,
+                          .isGreedy = _isGreedy,
+                          .seed = _settings.parts.seed,
+                          .isCancelled = _isCancelled,
+                          .progress = reportStage(LegoProgress::Stage::PARTS)};
     layout->parts = layOut(layout->problem, options, previous);
     if ((layout->parts.empty() && !layout->problem.cells.empty()) || isCancelled()) return nullptr;
     statistics.layout = stopwatch.lap();
+    options.progress = reportStage(LegoProgress::Stage::CONNECTION);
     if ((_settings.parts.connect || _settings.parts.support) &&
         !connect(options, RecoloringCosts(surface, colors), grid, *layout, statistics))
         return nullptr;
     stopwatch.lap();
     if (_settings.parts.support)
     {
+        if (_progress) _progress({LegoProgress::Stage::SUPPORT});
         const auto createBare = [&](const LaidParts& parts) { return createModel(parts, grid, colors); };
         if (!support(options, createBare, *layout, statistics)) return nullptr;
         statistics.support->milliseconds = stopwatch.lap();

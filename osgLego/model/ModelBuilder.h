@@ -2,6 +2,7 @@
 
 #include <osgLego/BrickModel.h>
 #include <osgLego/LayoutStatistics.h>
+#include <osgLego/LegoProgress.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/LayoutProblem.h>
@@ -47,8 +48,8 @@ public:
 
     /** Let a function end build() early by returning true; it is called from any thread. */
     void setCancellation(std::function<bool()> isCancelled) { _isCancelled = std::move(isCancelled); }
-    /** Let a function be called with the fraction of the layout that is done, 0 to 1, in the thread of build(). */
-    void setProgress(std::function<void(double)> progress) { _progress = std::move(progress); }
+    /** Let a function be called with the stages of build(), from LegoProgress::Stage::PARTS on, in its thread. */
+    void setProgress(std::function<void(const LegoProgress&)> progress) { _progress = std::move(progress); }
     /** Keep parts of an earlier layout where the cells have not changed; the result, apart from the cells, is left here
      * for the next one. */
     void setPrevious(PreviousLayout& previous) { _previous = &previous; }
@@ -70,13 +71,14 @@ public:
 
 private:
     bool isCancelled() const { return _isCancelled && _isCancelled(); }
+    std::function<void(double)> reportStage(LegoProgress::Stage stage) const;
     osg::ref_ptr<const BrickModel> lay(const FilledCells& cells, const BrickModel& surface,
                                        LayoutStatistics& statistics);
 
     LegoSettings _settings;
     PaletteLookup _lookup;
     std::function<bool()> _isCancelled;
-    std::function<void(double)> _progress;
+    std::function<void(const LegoProgress&)> _progress;
     PreviousLayout* _previous = nullptr;
     bool _isGreedy = false;
     std::string _error;

@@ -90,7 +90,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
             PreviousLayout layout = previous->layout;
             CpuBricksWork work;
             work.isCancelled = [&run] { return run.isCancelled(); };
-            work.progress = [&progress](double fraction) { *progress = static_cast<float>(fraction); };
+            work.progress = [&progress](const LegoProgress& reached) { *progress = reached; };
             work.previous = &layout;
             work.shown = &shown->layout;
             work.isDraftGreedy = isMoving;
@@ -99,7 +99,7 @@ CpuProducer::Job::Request CpuProducer::request(const LegoSource& source, bool is
                 work.showDraft = [&](const BrickModel& draft, PreviousLayout&& draftLayout)
                 {
                     hasDraft = true;
-                    *progress = 0.0f;
+                    *progress = LegoProgress{LegoProgress::Stage::PARTS};
                     const osg::ref_ptr<const BrickSet> set =
                         new BrickSet(source->getDraftRevision(), draft, work.statistics, work.measureLayout);
                     complete(*set, isMoving);
@@ -180,7 +180,7 @@ std::shared_ptr<CpuProducer::Progress> CpuProducer::begin(const LegoSettings& se
 {
     const std::lock_guard lock(_mutex);
     _settings = settings;
-    _progress = std::make_shared<Progress>(FINDS_CELLS);
+    _progress = std::make_shared<Progress>(LegoProgress{LegoProgress::Stage::CELLS});
     return _progress;
 }
 
@@ -200,10 +200,7 @@ LegoProgress CpuProducer::getProgress() const
     const std::shared_ptr<Job::Run> run = _job.getRun();
     if (!run || run->getOutcome() != Job::Outcome::NONE) return {};
     const std::lock_guard lock(_mutex);
-    if (!_progress) return {};
-    const float fraction = *_progress;
-    if (fraction == FINDS_CELLS) return {LegoProgress::Stage::CELLS};
-    return {LegoProgress::Stage::PARTS, fraction};
+    return _progress ? _progress->load() : LegoProgress{};
 }
 
 void CpuProducer::produceByLoad(const BrickModel& bricks, std::uint64_t revision)

@@ -78,9 +78,7 @@ private:
         bool isDraft = false;
     };
     using Job = BackgroundJob<Made>;
-    /** The fraction of the parts that are laid, or FINDS_CELLS before that. */
-    using Progress = std::atomic<float>;
-    static constexpr float FINDS_CELLS = -1.0f;
+    using Progress = std::atomic<LegoProgress>;
 
     ~CpuProducer() override = default;
 

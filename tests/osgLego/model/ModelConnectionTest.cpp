@@ -1,15 +1,18 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
+#include <osgLego/model/ModelBuilder.h>
 
 #include <common/RacingCar.h>
 
 #include <Meshes.h>
 #include <Settings.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +60,33 @@ TEST(ModelConnection, ConnectMakesOnePieceOfTheCarWithFewAddedCells)
         EXPECT_EQ(numAdded, connection.numAddedCells);
         EXPECT_EQ(numRecolored, connection.numRecolored);
     }
+}
+
+TEST(ModelConnection, TellsHowManyPiecesAreJoinedBeforeItSupportsTheModel)
+{
+    const osg::ref_ptr<const BrickModel> cells = lay(*createRacingCar(), "24");
+    std::vector<LegoProgress> reports;
+    ModelBuilder builder(parseSettings("24,parts=bricks,support=on"), PaletteLookup(nullptr));
+    builder.setProgress([&reports](const LegoProgress& progress) { reports.push_back(progress); });
+    ASSERT_TRUE(builder.build(*cells));
+    std::set<LegoProgress::Stage> stages;
+    for (std::size_t index = 0; index < reports.size(); ++index)
+    {
+        stages.insert(reports[index].stage);
+        if (index == 0) continue;
+        EXPECT_GE(reports[index].stage, reports[index - 1].stage);
+        if (reports[index].stage == reports[index - 1].stage)
+        {
+            EXPECT_GT(reports[index].fraction, reports[index - 1].fraction);
+        }
+    }
+    EXPECT_EQ(stages,
+              (std::set{LegoProgress::Stage::PARTS, LegoProgress::Stage::CONNECTION, LegoProgress::Stage::SUPPORT}));
+    const auto isConnection = [](const LegoProgress& report)
+    { return report.stage == LegoProgress::Stage::CONNECTION; };
+    const auto last = std::find_if(reports.rbegin(), reports.rend(), isConnection);
+    EXPECT_GT(last->fraction, 0.5f);
+    EXPECT_LT(last->fraction, 1.0f);
 }
 
 TEST(ModelConnection, ConnectListsPiecesThatAreTooFarAwayToBeJoined)
