@@ -39,6 +39,18 @@ void warnOfBadVertices(const SceneTriangles& triangles, const osg::Node& node)
              << (triangles.getNumOutOfRange() == 1 ? "is" : "are") << " ignored" << std::endl;
 }
 
+std::string nameOf(const osg::Node& node)
+{
+    return node.getName().empty() ? "the model" : "'" + node.getName() + "'";
+}
+
+void warnOfPictures(const osg::Node& node, double longest)
+{
+    OSG_WARN << "osgLego: the longest side of " << nameOf(node) << " is " << longest
+             << " units, with which pictures of it may be empty or dark; expected " << SceneTriangles::SMALLEST_DRAWN
+             << " to " << SceneTriangles::LARGEST_DRAWN << std::endl;
+}
+
 } // namespace
 
 SceneTriangles::SceneTriangles(SceneBatches contents) : _contents(std::move(contents)) {}
@@ -62,13 +74,15 @@ osg::ref_ptr<const SceneTriangles> SceneTriangles::create(const osg::Node& node,
     if (triangles->getNumOutOfRange() > 0) warnOfBadVertices(*triangles, node);
     if (triangles->getNumReplaced() > 0) warnOfReplacedAttributes(*triangles, node);
     const osg::Vec3d size = triangles->getBounds()._max - triangles->getBounds()._min;
-    if (triangles->getNumTriangles() > 0 && std::max({size.x(), size.y(), size.z()}) < MINIMUM_SIZE)
+    if (triangles->getNumTriangles() == 0) return triangles;
+    const double longest = std::max({size.x(), size.y(), size.z()});
+    if (longest < MINIMUM_SIZE)
     {
-        const std::string name = node.getName().empty() ? "the model" : "'" + node.getName() + "'";
-        OSG_WARN << "osgLego: " << name << " is smaller than " << MINIMUM_SIZE
+        OSG_WARN << "osgLego: " << nameOf(node) << " is smaller than " << MINIMUM_SIZE
                  << " units and is ignored; expected a larger scale" << std::endl;
         return new SceneTriangles({});
     }
+    if (longest < SMALLEST_DRAWN || longest > LARGEST_DRAWN) warnOfPictures(node, longest);
     return triangles;
 }
 

@@ -26,10 +26,10 @@ class SurfaceTextureCache;
  *
  * Lines, points, triangles without area and osgText::Text are ignored. So are, with a warning that gives their number,
  * triangles with a vertex that is not finite or beyond SceneVertex::MAXIMUM_COORDINATE, through its array or a
- * transform, and, with a warning, sources smaller than MINIMUM_SIZE. Colours are limited to 0 to 1; channels that are
- * NaN become 0. Texture coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix
- * applied, become (0, 0). A warning counts the vertices with such texture coordinates, or with colours in an array that
- * are not finite.
+ * transform, and, with a warning, sources smaller than MINIMUM_SIZE. Another warning tells of sources smaller than
+ * SMALLEST_DRAWN or larger than LARGEST_DRAWN. Colours are limited to 0 to 1; channels that are NaN become 0. Texture
+ * coordinates that are not finite or beyond SceneVertex::MAXIMUM_COORDINATE, with their matrix applied, become (0, 0).
+ * A warning counts the vertices with such texture coordinates, or with colours in an array that are not finite.
  *
  * Usage:
  *
@@ -44,6 +44,9 @@ class SceneTriangles : public osg::Referenced
 public:
     /** The longest side of the source's bounds, in model units; see SceneVertex::MAXIMUM_COORDINATE. */
     static constexpr double MINIMUM_SIZE = 1e-18;
+    /** Longest sides with which pictures are right: GL computes them, and lights, in single precision. */
+    static constexpr double SMALLEST_DRAWN = 1e-8;
+    static constexpr double LARGEST_DRAWN = 1e13;
 
     /** Flatten the visible parts of the subgraph `node`, in the order of traversal. */
     static osg::ref_ptr<const SceneTriangles> create(const osg::Node& node);

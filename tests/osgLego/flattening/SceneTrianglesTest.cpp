@@ -203,6 +203,20 @@ TEST(SceneTriangles, ASourceWithoutANameThatIsTooSmallIsWarnedOf)
     EXPECT_EQ(notices, "osgLego: the model is smaller than 1e-18 units and is ignored; expected a larger scale\n");
 }
 
+TEST(SceneTriangles, ASourceWhosePicturesMayBeWrongIsWarnedOf)
+{
+    const auto noticesOfSize = [](float size)
+    {
+        const osg::ref_ptr<osg::Geometry> triangle = createTriangle({0, 0, 0}, {size, 0, 0}, {0, size, 0});
+        return noticesOf([&] { EXPECT_EQ(SceneTriangles::create(*triangle)->getNumTriangles(), 1u); });
+    };
+    EXPECT_EQ(noticesOfSize(1e14f).find("osgLego: the longest side of the model is 1e+14 units, with which pictures"),
+              0u);
+    EXPECT_NE(noticesOfSize(1e-9f).find("expected 1e-08 to 1e+13"), std::string::npos);
+    EXPECT_EQ(noticesOfSize(2e-8f), "");
+    EXPECT_EQ(noticesOfSize(5e12f), "");
+}
+
 TEST(SceneTriangles, ANonFiniteVertexOfSeveralTrianglesCountsOnce)
 {
     const osg::ref_ptr<osg::Geometry> fan = createPolygon(6, new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 6));
