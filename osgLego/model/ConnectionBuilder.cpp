@@ -155,15 +155,15 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
     if (_options.effort > _roundOptions.effort && !improve(layout, recolored)) return false;
     _statistics.numAddedCells = layout.added.size();
     _statistics.numRecolored = recolored.size();
-    _statistics.numPieces = pieces->getCount();
+    _statistics.numPieces = LayoutPieces(layout.parts).getCount();
     return true;
 }
 
-/** Lay the parts near all changed cells again, with all of the effort, unless more parts or pieces result.
+/** Lay the parts near all changed cells again, with all of the effort, if fewer pieces or parts result.
+ * @param changed the cells in another colour.
  * @return false if it was cancelled. */
-bool ConnectionBuilder::improve(JoinedLayout& layout, std::vector<glm::ivec3> recolored)
+bool ConnectionBuilder::improve(JoinedLayout& layout, std::vector<glm::ivec3> changed)
 {
-    std::vector<glm::ivec3> changed = std::move(recolored);
     changed.insert(changed.end(), layout.added.begin(), layout.added.end());
     if (changed.empty()) return true;
     LaidParts parts = layOut(layout.problem, _options, keepOthers(layout.parts, changed, REACH));

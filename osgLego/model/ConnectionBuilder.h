@@ -57,7 +57,7 @@ public:
 private:
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
     std::vector<Join> findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const;
-    bool improve(JoinedLayout& layout, std::vector<glm::ivec3> recolored);
+    bool improve(JoinedLayout& layout, std::vector<glm::ivec3> changed);
     std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins,
                                          const glm::ivec3& reach);
     void penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter, double penalty);
