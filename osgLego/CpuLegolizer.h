@@ -35,7 +35,8 @@ namespace osgLego
  *
  * @param statistics receives the statistics of the bricks; may be null.
  * @param proceed called in this thread, with 0 at the beginning, then with the fraction of a layout of parts that is
- * done, up to 1, and with 1 while pieces are joined; the function ends soon after it returns false. May be empty.
+ * done, up to 1, and with 1 while pieces are joined and the model is supported; the function ends soon after it returns
+ * false. May be empty.
  * @return null if `proceed` ended it, and with a warning that gives the reason if the node has no visible triangles,
  * settings.check() reports an error, the palette can't be read, or the cells would be too many; a model without bricks
  * if the grid misses the triangles.

@@ -44,8 +44,8 @@ class ConnectionBuilder
 public:
     static constexpr int MOST_FAILURES = 10;
 
-    /** @param options for layouts; its progress is called after each round that has joined pieces, with the fraction of
-     * the pieces before that are left no longer. */
+    /** @param options for layouts; its progress is called after each round that has joined pieces, with the share of
+     * the pieces at the beginning that are part of another one by then. */
     ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs);
 
     /** Change cells and parts. @return false if it was cancelled. */

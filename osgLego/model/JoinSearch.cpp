@@ -17,8 +17,6 @@ constexpr std::array<glm::ivec3, 2> UP_AND_DOWN{{{0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<glm::ivec3, 4> SIDES{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
 /** The number of cells of a piece that may be recoloured as a whole. */
 constexpr std::size_t STRAY_CELLS = 2;
-/** The length of the longest part. */
-constexpr std::size_t LONGEST_PART = 8;
 
 glm::ivec3 toCell(CellKey key)
 {
@@ -215,7 +213,12 @@ double JoinSearch::getRecoloringCost(const glm::ivec3& cell, std::uint16_t color
  * so small that all of it gets the colour. */
 bool JoinSearch::mayBeRecolored(const glm::ivec3& cell)
 {
-    if (_map.getCells(_map.getPiece(cell)).size() <= STRAY_CELLS) return true;
+    return _map.getCells(_map.getPiece(cell)).size() <= STRAY_CELLS || isInColumn(cell);
+}
+
+/** Whether the cell above or below a cell is covered. */
+bool JoinSearch::isInColumn(const glm::ivec3& cell) const
+{
     return std::any_of(UP_AND_DOWN.begin(), UP_AND_DOWN.end(),
                        [&](const glm::ivec3& step) { return _map.isCovered(cell + step); });
 }
@@ -227,14 +230,13 @@ bool JoinSearch::mayExtend(std::uint32_t piece, std::size_t axis)
     const auto [place, isNew] = _extensible.try_emplace(piece);
     if (!isNew) return place->second[axis];
     const std::vector<glm::ivec3>& cells = _map.getCells(piece);
-    const auto isInColumn = [&](const glm::ivec3& cell)
-    { return _map.isCovered(cell + UP_AND_DOWN[0]) || _map.isCovered(cell + UP_AND_DOWN[1]); };
-    const bool isFlat = std::none_of(cells.begin(), cells.end(), isInColumn);
+    const bool isFlat =
+        std::none_of(cells.begin(), cells.end(), [&](const glm::ivec3& cell) { return isInColumn(cell); });
     for (glm::length_t side = 0; side < 2; ++side)
     {
         const auto isInRow = [&](const glm::ivec3& cell) { return cell[1 - side] == cells.front()[1 - side]; };
-        place->second[static_cast<std::size_t>(side)] =
-            !isFlat || (cells.size() < LONGEST_PART && std::all_of(cells.begin(), cells.end(), isInRow));
+        place->second[static_cast<std::size_t>(side)] = !isFlat || (cells.size() < std::size_t{PartSizes::LONGEST} &&
+                                                                    std::all_of(cells.begin(), cells.end(), isInRow));
     }
     return place->second[axis];
 }

@@ -97,6 +97,7 @@ private:
     double getPenaltyOfDirectStep(const glm::ivec3& cell) const;
     double getRecoloringCost(const glm::ivec3& cell, std::uint16_t color) const;
     bool mayBeRecolored(const glm::ivec3& cell);
+    bool isInColumn(const glm::ivec3& cell) const;
     bool mayExtend(std::uint32_t piece, std::size_t axis);
     bool isOfOther(const glm::ivec3& cell);
 
