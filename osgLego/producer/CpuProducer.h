@@ -79,6 +79,7 @@ private:
     };
     using Job = BackgroundJob<Made>;
     using Progress = std::atomic<LegoProgress>;
+    static_assert(alignof(LegoProgress) == sizeof(LegoProgress), "Clang needs libatomic for smaller alignments");
 
     ~CpuProducer() override = default;
 
