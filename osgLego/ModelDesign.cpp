@@ -47,10 +47,12 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
     return text.str();
 }
 
-std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates)
+std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates, std::size_t numOthers)
 {
-    const std::string of = " of " + std::to_string(numCandidates) + " different models";
-    if (numCandidates == 1) return "the only model that the settings allow";
+    const std::string of = numOthers == 0 ? " of " + std::to_string(numCandidates) + " different models"
+                                          : " of " + counted(numCandidates, "model", "models") + " and " +
+                                                counted(numOthers, "draft", "drafts");
+    if (numCandidates == 1 && numOthers == 0) return "the only model that the settings allow";
     if (!best.isWhole()) return "none" + of + " is one piece; this one is most like the mesh";
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
@@ -99,13 +101,16 @@ std::string explainStability(const DesignCandidate& best)
 std::string ModelDesign::toString() const
 {
     const DesignCandidate& best = getBest();
-    return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size()) + "\n" +
+    return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size(), numOthers) + "\n" +
            best.layout.toString() + "\n" + explainStability(best) + "\n" + explainBuilding(best) + "\n" +
            "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
            "CIEDE2000; unlikeness: surface, and a tenth of colour; submodel: parts of the largest, and how deep "
            "submodels are\n"
            "nested, of models whose building was planned; the first model is the chosen one\n" +
-           listCandidates(candidates);
+           listCandidates(candidates) +
+           (numOthers > 0 ? "no models were made by " + counted(numOthers, "other setting", "other settings") +
+                                ", whose drafts were clearly less like the mesh\n"
+                          : "");
 }
 
 } // namespace osgLego

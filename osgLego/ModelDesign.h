@@ -53,6 +53,9 @@ struct OSGLEGO_EXPORT ModelDesign
     /** The best first: sound models before others, those whose submodels keep the limits of BuildingPlan before others,
      * and those more like the mesh before those less like it. Not empty. */
     std::vector<DesignCandidate> candidates;
+    /** The number of other settings, by which no models were made, since their drafts were clearly less like the mesh
+     * than the best one. */
+    std::size_t numOthers = 0;
 
     const DesignCandidate& getBest() const { return candidates.front(); }
     /** The settings, the size, the figures and the defects of the best model in a few lines of English, and why it was

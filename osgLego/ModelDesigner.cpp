@@ -1,5 +1,6 @@
 #include <osgLego/ModelDesigner.h>
 
+#include <osgLego/design/DesignFailure.h>
 #include <osgLego/design/DesignSearch.h>
 
 namespace osgLego
@@ -30,7 +31,7 @@ std::optional<ModelDesign> designModel(const osg::Node& node, const DesignOption
     {
         return DesignSearch(node, options).run();
     }
-    catch (const DesignSearch::Failure& failure)
+    catch (const DesignFailure& failure)
     {
         error = failure.error;
         return std::nullopt;

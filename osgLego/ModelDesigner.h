@@ -43,7 +43,8 @@ struct DesignOptions
  * and standing.
  *
  * Tries combinations of LegoSettings::Grid::proportions, LegoSettings::Parts::fill and LegoSettings::Colors::count,
- * each with the highest resolution whose model has few enough parts, joined to one piece
+ * each with the highest resolution whose model has few enough parts. Those whose drafts are clearly less like the mesh
+ * than the best one make a model only if no other is good. Models are joined to one piece
  * (LegoSettings::Parts::connect) unless the base plate joins them already. Lower resolutions of the best combination
  * are tried, too, if their cells fit the mesh clearly better, as those of a chessboard do with whole cells for each
  * square. Models that fall but are more like the mesh than all that stand are changed to stand

@@ -19,9 +19,9 @@ bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b)
     const auto rank = [this](const DesignCandidate& candidate)
     {
         constexpr double VISIBLE = 0.01;
-        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability),
-                          candidate.layout.numParts > _mostParts, candidate.numPieces, candidate.exceedsLimits(),
-                          std::lround(candidate.getError() / VISIBLE), candidate.layout.numParts);
+        return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), !hasFewEnoughParts(candidate),
+                          candidate.numPieces, candidate.exceedsLimits(), std::lround(candidate.getError() / VISIBLE),
+                          candidate.layout.numParts);
     };
     return rank(a) < rank(b);
 }

@@ -18,6 +18,7 @@ public:
     /** 0 for models that a builder can rely on, more for others. */
     static int rankStability(const StabilityReport& stability);
     static bool standsSafely(const DesignCandidate& candidate) { return rankStability(candidate.stability) == 0; }
+    bool hasFewEnoughParts(const DesignCandidate& candidate) const { return candidate.layout.numParts <= _mostParts; }
 
     /** Models of one piece before others, then those that stand, those that have few enough parts, those of fewer
      * pieces, those whose submodels keep the limits, as far as it is known, and those more like the mesh; among those

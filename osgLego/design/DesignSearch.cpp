@@ -1,8 +1,7 @@
 #include <osgLego/design/DesignSearch.h>
 
-#include <osgLego/BuildingPlanner.h>
 #include <osgLego/PieceCount.h>
-#include <osgLego/Stability.h>
+#include <osgLego/design/DesignFailure.h>
 #include <osgLego/design/ResolutionSearch.h>
 #include <osgLego/model/CpuBricks.h>
 
@@ -11,7 +10,6 @@
 #include <limits>
 #include <utility>
 
-#include <osg/BoundingBox>
 #include <tbb/parallel_for.h>
 
 namespace osgLego
@@ -21,8 +19,6 @@ namespace
 {
 
 constexpr double STUD_PITCH = 8.0; // millimetres
-// Cells of the surface that models are compared to, along the longest side.
-constexpr unsigned int REFERENCE_RESOLUTION = 256;
 constexpr unsigned int FEW_COLORS = 8;
 constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support and plans
 constexpr double SHARE_OF_PLANS = 0.2;
@@ -63,14 +59,14 @@ DesignRanking DesignSearch::createRanking() const
                                          : _options.numParts.value_or(std::numeric_limits<std::size_t>::max()));
 }
 
-/** Throws Failure if settings ask for no parts. */
+/** Throws DesignFailure if settings ask for no parts. */
 void DesignSearch::checkParts() const
 {
     LegoSettings settings = createFreeSettings();
     settings.parts.connect = false; // which needs parts
     std::string error;
     if (replace(_options.settings, settings, error) && settings.parts.set == PartSet::NONE)
-        throw Failure("parts=none gives no parts; expected parts=bricks");
+        throw DesignFailure("parts=none gives no parts; expected parts=bricks");
 }
 
 /** Whether settings determine the size of cells, so that nothing of it can be chosen. */
@@ -81,7 +77,7 @@ bool DesignSearch::determineSize() const
         LegoSettings settings = createFreeSettings();
         settings.grid.resolution = resolution;
         std::string error;
-        if (!replace(_options.settings, settings, error)) throw Failure(error);
+        if (!replace(_options.settings, settings, error)) throw DesignFailure(error);
         return settings.grid;
     };
     return readWith(1) == readWith(2);
@@ -101,16 +97,16 @@ ModelDesign DesignSearch::run()
     checkParts();
     _isSizeGiven = determineSize();
     if (_isSizeGiven && _options.length)
-        throw Failure("a length can't be combined with a resolution or a cell; expected either");
+        throw DesignFailure("a length can't be combined with a resolution or a cell; expected either");
     _isConnectionGiven = isConnectionGiven();
     const std::vector<LegoSettings> settings = listSettings();
-    readSurface(settings.front().grid.upAxis);
-    makeCandidates(settings);
+    _maker.emplace(_node, _options, settings.front().grid.upAxis);
+    makeBetter(makeDrafts(settings));
     tryLowerResolutions();
     supportBetter();
     planBest();
     report(1.0);
-    return {std::move(_candidates)};
+    return {std::move(_candidates), _others.size()};
 }
 
 std::vector<LegoSettings> DesignSearch::listSettings() const
@@ -129,79 +125,50 @@ std::vector<LegoSettings> DesignSearch::listSettings() const
                 const bool isPossible = replace(_options.settings, settings, error);
                 if (isPossible && std::find(list.begin(), list.end(), settings) == list.end()) list.push_back(settings);
             }
-    if (list.empty()) throw Failure(error);
+    if (list.empty()) throw DesignFailure(error);
     return list;
 }
 
-void DesignSearch::readSurface(UpAxis upAxis)
-{
-    _triangles = SceneTriangles::create(_node);
-    _triangles->warnOfTexts(_node);
-    if (_triangles->getNumTriangles() == 0)
-        throw Failure("'" + _node.getName() + "' has no visible triangles to legolize");
-    const osg::BoundingBoxd& bounds = _triangles->getBounds();
-    _longestSide =
-        std::max({bounds.xMax() - bounds.xMin(), bounds.yMax() - bounds.yMin(), bounds.zMax() - bounds.zMin()});
-    LegoSettings settings;
-    settings.grid.resolution = REFERENCE_RESOLUTION;
-    settings.grid.upAxis = upAxis;
-    _surface = std::make_unique<SurfaceReference>(*lay(settings).model);
-}
-
-DesignSearch::Laid DesignSearch::lay(const LegoSettings& settings) const
-{
-    checkCancelled();
-    std::string error;
-    const osg::ref_ptr<const LegoSource> source = createFirstSource(*_triangles, settings, error);
-    if (!source) throw Failure(error);
-    CpuBricksWork work;
-    work.isCancelled = _options.isCancelled;
-    Laid laid{settings, makeBricksOnCpu(*source, work), {}};
-    checkCancelled();
-    if (!laid.model) throw Failure(work.error);
-    if (work.measureLayout) laid.layout = work.measureLayout();
-    return laid;
-}
-
 /** Make a model, and join its pieces unless they stand on a base plate that joins them. */
-DesignSearch::Laid DesignSearch::layJoined(const LegoSettings& settings) const
+DesignMaker::Laid DesignSearch::layJoined(const LegoSettings& settings) const
 {
     if (_options.base == BuildingBase::PLATE && settings.parts.connect && !_isConnectionGiven)
     {
         LegoSettings apart = settings;
         apart.parts.connect = false;
-        Laid laid = lay(apart);
+        Laid laid = _maker->lay(apart);
         if (countPieces(*laid.model, _options.base) == 1) return laid;
     }
-    return lay(settings);
+    return _maker->lay(settings);
 }
 
-std::size_t DesignSearch::countDraftParts(const LegoSettings& settings) const
-{
-    return lay(createDraftSettings(settings)).model->getParts().size();
-}
-
-unsigned int DesignSearch::findResolution(LegoSettings settings) const
+/** A draft of a model by some settings, of the size that is given, or of the highest resolution that has few enough
+ * parts. */
+DesignMaker::Draft DesignSearch::makeDraft(LegoSettings settings) const
 {
     constexpr unsigned int FIRST_RESOLUTION = 24;
+    if (_options.length)
+        settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
+    if (!canChooseSize()) return _maker->makeDraft(settings);
     ResolutionSearch search(getMostParts(), FIRST_RESOLUTION);
     while (const std::optional<unsigned int> resolution = search.getNext())
     {
         settings.grid.resolution = *resolution;
-        search.add(*resolution, countDraftParts(settings));
+        search.add(*resolution, _maker->lay(createDraftSettings(settings)).model->getParts().size());
     }
-    return search.getBest();
+    settings.grid.resolution = search.getBest();
+    Draft draft = _maker->makeDraft(settings);
+    // The final model has fewer parts, and often the next resolution.
+    ++settings.grid.resolution;
+    if (settings.grid.resolution <= LegoSettings::MAXIMUM_RESOLUTION)
+        draft.error = std::min(draft.error, _maker->makeDraft(settings).error);
+    return draft;
 }
 
+/** @param settings with the resolution of their draft. */
 DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
 {
-    if (_isSizeGiven) return measure(layJoined(settings));
-    if (_options.length)
-    {
-        settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
-        return measure(layJoined(settings));
-    }
-    settings.grid.resolution = findResolution(settings);
+    if (!canChooseSize()) return _maker->measure(layJoined(settings));
     ResolutionSearch search(getMostParts(), settings.grid.resolution);
     Laid best;
     while (const std::optional<unsigned int> resolution = search.getNext())
@@ -211,44 +178,56 @@ DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
         search.add(*resolution, laid.layout.numParts);
         if (search.getBest() == *resolution) best = laid;
     }
-    return measure(best);
+    return _maker->measure(best);
 }
 
 DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
 {
     constexpr int MOST_TRIES = 3; // each is slow
     settings.parts.support = true;
-    Laid laid = lay(settings);
+    Laid laid = _maker->lay(settings);
     for (int tries = 1; canChooseSize() && tries < MOST_TRIES; ++tries)
     {
         if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
         --settings.grid.resolution;
-        laid = lay(settings);
+        laid = _maker->lay(settings);
     }
-    return measure(laid);
+    return _maker->measure(laid);
 }
 
-DesignCandidate DesignSearch::measure(const Laid& laid) const
+/** Drafts by all settings that give different ones, those most like the mesh first. */
+std::vector<DesignMaker::Draft> DesignSearch::makeDrafts(const std::vector<LegoSettings>& settings) const
 {
-    if (laid.model->getParts().empty()) throw Failure("the grid misses the model; expected another origin or size");
-    std::optional<StabilityReport> stability = computeStability(*laid.model, {_options.base, _options.isCancelled});
-    checkCancelled();
-    DesignCandidate candidate;
-    candidate.settings = laid.settings;
-    candidate.model = laid.model;
-    candidate.layout = laid.layout;
-    candidate.stability = std::move(*stability);
-    candidate.numPieces = countPieces(*laid.model, _options.base);
-    setDifference(*laid.model, candidate);
-    return candidate;
+    std::vector<Draft> made(settings.size());
+    tbb::parallel_for(std::size_t(0), made.size(),
+                      [&](std::size_t index) { made[index] = makeDraft(settings[index]); });
+    std::vector<Draft> drafts;
+    for (Draft& draft : made)
+    {
+        const auto isSame = [&](const Draft& other) { return haveSameParts(*other.model, *draft.model); };
+        if (std::none_of(drafts.begin(), drafts.end(), isSame)) drafts.push_back(std::move(draft));
+    }
+    std::stable_sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) { return a.error < b.error; });
+    return drafts;
 }
 
-/** Set the errors of a candidate to those of a model. */
-void DesignSearch::setDifference(const BrickModel& model, DesignCandidate& candidate) const
+/** Make the models whose drafts are not clearly less like the mesh than the best one, and all others if none of these
+ * is good enough. */
+void DesignSearch::makeBetter(const std::vector<Draft>& drafts)
 {
-    const SurfaceDifference difference = _surface->compare(model);
-    candidate.surfaceError = difference.distance / _longestSide;
-    candidate.colorError = difference.color;
+    constexpr double CLEARLY = 1.05; // models differ by as much from their drafts
+    std::vector<LegoSettings> better;
+    for (const Draft& draft : drafts)
+        (draft.error <= CLEARLY * drafts.front().error ? better : _others).push_back(draft.settings);
+    makeCandidates(better);
+    const DesignCandidate& best = _candidates.front();
+    if (!best.isWhole() || !DesignRanking::standsSafely(best) || !createRanking().hasFewEnoughParts(best)) makeOthers();
+}
+
+/** Make the models of all settings whose drafts were less like the mesh. */
+void DesignSearch::makeOthers()
+{
+    makeCandidates(std::exchange(_others, {}));
 }
 
 void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings)
@@ -295,22 +274,16 @@ void DesignSearch::tryLowerResolutions()
     }
     std::vector<double> errors(resolutions.size());
     tbb::parallel_for(std::size_t(0), errors.size(),
-                      [&](std::size_t index) { errors[index] = measureDraft(settings, resolutions[index]); });
+                      [&](std::size_t index)
+                      {
+                          LegoSettings lower = settings;
+                          lower.grid.resolution = resolutions[index];
+                          errors[index] = _maker->makeDraft(lower).error;
+                      });
     const auto best = std::min_element(errors.begin(), errors.end());
     if (*best > CLEARLY * errors.front()) return;
     settings.grid.resolution = resolutions[static_cast<std::size_t>(best - errors.begin())];
-    addCandidate(measure(layJoined(settings)));
-}
-
-/** The unlikeness of a draft. */
-double DesignSearch::measureDraft(LegoSettings settings, unsigned int resolution) const
-{
-    settings.grid.resolution = resolution;
-    const Laid laid = lay(createDraftSettings(settings));
-    if (laid.model->getBricks().empty()) return std::numeric_limits<double>::max();
-    DesignCandidate draft;
-    setDifference(*laid.model, draft);
-    return draft.getError();
+    addCandidate(_maker->measure(layJoined(settings)));
 }
 
 void DesignSearch::supportBetter()
@@ -334,9 +307,18 @@ void DesignSearch::supportBetter()
     }
 }
 
+/** Plan how the best model is built; if its submodels exceed the limits, those of all settings may be better. */
+void DesignSearch::planBest()
+{
+    planBetter();
+    if (!_candidates.front().plan || !_candidates.front().exceedsLimits() || _others.empty()) return;
+    makeOthers();
+    planBetter();
+}
+
 /** Plan how the best model is built. While submodels exceed the limits, support the model, which may change that, and
  * go on with the next one that stands as well. */
-void DesignSearch::planBest()
+void DesignSearch::planBetter()
 {
     const double share = SHARE_OF_PLANS / static_cast<double>(_candidates.size());
     while (!_candidates.front().plan && _candidates.front().isSound() &&
@@ -344,11 +326,11 @@ void DesignSearch::planBest()
     {
         DesignCandidate candidate = std::move(_candidates.front());
         _candidates.erase(_candidates.begin());
-        planBuildingOf(candidate);
+        _maker->planBuildingOf(candidate);
         if (candidate.exceedsLimits() && !candidate.settings.parts.support)
         {
             DesignCandidate supported = makeSupported(candidate.settings);
-            planBuildingOf(supported);
+            _maker->planBuildingOf(supported);
             // If both exceed the limits, the one that is more like the mesh would be better.
             const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
                                   DesignRanking::rankStability(supported.stability) <=
@@ -360,21 +342,6 @@ void DesignSearch::planBest()
         addCandidate(std::move(candidate));
         report(share);
     }
-}
-
-void DesignSearch::planBuildingOf(DesignCandidate& candidate) const
-{
-    PlanningOptions options;
-    options.base = _options.base;
-    options.view = _options.view;
-    options.isCancelled = _options.isCancelled;
-    candidate.plan = planBuilding(*candidate.model, options);
-    checkCancelled();
-}
-
-void DesignSearch::checkCancelled() const
-{
-    if (_options.isCancelled && _options.isCancelled()) throw Failure("");
 }
 
 void DesignSearch::report(double share)

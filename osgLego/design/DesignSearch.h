@@ -2,20 +2,15 @@
 
 #include <osgLego/LegoSettings.h>
 #include <osgLego/ModelDesigner.h>
+#include <osgLego/design/DesignMaker.h>
 #include <osgLego/design/DesignRanking.h>
-#include <osgLego/design/SurfaceReference.h>
-#include <osgLego/flattening/SceneTriangles.h>
 
 #include <cstddef>
-#include <exception>
-#include <memory>
 #include <mutex>
-#include <string>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include <osg/Node>
-#include <osg/ref_ptr>
 
 namespace osgLego
 {
@@ -26,28 +21,15 @@ namespace osgLego
 class DesignSearch
 {
 public:
-    /** Thrown by run(), with a sentence for the user; an empty one if it was cancelled. */
-    struct Failure : std::exception
-    {
-        explicit Failure(std::string message) : error(std::move(message)) {}
-        const char* what() const noexcept override { return error.c_str(); }
-
-        std::string error;
-    };
-
     /** @param node and @param options are kept as references. */
     DesignSearch(const osg::Node& node, const DesignOptions& options);
 
-    /** Throws Failure. */
+    /** Throws DesignFailure. */
     ModelDesign run();
 
 private:
-    struct Laid
-    {
-        LegoSettings settings;
-        osg::ref_ptr<const BrickModel> model;
-        LayoutStatistics layout;
-    };
+    using Laid = DesignMaker::Laid;
+    using Draft = DesignMaker::Draft;
 
     void checkParts() const;
     bool determineSize() const;
@@ -57,34 +39,29 @@ private:
     std::size_t getMostParts() const;
     DesignRanking createRanking() const;
     std::vector<LegoSettings> listSettings() const;
-    void readSurface(UpAxis upAxis);
-    Laid lay(const LegoSettings& settings) const;
     Laid layJoined(const LegoSettings& settings) const;
-    std::size_t countDraftParts(const LegoSettings& settings) const;
-    unsigned int findResolution(LegoSettings settings) const;
+    Draft makeDraft(LegoSettings settings) const;
     DesignCandidate makeLargest(LegoSettings settings) const;
     DesignCandidate makeSupported(LegoSettings settings) const;
-    DesignCandidate measure(const Laid& laid) const;
-    void setDifference(const BrickModel& model, DesignCandidate& candidate) const;
-    double measureDraft(LegoSettings settings, unsigned int resolution) const;
+    std::vector<Draft> makeDrafts(const std::vector<LegoSettings>& settings) const;
+    void makeBetter(const std::vector<Draft>& drafts);
+    void makeOthers();
     void makeCandidates(const std::vector<LegoSettings>& settings);
     void addCandidate(DesignCandidate candidate);
     void tryLowerResolutions();
     void supportBetter();
     void planBest();
-    void planBuildingOf(DesignCandidate& candidate) const;
-    void checkCancelled() const;
+    void planBetter();
     void report(double share);
 
     const osg::Node& _node;
     const DesignOptions& _options;
-    osg::ref_ptr<const SceneTriangles> _triangles;
-    std::unique_ptr<SurfaceReference> _surface;
-    double _longestSide = 1.0; // of the mesh, in model units
+    std::optional<DesignMaker> _maker;
     std::vector<DesignCandidate> _candidates;
-    bool _isSizeGiven = false;       // by the settings of the options
-    bool _isConnectionGiven = false; // by them, too
-    std::mutex _reporting;           // guards _progress
+    std::vector<LegoSettings> _others; // whose drafts were clearly less like the mesh
+    bool _isSizeGiven = false;         // by the settings of the options
+    bool _isConnectionGiven = false;   // by them, too
+    std::mutex _reporting;             // guards _progress
     double _progress = 0.0;
 };
 

@@ -45,13 +45,39 @@ TEST(ModelDesigner, TheCarBecomesOnePieceThatStands)
     EXPECT_TRUE(computeStability(*best.model)->safe);
     EXPECT_LE(best.model->getParts().size(), 80u);
     EXPECT_GE(best.model->getParts().size(), 50u);
-    EXPECT_GE(design->candidates.size(), 4u);
+    EXPECT_GE(design->candidates.size() + design->numOthers, 4u);
     for (const DesignCandidate& candidate : design->candidates)
     {
         EXPECT_EQ(candidate.layout.numParts, candidate.model->getParts().size());
         const bool isSafe = candidate.isSound() && candidate.stability.safe;
         EXPECT_TRUE(!isSafe || candidate.getError() > best.getError() - 0.01) << candidate.settings.toString();
     }
+}
+
+TEST(ModelDesigner, SettingsThatMakeNoModelWouldMakeNoBetterOne)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    DesignOptions options;
+    options.numParts = 120;
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*car, options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_GT(design->numOthers, 0u);
+    EXPECT_LE(design->numOthers + design->candidates.size(), 12u);
+    const std::string text = design->toString();
+    EXPECT_NE(text.find("no models were made by " + std::to_string(design->numOthers) + " other settings"),
+              std::string::npos)
+        << text;
+    for (const char* proportions : {"brick", "plate"})
+        for (const char* fill : {"surface", "shell", "solid"})
+        {
+            options.settings = std::string("proportions=") + proportions + ",colors=8,fill=" + fill;
+            const std::optional<ModelDesign> other = designModel(*car, options, error);
+            ASSERT_TRUE(other) << error;
+            const DesignCandidate& best = other->getBest();
+            const bool isSafe = best.isSound() && best.stability.safe;
+            EXPECT_TRUE(!isSafe || best.getError() > design->getBest().getError() - 0.01) << options.settings;
+        }
 }
 
 TEST(ModelDesigner, TheSettingsMakeTheSameModel)
@@ -233,6 +259,7 @@ TEST(ModelDesigner, IfTheSizeIsGivenAModelOfFewEnoughPartsIsPreferred)
     std::string error;
     const std::optional<ModelDesign> unlimited = designModel(*car, options, error);
     ASSERT_TRUE(unlimited) << error;
+    EXPECT_GT(unlimited->numOthers, 0u);
     std::size_t fewest = unlimited->getBest().layout.numParts;
     for (const DesignCandidate& candidate : unlimited->candidates)
         if (candidate.isSound() && candidate.stability.safe) fewest = std::min(fewest, candidate.layout.numParts);
@@ -241,7 +268,9 @@ TEST(ModelDesigner, IfTheSizeIsGivenAModelOfFewEnoughPartsIsPreferred)
     const std::optional<ModelDesign> limited = designModel(*car, options, error);
     EXPECT_EQ(limited->getBest().layout.numParts, fewest) << limited->toString();
     options.numParts = 1;
-    EXPECT_EQ(designModel(*car, options, error)->getBest().layout.numParts, unlimited->getBest().layout.numParts);
+    const std::optional<ModelDesign> tooLarge = designModel(*car, options, error);
+    EXPECT_EQ(tooLarge->getBest().layout.numParts, unlimited->getBest().layout.numParts);
+    EXPECT_EQ(tooLarge->numOthers, 0u) << "one of them might have had few enough parts";
 }
 
 TEST(ModelDesigner, ALatticeMakesTheModelThatTheSettingsMake)

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <osgLego/LegoSettings.h>
+#include <osgLego/ModelDesigner.h>
+#include <osgLego/design/SurfaceReference.h>
+#include <osgLego/flattening/SceneTriangles.h>
+
+#include <memory>
+
+#include <osg/Node>
+#include <osg/ref_ptr>
+
+namespace osgLego
+{
+
+/** Makes models of a mesh, measures them, and plans how they are built.
+ *
+ * Several threads may call it at once. All functions throw DesignFailure. */
+class DesignMaker
+{
+public:
+    struct Laid
+    {
+        LegoSettings settings;
+        osg::ref_ptr<const BrickModel> model;
+        LayoutStatistics layout;
+    };
+    /** A model whose parts are laid fast and not joined, which looks like the final one. */
+    struct Draft
+    {
+        LegoSettings settings; //!< of the final model
+        osg::ref_ptr<const BrickModel> model;
+        double error = 0.0; //!< DesignCandidate::getError(); the largest number for a grid that misses the mesh
+    };
+
+    /** @param node is not kept. @param options are kept as a reference. @param upAxis of all models. */
+    DesignMaker(const osg::Node& node, const DesignOptions& options, UpAxis upAxis);
+
+    Laid lay(const LegoSettings& settings) const;
+    Draft makeDraft(const LegoSettings& settings) const;
+    DesignCandidate measure(const Laid& laid) const;
+    void planBuildingOf(DesignCandidate& candidate) const;
+
+private:
+    void checkCancelled() const;
+    void setDifference(const BrickModel& model, DesignCandidate& candidate) const;
+
+    const DesignOptions& _options;
+    osg::ref_ptr<const SceneTriangles> _triangles;
+    std::unique_ptr<SurfaceReference> _surface;
+    double _longestSide = 1.0; // of the mesh, in model units
+};
+
+} // namespace osgLego
