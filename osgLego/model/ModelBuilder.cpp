@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -108,17 +109,57 @@ std::vector<LoosePiece> listLoosePieces(const LaidParts& parts, const BrickGrid&
     return loose;
 }
 
-/** Join the pieces of a layout. @return false if it was cancelled. */
-bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const BrickGrid& grid, Layout& layout,
-             LayoutStatistics& statistics)
+struct Connected
+{
+    JoinedLayout layout;
+    ConnectionStatistics statistics;
+
+    bool isBetterThan(const Connected& other) const
+    {
+        return std::pair(statistics.numPieces, layout.parts.size()) <
+               std::pair(other.statistics.numPieces, other.layout.parts.size());
+    }
+};
+
+/** Join the pieces of a layout. @return nothing if it was cancelled. */
+std::optional<Connected> connect(const LayoutOptions& options, const RecoloringCosts& costs, const Layout& layout)
+{
+    ConnectionBuilder builder(options, costs);
+    Connected connected{{layout.problem, layout.parts, {}}, {}};
+    if (!builder.build(connected.layout)) return std::nullopt;
+    connected.statistics = builder.getStatistics();
+    return connected;
+}
+
+/** Join the pieces of a layout of Effort::BEST. Those of a layout of normal effort are joined, too, since the pieces of
+ * either may be easier to join. @return the better one; nothing if it was cancelled. */
+std::optional<Connected> connectBest(const LayoutOptions& options, const RecoloringCosts& costs, const Layout& layout,
+                                     const LaidParts& previous)
+{
+    std::optional<Connected> connected = connect(options, costs, layout);
+    if (!connected || connected->statistics.numPiecesBefore <= 1) return connected;
+    LayoutOptions normal = options;
+    normal.effort = Effort::NORMAL;
+    normal.progress = nullptr;
+    Layout other{layout.problem, layOut(layout.problem, normal, previous)};
+    if (other.parts.empty()) return std::nullopt;
+    normal.effort = options.effort; // to lay parts around the joins again
+    std::optional<Connected> otherConnected = connect(normal, costs, other);
+    return !otherConnected || otherConnected->isBetterThan(*connected) ? std::move(otherConnected)
+                                                                       : std::move(connected);
+}
+
+/** Join the pieces of a layout. @param previous from which it was laid. @return false if it was cancelled. */
+bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const BrickGrid& grid,
+             const LaidParts& previous, Layout& layout, LayoutStatistics& statistics)
 {
     Stopwatch stopwatch;
-    ConnectionBuilder builder(options, costs);
-    JoinedLayout joined{std::move(layout.problem), std::move(layout.parts), {}};
-    if (!builder.build(joined)) return false;
-    layout.problem = std::move(joined.problem);
-    layout.parts = std::move(joined.parts);
-    statistics.connection = builder.getStatistics();
+    std::optional<Connected> connected = options.effort == Effort::BEST ? connectBest(options, costs, layout, previous)
+                                                                        : connect(options, costs, layout);
+    if (!connected) return false;
+    layout.problem = std::move(connected->layout.problem);
+    layout.parts = std::move(connected->layout.parts);
+    statistics.connection = std::move(connected->statistics);
     statistics.connection->loose = listLoosePieces(layout.parts, grid);
     statistics.connection->milliseconds = stopwatch.lap();
     return true;
@@ -251,7 +292,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     statistics.layout = stopwatch.lap();
     options.progress = reportStage(LegoProgress::Stage::CONNECTION);
     if ((_settings.parts.connect || _settings.parts.support) &&
-        !connect(options, RecoloringCosts(surface, colors), grid, *layout, statistics))
+        !connect(options, RecoloringCosts(surface, colors), grid, previous, *layout, statistics))
         return nullptr;
     stopwatch.lap();
     if (_settings.parts.support)

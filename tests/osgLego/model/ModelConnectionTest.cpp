@@ -12,6 +12,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,21 @@ TEST(ModelConnection, ConnectMakesOnePieceOfTheCarWithFewAddedCells)
         }
         EXPECT_EQ(numAdded, connection.numAddedCells);
         EXPECT_EQ(numRecolored, connection.numRecolored);
+    }
+}
+
+TEST(ModelConnection, BestEffortNeedsNoMorePiecesOrPartsThanNormalEffort)
+{
+    const osg::ref_ptr<osg::Node> car = createRacingCar();
+    for (const std::string settings : {"12,parts=bricks,connect=on", "16,parts=bricks,connect=on"})
+    {
+        LegoStatistics normal;
+        ASSERT_TRUE(lay(*car, settings, &normal));
+        LegoStatistics best;
+        ASSERT_TRUE(lay(*car, settings + ",effort=best", &best));
+        EXPECT_LE(std::pair(best.layout->numComponents, best.layout->numParts),
+                  std::pair(normal.layout->numComponents, normal.layout->numParts))
+            << settings;
     }
 }
 
