@@ -108,12 +108,24 @@ void BuildingPlan::measureSubmodels(const std::vector<BuildingStep>& steps, std:
         }
 }
 
+/** By how much a plan is beyond the limits, in parts, in levels and in steps. */
+std::array<std::size_t, 3> BuildingPlan::getExcess() const
+{
+    const auto getExcessOf = [](std::size_t value, std::size_t limit) { return std::max(value, limit) - limit; };
+    return {getExcessOf(_largestSubmodel, MOST_SUBMODEL_PARTS), getExcessOf(_deepestSubmodel, DEEPEST_SUBMODEL),
+            getExcessOf(getNumFalling(), MOST_FALLING_STEPS)};
+}
+
+bool BuildingPlan::keepsLimits() const
+{
+    return getExcess() == std::array<std::size_t, 3>{};
+}
+
 bool BuildingPlan::exceedsLimitsLessThan(const BuildingPlan& other) const
 {
-    const auto getParts = [](const BuildingPlan& plan) { return std::max(plan._largestSubmodel, MOST_SUBMODEL_PARTS); };
-    const auto getLevels = [](const BuildingPlan& plan) { return std::max(plan._deepestSubmodel, DEEPEST_SUBMODEL); };
-    const bool hasMore = getParts(*this) > getParts(other) || getLevels(*this) > getLevels(other);
-    return !hasMore && (getParts(*this) < getParts(other) || getLevels(*this) < getLevels(other));
+    const std::array<std::size_t, 3> own = getExcess();
+    const std::array<std::size_t, 3> others = other.getExcess();
+    return own != others && std::equal(own.begin(), own.end(), others.begin(), std::less_equal<>());
 }
 
 std::size_t BuildingPlan::countSteps(bool (*isCounted)(const BuildingStep&)) const

@@ -2,6 +2,7 @@
 
 #include <osgLego/Export.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -64,6 +65,7 @@ public:
     /** Submodels within each other that are easy to follow: 1 for a submodel of the model, 2 for one within such a
      * submodel, and so on. */
     static constexpr std::size_t DEEPEST_SUBMODEL = 3;
+    static constexpr std::size_t MOST_FALLING_STEPS = 5; //!< after which a builder holds the model
 
     /** Create a plan.
      * @param numParts the number of parts in the model.
@@ -92,10 +94,11 @@ public:
     std::size_t getLargestSubmodel() const { return _largestSubmodel; }
     /** How deep submodels are nested; 0 without submodels. */
     std::size_t getDeepestSubmodel() const { return _deepestSubmodel; }
-    /** Whether all submodels are within MOST_SUBMODEL_PARTS and DEEPEST_SUBMODEL. */
-    bool keepsLimits() const { return _largestSubmodel <= MOST_SUBMODEL_PARTS && _deepestSubmodel <= DEEPEST_SUBMODEL; }
-    /** Whether submodels are less far beyond these limits than those of another plan, in parts or in levels, and
-     * farther in neither. */
+    /** Whether the model is easy to build: all submodels are within MOST_SUBMODEL_PARTS and DEEPEST_SUBMODEL, and
+     * getNumFalling() within MOST_FALLING_STEPS. */
+    bool keepsLimits() const;
+    /** Whether the plan is less far beyond these limits than another one, in parts, in levels or in steps, and farther
+     * in none of them. */
     bool exceedsLimitsLessThan(const BuildingPlan& other) const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
@@ -112,6 +115,7 @@ private:
     ~BuildingPlan() override = default;
 
     void measureSubmodels(const std::vector<BuildingStep>& steps, std::size_t depth);
+    std::array<std::size_t, 3> getExcess() const;
     std::size_t countSteps(bool (*isCounted)(const BuildingStep&)) const;
 
     std::vector<BuildingStep> _steps;

@@ -52,9 +52,9 @@ std::vector<std::string> listChanges(const SupportStatistics& support)
         changes.push_back(
             counted(support.numColumns, "column", "columns") + " of " +
             counted(support.numColumnParts, "part", "parts") + (support.numColumns == 1 ? " was" : " were") + " added" +
-            (support.numBuildingColumns == 0 ? ""
-                                             : ", " + std::to_string(support.numBuildingColumns) +
-                                                   " of them for smaller submodels of the building plan"));
+            (support.numBuildingColumns == 0
+                 ? ""
+                 : ", " + std::to_string(support.numBuildingColumns) + " of them for an easier building plan"));
     return changes;
 }
 
@@ -75,16 +75,18 @@ std::string describe(const SupportStatistics& support)
     return text + (support.stands ? "; the model stands" : "; the model still falls");
 }
 
-/** A line on submodels beyond the limits; empty if there are none. */
-std::string describeSubmodels(const SupportStatistics& support)
+/** A line on a building plan beyond the limits; empty if it keeps them. */
+std::string describeBuilding(const SupportStatistics& support)
 {
     if (support.largestSubmodel <= BuildingPlan::MOST_SUBMODEL_PARTS &&
-        support.deepestSubmodel <= BuildingPlan::DEEPEST_SUBMODEL)
+        support.deepestSubmodel <= BuildingPlan::DEEPEST_SUBMODEL &&
+        support.numFallingSteps <= BuildingPlan::MOST_FALLING_STEPS)
         return {};
     return "\nbuilding: submodels of up to " + counted(support.largestSubmodel, "part", "parts") + ", nested " +
-           std::to_string(support.deepestSubmodel) + " deep, where " +
-           std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts and " +
-           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels are easy: " +
+           std::to_string(support.deepestSubmodel) + " deep, and " + counted(support.numFallingSteps, "step", "steps") +
+           " after which to hold the model, where " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts, " +
+           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels and " +
+           std::to_string(BuildingPlan::MOST_FALLING_STEPS) + " steps are easy: " +
            (support.numBuildingColumns > 0 ? "no more columns were found that help"
                                            : "no columns were found that help");
 }
@@ -110,7 +112,7 @@ std::string LayoutStatistics::toString() const
              << counted(numUnavailable, "part has a size that was never made in its colour",
                         "parts have sizes that were never made in their colour");
     if (connection) text << '\n' << describe(*connection);
-    if (support) text << '\n' << describe(*support) << describeSubmodels(*support);
+    if (support) text << '\n' << describe(*support) << describeBuilding(*support);
     return text.str();
 }
 

@@ -21,11 +21,12 @@ struct SupportStatistics
     std::size_t numColumns = 0;         //!< columns added below the model
     std::size_t numColumnParts = 0;     //!< their parts
     std::size_t numPropped = 0;         //!< pieces that stand on columns of their own alone, not as parts of the model
-    std::size_t numBuildingColumns = 0; //!< of `numColumns`, those that keep submodels of the building plan small
+    std::size_t numBuildingColumns = 0; //!< of `numColumns`, those that make the building plan easier
     /** Parts of the largest submodel of the building plan; 0 if there is none, or if building was not planned: of
      * models that fall, and of large ones. */
     std::size_t largestSubmodel = 0;
     std::size_t deepestSubmodel = 0; //!< how deep its submodels are nested; likewise
+    std::size_t numFallingSteps = 0; //!< steps of the plan after which the model has to be held; likewise
     double milliseconds = 0.0;       //!< the time taken
 };
 

@@ -57,7 +57,7 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
            (best.stability.safe ? " safely" : "") +
-           (best.plan && !best.exceedsLimits() ? ", and whose submodels keep the limits" : "");
+           (best.plan && !best.exceedsLimits() ? ", and are easy to build" : "");
 }
 
 /** Lines on building by hand; empty without a plan. */
@@ -81,9 +81,11 @@ std::string explainBuilding(const DesignCandidate& best)
         text += "; hold the model or a submodel after " + counted(plan.getNumFalling(), "step", "steps");
     text += '\n';
     if (best.exceedsLimits())
-        text += "submodels exceed " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts or " +
-                std::to_string(BuildingPlan::DEEPEST_SUBMODEL) +
-                " levels: no model that stands as well keeps these limits, with columns below it or without\n";
+        text += "easy to build are submodels of up to " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) +
+                " parts in " + std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels, and up to " +
+                std::to_string(BuildingPlan::MOST_FALLING_STEPS) +
+                " steps after which to hold something: no model that stands as well keeps these limits, with columns "
+                "below it or without\n";
     return text;
 }
 

@@ -42,7 +42,7 @@ struct OSGLEGO_EXPORT DesignCandidate
     bool isWhole() const { return numPieces == 1; }
     /** Whether the model can be built and stays up: it is one piece and stands. */
     bool isSound() const { return isWhole() && stability.stands; }
-    /** Whether submodels are beyond the limits of BuildingPlan; true for large models, whose building is not planned.
+    /** Whether the building is beyond the limits of BuildingPlan; true for large models, whose building is not planned.
      */
     bool exceedsLimits() const { return plan ? !plan->keepsLimits() : layout.numParts > MOST_PLANNED_PARTS; }
 };
@@ -50,7 +50,7 @@ struct OSGLEGO_EXPORT DesignCandidate
 /** The models of a mesh that were compared, and the one that was chosen. */
 struct OSGLEGO_EXPORT ModelDesign
 {
-    /** The best first: sound models before others, those whose submodels keep the limits of BuildingPlan before others,
+    /** The best first: sound models before others, those whose building keeps the limits of BuildingPlan before others,
      * and those more like the mesh before those less like it. Not empty. */
     std::vector<DesignCandidate> candidates;
     /** The number of other settings, by which no models were made, since their drafts were clearly less like the mesh

@@ -48,7 +48,7 @@ struct DesignOptions
  * (LegoSettings::Parts::connect) unless the base plate joins them already. Lower resolutions of the best combination
  * are tried, too, if their cells fit the mesh clearly better, as those of a chessboard do with whole cells for each
  * square. Models that fall but are more like the mesh than all that stand are changed to stand
- * (LegoSettings::Parts::support). So is the best one if the submodels of its BuildingPlan exceed the limits, and it has
+ * (LegoSettings::Parts::support). So is the best one if its BuildingPlan exceeds the limits, and it has
  * at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the comparison.
  *
  * Preconditions:

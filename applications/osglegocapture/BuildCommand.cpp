@@ -139,11 +139,12 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
     else if (!best.stability.safe)
         defects.push_back(fmt::format("{}, but not safely", standing));
     if (best.plan && best.exceedsLimits())
-        defects.push_back(
-            fmt::format("the largest submodel has {} parts, and submodels are nested {} deep; easy to build "
-                        "are at most {} parts and {} levels",
-                        best.plan->getLargestSubmodel(), best.plan->getDeepestSubmodel(),
-                        BuildingPlan::MOST_SUBMODEL_PARTS, BuildingPlan::DEEPEST_SUBMODEL));
+        defects.push_back(fmt::format(
+            "the model is hard to build: its largest submodel has {} parts, submodels are nested "
+            "{} deep, and something has to be held after {} steps; easy to build are at most {} "
+            "parts, {} levels and {} steps",
+            best.plan->getLargestSubmodel(), best.plan->getDeepestSubmodel(), best.plan->getNumFalling(),
+            BuildingPlan::MOST_SUBMODEL_PARTS, BuildingPlan::DEEPEST_SUBMODEL, BuildingPlan::MOST_FALLING_STEPS));
     return defects;
 }
 

@@ -67,6 +67,7 @@ JsonValue toJson(const LayoutStatistics& layout)
                            {"buildingColumns", layout.support->numBuildingColumns},
                            {"largestSubmodel", layout.support->largestSubmodel},
                            {"deepestSubmodel", layout.support->deepestSubmodel},
+                           {"fallingSteps", layout.support->numFallingSteps},
                            {"propped", layout.support->numPropped},
                            {"milliseconds", rounded(layout.support->milliseconds)}};
     return json;

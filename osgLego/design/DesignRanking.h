@@ -21,7 +21,7 @@ public:
     bool hasFewEnoughParts(const DesignCandidate& candidate) const { return candidate.layout.numParts <= _mostParts; }
 
     /** Models of one piece before others, then those that stand, those that have few enough parts, those of fewer
-     * pieces, those whose submodels keep the limits, as far as it is known, and those more like the mesh; among those
+     * pieces, those easy to build, as far as it is known, and those more like the mesh; among those
      * that look alike, the one of fewer parts. */
     bool isBetter(const DesignCandidate& a, const DesignCandidate& b) const;
 

@@ -307,7 +307,7 @@ void DesignSearch::supportBetter()
     }
 }
 
-/** Plan how the best model is built; if its submodels exceed the limits, those of all settings may be better. */
+/** Plan how the best model is built; if it exceeds the limits, those of all settings may be better. */
 void DesignSearch::planBest()
 {
     planBetter();
@@ -316,7 +316,7 @@ void DesignSearch::planBest()
     planBetter();
 }
 
-/** Plan how the best model is built. While submodels exceed the limits, support the model, which may change that, and
+/** Plan how the best model is built. While the plan exceeds the limits, support the model, which may change that, and
  * go on with the next one that stands as well. */
 void DesignSearch::planBetter()
 {

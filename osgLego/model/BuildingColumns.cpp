@@ -44,6 +44,7 @@ bool BuildingColumns::run()
     _layout.numBuildingColumns = _layout.numColumns - original.numColumns;
     _layout.largestSubmodel = _plan->getLargestSubmodel();
     _layout.deepestSubmodel = _plan->getDeepestSubmodel();
+    _layout.numFallingSteps = _plan->getNumFalling();
     return true;
 }
 

@@ -13,10 +13,11 @@
 namespace osgLego
 {
 
-/** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep.
+/** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep,
+ * or too many steps after which the model has to be held.
  *
  * LayerColumns proposes columns, with several sizes of submodels; the building plan on a table judges them. Columns are
- * added only if submodels then exceed the limits of BuildingPlan less, no more steps have to be held by hand, and there
+ * added only if the plan then exceeds the limits of BuildingPlan less, no more steps have to be held by hand, and there
  * are no more pieces.
  *
  * Usage:

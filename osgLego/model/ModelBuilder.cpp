@@ -182,7 +182,8 @@ bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& c
                           .numPropped = supported.numPropped,
                           .numBuildingColumns = supported.numBuildingColumns,
                           .largestSubmodel = supported.largestSubmodel,
-                          .deepestSubmodel = supported.deepestSubmodel};
+                          .deepestSubmodel = supported.deepestSubmodel,
+                          .numFallingSteps = supported.numFallingSteps};
     return true;
 }
 

@@ -18,9 +18,10 @@ struct SupportedLayout
     std::size_t numColumns = 0;         //!< columns added below the model
     std::size_t numColumnParts = 0;     //!< their parts
     std::size_t numPropped = 0;         //!< pieces of the model that stand on columns of their own alone
-    std::size_t numBuildingColumns = 0; //!< of `numColumns`, those that keep submodels of the building plan small
+    std::size_t numBuildingColumns = 0; //!< of `numColumns`, those that make the building plan easier
     std::size_t largestSubmodel = 0;    //!< its parts; 0 if there is none, or if building was not planned
     std::size_t deepestSubmodel = 0;    //!< how deep submodels are nested; likewise
+    std::size_t numFallingSteps = 0;    //!< steps after which the model has to be held; likewise
 };
 
 } // namespace osgLego

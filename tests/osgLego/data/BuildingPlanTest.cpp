@@ -73,6 +73,25 @@ TEST(BuildingPlan, LimitsAreFoundToBeExceeded)
     EXPECT_FALSE(create(151, 4)->exceedsLimitsLessThan(*create(160, 3)));
 }
 
+TEST(BuildingPlan, StepsAfterWhichToHoldTheModelAreLimited)
+{
+    const auto create = [](std::uint32_t numFalling)
+    {
+        std::vector<BuildingStep> steps;
+        for (std::uint32_t part = 0; part < 10; ++part)
+        {
+            steps.push_back(createStep({part}));
+            steps.back().stands = part >= numFalling;
+        }
+        return BuildingPlan::create(10, steps);
+    };
+    EXPECT_TRUE(create(5)->keepsLimits());
+    EXPECT_FALSE(create(6)->keepsLimits());
+    EXPECT_TRUE(create(6)->exceedsLimitsLessThan(*create(7)));
+    EXPECT_FALSE(create(4)->exceedsLimitsLessThan(*create(5)));
+    EXPECT_FALSE(create(7)->exceedsLimitsLessThan(*create(6)));
+}
+
 TEST(BuildingPlan, ThereAreFourTurns)
 {
     for (int turns = -2; turns < 7; ++turns)

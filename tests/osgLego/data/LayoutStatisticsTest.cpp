@@ -66,17 +66,23 @@ TEST(LayoutStatistics, TheReportTellsOfColumnsForSubmodelsAndOfSubmodelsBeyondTh
     layout.support = {
         .numColumns = 3, .numColumnParts = 9, .numBuildingColumns = 2, .largestSubmodel = 150, .deepestSubmodel = 3};
     const auto describe = [&] { return layout.toString().substr(layout.toString().find("support")); };
-    EXPECT_EQ(describe(), "support: 3 columns of 9 parts were added, 2 of them for smaller submodels of the building "
-                          "plan; the model stands");
+    EXPECT_EQ(describe(), "support: 3 columns of 9 parts were added, 2 of them for an easier building plan; "
+                          "the model stands");
     layout.support = {.largestSubmodel = 151, .deepestSubmodel = 1};
-    EXPECT_EQ(describe(),
-              "support: the model stands without it\n"
-              "building: submodels of up to 151 parts, nested 1 deep, where 150 parts and 3 levels are easy: "
-              "no columns were found that help");
+    EXPECT_EQ(
+        describe(),
+        "support: the model stands without it\n"
+        "building: submodels of up to 151 parts, nested 1 deep, and 0 steps after which to hold the model, where 150 "
+        "parts, 3 levels and 5 steps are easy: "
+        "no columns were found that help");
     layout.support = {
         .numColumns = 1, .numColumnParts = 2, .numBuildingColumns = 1, .largestSubmodel = 8, .deepestSubmodel = 4};
     EXPECT_NE(describe().find("submodels of up to 8 parts, nested 4 deep"), std::string::npos);
     EXPECT_NE(describe().find("no more columns were found"), std::string::npos);
+    layout.support = {.numFallingSteps = 5};
+    EXPECT_EQ(describe(), "support: the model stands without it");
+    layout.support = {.numFallingSteps = 6};
+    EXPECT_NE(describe().find("and 6 steps after which to hold the model"), std::string::npos);
 }
 
 TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)

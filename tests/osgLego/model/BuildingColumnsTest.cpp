@@ -90,6 +90,7 @@ TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
     EXPECT_LE(after->getNumFalling(), before->getNumFalling());
     EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
     EXPECT_EQ(layout.deepestSubmodel, after->getDeepestSubmodel());
+    EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
 }
 
 TEST(BuildingColumns, AreNotAddedToASmallModel)

@@ -167,6 +167,7 @@ TEST(ModelConnection, SupportAddsColumnsWhereTheBuildingPlanWouldNeedALargeSubmo
     EXPECT_EQ(support.numColumns, support.numBuildingColumns);
     EXPECT_EQ(support.largestSubmodel, after->getLargestSubmodel());
     EXPECT_EQ(support.deepestSubmodel, after->getDeepestSubmodel());
+    EXPECT_EQ(support.numFallingSteps, after->getNumFalling());
 }
 
 TEST(ModelConnection, SupportAddsNoColumnWithoutWhichTheModelStands)
