@@ -38,7 +38,9 @@ std::string StabilityReport::toString() const
              << *tippingAngle << " degrees";
     if (stands && tiltAngles)
     {
-        const double least = *std::min_element(tiltAngles->begin(), tiltAngles->end());
+        // It may tip in another direction than those of the tilts.
+        const double least =
+            std::min(*std::min_element(tiltAngles->begin(), tiltAngles->end()), tippingAngle.value_or(MOST_TILT));
         text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
              << (least >= MOST_TILT || isTiltBound ? ", or more" : ", but not more");
         // The weights change so little that forces can balance them again, except torques about a single stud.

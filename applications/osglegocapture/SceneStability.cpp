@@ -4,6 +4,7 @@
 #include "ExitCode.h"
 
 #include <osgLego/PartType.h>
+#include <osgLego/PieceCount.h>
 
 #include <algorithm>
 #include <array>
@@ -112,6 +113,8 @@ std::string SceneStability::toText() const
     for (const auto& [model, report] : _models)
     {
         text += fmt::format("on a {}, {}\n", _base == BuildingBase::TABLE ? "table" : "base plate", report.toString());
+        if (const std::size_t numPieces = countPieces(*model, _base); numPieces > 1)
+            text += fmt::format("  it is {} pieces that no part joins\n", numPieces);
         for (const AddedWeight& weight : _weights)
             text += fmt::format("  load: {:g} g on {}\n", weight.grams, describe(*model, weight.part));
         if (report.weakest)

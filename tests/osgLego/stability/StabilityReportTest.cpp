@@ -37,6 +37,16 @@ TEST(StabilityReport, SaysThatAModelThatTipsEasilyDoesNotStandSafely)
               "would tip as a whole at 1.2 degrees");
 }
 
+TEST(StabilityReport, AModelHoldsNoLargerTiltThanThatAtWhichItTips)
+{
+    StabilityReport report;
+    report.tippingAngle = 19.4;
+    report.tiltAngles = {20.2, 21.0, 20.2, 45.0};
+    EXPECT_EQ(report.toString(), "the model stands safely, with a margin of 100 %; on a table that tilts, it would tip "
+                                 "as a whole at 19.4 degrees; it stands on a base that is tilted by 19.4 degrees, but "
+                                 "not more");
+}
+
 TEST(StabilityReport, ExplainsWhyAModelThatStandsSafelyHoldsNoTilt)
 {
     StabilityReport report;
