@@ -37,6 +37,9 @@ public:
     /** How many of its studs are to the left of the model, and how many in front of it. */
     const glm::ivec2& getMargin() const { return _margin; }
 
+    /** All plates together, in studs along x and the other horizontal axis. */
+    glm::ivec2 getSize() const { return _size * _counts; }
+
     /** The plates in their place below the model, in another grid. @param isFaded whether it shows new parts above it.
      */
     osg::ref_ptr<const BrickModel> createModel(bool isFaded) const;

@@ -201,7 +201,9 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     facts.author = _options.author;
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
     std::ostringstream words;
-    BookletWords(model).write(words, facts.title);
+    BookletWords writer(model, _options.view);
+    writer.setSteps(facts.firstStep, facts.endStep);
+    writer.write(words, facts.title);
     facts.downloads =
         createDownloads(name, model.getPartsList(), *planned, {facts.title, _options.author, _options.license});
     checkCancellation();

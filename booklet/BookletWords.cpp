@@ -5,6 +5,7 @@
 #include <common/NumberText.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -38,16 +39,42 @@ bool areAbove(const glm::ivec3& first, const glm::ivec3& last, const glm::ivec3&
     return first.x <= otherLast.x && otherFirst.x <= last.x && first.y <= otherLast.y && otherFirst.y <= last.y;
 }
 
+/** A sentence on the steps that are written; empty if all are. */
+std::string formatSteps(std::size_t first, std::size_t end, std::size_t number)
+{
+    if (first == 0 && end == number) return {};
+    if (first + 1 == end) return fmt::format("Only step {} follows.\n", end);
+    return fmt::format("Only steps {} to {} follow.\n", first + 1, end);
+}
+
+/** Quarter turns of the front to the right, 0 to 3. */
+int countTurns(const BuildingView& front)
+{
+    constexpr double QUARTER = 90.0; // degrees
+    constexpr double TURNS = 4.0;
+    const double turns = std::fmod(std::round(front.azimuth / QUARTER), TURNS);
+    return static_cast<int>(turns < 0.0 ? turns + TURNS : turns);
+}
+
 } // namespace
 
-BookletWords::BookletWords(const BookletModel& model) : _model(model) {}
+BookletWords::BookletWords(const BookletModel& model, const BuildingView& front) :
+    _model(model), _turns(countTurns(front)), _endStep(model.getMainChapter().steps.size())
+{
+}
+
+void BookletWords::setSteps(std::size_t first, std::size_t end)
+{
+    _firstStep = first;
+    _endStep = end;
+}
 
 void BookletWords::write(std::ostream& stream, const std::string& title)
 {
     _stream = &stream;
     writeIntroduction(title);
     writeChapter(0);
-    *_stream << "\nThe model is finished.\n";
+    if (_endStep == _model.getMainChapter().steps.size()) *_stream << "\nThe model is finished.\n";
 }
 
 void BookletWords::writeIntroduction(const std::string& title)
@@ -65,6 +92,7 @@ void BookletWords::writeIntroduction(const std::string& title)
                        countOf(static_cast<std::size_t>(size.x), "stud"),
                        countOf(static_cast<std::size_t>(size.y), "stud"),
                        countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"), steps)
+        << formatSteps(_firstStep, _endStep, _model.getMainChapter().steps.size())
         << "Columns count from left to right, rows from the front to the back, and layers from the bottom up.\n"
         << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
         << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
@@ -82,8 +110,16 @@ void BookletWords::writeBasePlate(const BasePlate& plate, const glm::ivec2& size
 {
     const std::size_t quantity = plate.getQuantity();
     const std::string name = osgDB::convertToLowerCase(plate.getName());
-    const glm::ivec2 first = plate.getMargin() + 1;
-    const glm::ivec2 last = plate.getMargin() + size;
+    glm::ivec2 margin = plate.getMargin();
+    glm::ivec2 oppositeMargin = plate.getSize() - margin - (_turns % 2 == 0 ? size : glm::ivec2(size.y, size.x));
+    for (int turn = 0; turn < _turns; ++turn)
+    {
+        const int left = margin.x;
+        margin = {margin.y, oppositeMargin.x};
+        oppositeMargin = {oppositeMargin.y, left};
+    }
+    const glm::ivec2 first = margin + 1;
+    const glm::ivec2 last = margin + size;
     *_stream << formatNumber(quantity) << " green " << name << (quantity == 1 ? "" : ", side by side") << ".\n\n"
              << (quantity == 1 ? "The model stands on the base plate"
                                : "The model stands on the base plates, which are counted together")
@@ -147,6 +183,13 @@ std::vector<BookletWords::Place> BookletWords::findPlaces(std::size_t chapter) c
             place.first = {first.x, grid.dimensions.z - 1 - last.z, first.y};
             place.last = {last.x, grid.dimensions.z - 1 - first.z, last.y};
         }
+        for (int turn = 0; turn < _turns; ++turn)
+        {
+            const glm::ivec3 first = place.first;
+            const glm::ivec3 last = place.last;
+            place.first = {first.y, -last.x, first.z};
+            place.last = {last.y, -first.x, last.z};
+        }
         lowest = glm::min(lowest, place.first);
     }
     for (Place& place : places)
@@ -161,8 +204,10 @@ void BookletWords::writeChapter(std::size_t chapter)
 {
     const std::vector<Place> places = findPlaces(chapter);
     const BookletChapter& own = _model.getChapters()[chapter];
-    for (const BookletStep& step : own.steps)
+    for (std::size_t index = 0; index < own.steps.size(); ++index)
     {
+        if (chapter == 0 && (index < _firstStep || index >= _endStep)) continue;
+        const BookletStep& step = own.steps[index];
         for (const std::size_t submodel : _model.getOriginals(step))
         {
             const BookletChapter& inner = _model.getChapters()[submodel];

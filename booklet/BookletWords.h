@@ -2,6 +2,8 @@
 
 #include "BookletModel.h"
 
+#include <osgLego/PlanningOptions.h>
+
 #include <ostream>
 #include <string>
 #include <vector>
@@ -14,10 +16,14 @@ namespace osgLego
 class BookletWords
 {
 public:
-    /** @param model must outlive this object. */
-    explicit BookletWords(const BookletModel& model);
+    /** @param model must outlive this object. @param front the side of the model that is nearest to its azimuth is the
+     * front. */
+    explicit BookletWords(const BookletModel& model, const BuildingView& front = {});
 
-    /** Write all steps. @param title of the model. */
+    /** Write only some steps of the main model. @param first counted from 0. @param end behind the last one. */
+    void setSteps(std::size_t first, std::size_t end);
+
+    /** @param title of the model. */
     void write(std::ostream& stream, const std::string& title);
 
 private:
@@ -42,6 +48,9 @@ private:
     void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first);
 
     const BookletModel& _model;
+    int _turns; // quarter turns of the front to the right, 0 to 3
+    std::size_t _firstStep = 0;
+    std::size_t _endStep;
     std::ostream* _stream = nullptr;
 };
 

@@ -25,10 +25,10 @@ namespace osgLego::test
 namespace
 {
 
-std::string write(const BookletModel& model)
+std::string write(const BookletModel& model, const BuildingView& front = {})
 {
     std::ostringstream stream;
-    BookletWords(model).write(stream, "Tower");
+    BookletWords(model, front).write(stream, "Tower");
     return stream.str();
 }
 
@@ -59,10 +59,11 @@ public:
             readLine(line);
     }
 
-    std::vector<std::string> getParts() const
+    /** @param numTurns quarter turns of the model, counter-clockwise from above. */
+    std::vector<std::string> getParts(int numTurns = 0) const
     {
         std::vector<std::string> parts;
-        for (const Built& part : _chapters.front())
+        for (const Built& part : turn(_chapters.front(), numTurns))
             parts.push_back(part.toText());
         std::sort(parts.begin(), parts.end());
         return parts;
@@ -337,6 +338,59 @@ TEST(BookletWordsTest, TurnsCopies)
             EXPECT_NE(text.find(std::string(", turned by ") + degrees), std::string::npos) << text;
         EXPECT_EQ(Reader(text).getParts(), copies.getParts()) << text;
     }
+}
+
+TEST(BookletWordsTest, TheFrontIsTheSideNearestToTheView)
+{
+    // Turning a model back by the quarter turns of its front, from the front to the right, gives the same model.
+    for (const auto& [azimuth, turns] : std::vector<std::pair<double, int>>{
+             {44.0, 0}, {46.0, 1}, {120.0, 1}, {210.0, 2}, {300.0, 3}, {-60.0, 3}, {670.0, 3}})
+        for (const UpAxis up : {UpAxis::Z, UpAxis::Y})
+        {
+            const TurnedCopies copies(up);
+            const BookletModel model = copies.createModel();
+            const std::string text = write(model, {azimuth, 30.0});
+            EXPECT_EQ(Reader(text).getParts(turns), copies.getParts()) << azimuth;
+            EXPECT_NE(text.find(turns % 2 == 0 ? "The model is 16 studs wide, 8 studs deep"
+                                               : "The model is 8 studs wide, 16 studs deep"),
+                      std::string::npos)
+                << text;
+        }
+}
+
+TEST(BookletWordsTest, TheBasePlateTurnsWithTheView)
+{
+    // Three columns and one row: the margins at both sides differ.
+    const auto bricks =
+        BrickModel::createOfParts(createPartGrid({3, 1, 1}, 1.2), {{{0, 0, 0}, {3, 1, 1}, {180, 0, 0}, 4}});
+    const BookletModel model(*bricks, *BuildingPlan::create(1, {createStep({0})}), Palette::getKnownColors(),
+                             BuildingBase::PLATE);
+    const auto find = [&](double azimuth)
+    {
+        const std::string text = write(model, {azimuth, 30.0});
+        const std::string start = "The model stands on the base plate: on its ";
+        const std::size_t place = text.find(start) + start.size();
+        return text.substr(place, text.find('\n', place) - place);
+    };
+    // Of a base plate of 16 columns and 8 rows.
+    EXPECT_EQ(find(30.0), "columns 7 to 9 and row 4.");
+    EXPECT_EQ(find(120.0), "column 4 and rows 8 to 10.");
+    EXPECT_EQ(find(210.0), "columns 8 to 10 and row 5.");
+    EXPECT_EQ(find(300.0), "column 5 and rows 7 to 9.");
+}
+
+TEST(BookletWordsTest, WritesOnlySomeSteps)
+{
+    const BookletModel tower = createTower();
+    std::ostringstream stream;
+    BookletWords words(tower);
+    words.setSteps(1, 2);
+    words.write(stream, "Tower");
+    const std::string text = stream.str();
+    EXPECT_NE(text.find("\nOnly step 2 follows.\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nStep 2 of 3."), std::string::npos);
+    for (const char* other : {"\nStep 1 of 3.", "\nStep 3 of 3.", "The model is finished."})
+        EXPECT_EQ(text.find(other), std::string::npos) << other;
 }
 
 TEST(BookletWordsTest, AModelCanBeBuiltFromTheTextAlone)
