@@ -44,8 +44,9 @@ struct BookletStep
 
     /** Whether parts fall after this step, other than those that nothing holds anyway. */
     bool falls() const { return !stands && numUnheld == 0; }
-    /** Whether the arrows to its submodels have their letters. */
-    bool hasLetters() const { return submodels.size() > 1; }
+    /** Whether the arrows to its submodels have their letters: if there are several, or other parts, to which arrows
+     * may point, too. */
+    bool hasLetters() const { return submodels.size() > 1 || (submodels.size() == 1 && numDirect > 0); }
 };
 
 /** The steps of the main model, or of a submodel. */

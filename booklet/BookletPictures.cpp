@@ -58,21 +58,14 @@ struct PictureFormat
 };
 
 // Browsers copy JPEG into PDF as it is, and store pictures in all other formats without losses there: the PDF of 370
-// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG, but takes ten times as long.
+// parts has 10 MB in place of 35. WebP has transparency, and a fifth of the bytes of PNG, but takes longer, and dark
+// colours get blotches of other hues.
 constexpr PictureFormat OPAQUE_FORMAT{"picture.jpg", "image/jpeg", "jpeg:88"};
-constexpr PictureFormat SMALL_FORMAT{"picture.png", "image/png", "zip:6"};
-constexpr PictureFormat LARGE_FORMAT{"picture.webp", "image/webp", "webp:90"};
-constexpr int LARGE = 500000; // pixels
-
-const PictureFormat& chooseFormat(const osg::Image& image)
-{
-    if (image.getPixelFormat() != GL_RGBA) return OPAQUE_FORMAT;
-    return image.s() * image.t() < LARGE ? SMALL_FORMAT : LARGE_FORMAT;
-}
+constexpr PictureFormat TRANSPARENT_FORMAT{"picture.png", "image/png", "zip:6"};
 
 BookletPicture encode(const osg::Image& image, double density, double pitch)
 {
-    const PictureFormat& format = chooseFormat(image);
+    const PictureFormat& format = image.getPixelFormat() == GL_RGBA ? TRANSPARENT_FORMAT : OPAQUE_FORMAT;
     OIIO::ImageBuf picture = toImageBuf(image);
     picture.specmod().attribute("compression", format.compression);
     OIIO::Filesystem::IOVecOutput bytes;

@@ -130,6 +130,23 @@ TEST_F(BookletModelTest, SubmodelsOfAStepAreCopiesIfTheirPartsAreEqual)
     EXPECT_EQ(chapters[5].letter, "C") << "another step";
 }
 
+TEST_F(BookletModelTest, AnArrowToASubmodelHasItsLetterIfArrowsMayPointToOtherParts)
+{
+    const auto bricks =
+        BrickModel::createOfParts(test::createPartGrid({4, 2, 2}, 1.2), {{{0, 0, 0}, {4, 2, 1}, {180, 0, 0}, 4},
+                                                                         {{0, 0, 1}, {2, 2, 1}, {180, 0, 0}, 4},
+                                                                         {{2, 0, 1}, {2, 2, 1}, {180, 0, 0}, 4}});
+    for (const bool isAlone : {false, true})
+    {
+        std::vector<BuildingStep> steps{createStep({0}), createStep({2}, {0})};
+        if (isAlone) steps = {createStep({0, 2}), createStep({}, {0})};
+        const auto plan = BuildingPlan::create(3, steps, {{{createStep({1})}}});
+        const BookletModel model(*bricks, *plan, Palette::getKnownColors());
+        EXPECT_EQ(model.getMainChapter().steps[1].hasLetters(), !isAlone);
+        EXPECT_FALSE(model.getMainChapter().steps[0].hasLetters());
+    }
+}
+
 TEST_F(BookletModelTest, NamesSubmodelsAfterZWithTwoLetters)
 {
     // A submodel for each brick of a row.
