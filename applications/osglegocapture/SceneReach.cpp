@@ -2,10 +2,12 @@
 
 #include <osgLego/BrickGrid.h>
 #include <osgLego/LegoNode.h>
+#include <osgLego/flattening/SequenceStart.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <osg/Camera>
@@ -138,6 +140,14 @@ void SceneReach::apply(osg::Group& group)
                   for (unsigned int child = 0; child < group.getNumChildren(); ++child)
                       group.getChild(child)->accept(*this);
               });
+}
+
+void SceneReach::apply(osg::Sequence& sequence)
+{
+    if (const std::optional<unsigned int> start = findSequenceStart(sequence))
+        sequence.getChild(*start)->accept(*this);
+    else
+        traverse(sequence);
 }
 
 void SceneReach::apply(osg::Transform& transform)

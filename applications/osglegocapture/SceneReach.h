@@ -10,6 +10,7 @@
 #include <osg/Group>
 #include <osg/Matrixd>
 #include <osg/NodeVisitor>
+#include <osg/Sequence>
 #include <osg/Transform>
 
 namespace osgLego
@@ -42,6 +43,7 @@ public:
     bool isValid() const { return _surface.bounds.valid(); }
 
     void apply(osg::Group& group) override;
+    void apply(osg::Sequence& sequence) override;
     void apply(osg::Transform& transform) override;
     void apply(osg::Drawable& drawable) override;
 

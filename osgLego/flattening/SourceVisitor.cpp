@@ -1,6 +1,9 @@
 #include <osgLego/flattening/SourceVisitor.h>
 
+#include <osgLego/flattening/SequenceStart.h>
+
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace osgLego
@@ -62,20 +65,14 @@ void SourceVisitor::apply(osg::LOD& lod)
 
 void SourceVisitor::apply(osg::Sequence& sequence)
 {
-    const bool begins = sequence.getValue() < 0 && sequence.getMode() == osg::Sequence::START;
-    if (!begins || sequence.getNumChildren() == 0)
+    const std::optional<unsigned int> start = findSequenceStart(sequence);
+    if (!start)
     {
         traverseWithState(sequence);
         return;
     }
-    osg::Sequence::LoopMode mode = osg::Sequence::LOOP;
-    int first = 0;
-    int last = 0;
-    sequence.getInterval(mode, first, last);
-    const int end = static_cast<int>(sequence.getNumChildren()) - 1;
-    first = std::clamp(first < 0 ? end : first, 0, end); // -1 means the last child
     const bool pushed = pushState(sequence);
-    sequence.getChild(static_cast<unsigned int>(first))->accept(*this);
+    sequence.getChild(*start)->accept(*this);
     if (pushed) _stateSets.pop_back();
 }
 
