@@ -18,7 +18,7 @@ namespace osgLego
 struct BookletPicture
 {
     std::string bytes;     //!< of the file
-    std::string mediaType; //!< such as "image/webp"
+    std::string mediaType; //!< such as "image/png"
     int width = 0;         //!< pixels
     int height = 0;        //!< pixels
     double density = 1.0;  //!< pixels per pixel of CSS (1/96 inch)

@@ -1,6 +1,6 @@
 #include <osgLego/LayoutStatistics.h>
 
-#include <osgLego/BuildingPlan.h>
+#include <osgLego/data/BuildingLimits.h>
 #include <osgLego/text/CountedNoun.h>
 
 #include <cstddef>
@@ -78,15 +78,10 @@ std::string describe(const SupportStatistics& support)
 /** A line on a building plan beyond the limits; empty if it keeps them. */
 std::string describeBuilding(const SupportStatistics& support)
 {
-    if (support.largestSubmodel <= BuildingPlan::MOST_SUBMODEL_PARTS &&
-        support.deepestSubmodel <= BuildingPlan::DEEPEST_SUBMODEL &&
-        support.numFallingSteps <= BuildingPlan::MOST_FALLING_STEPS)
-        return {};
-    return "\nbuilding: submodels of up to " + counted(support.largestSubmodel, "part", "parts") + ", nested " +
-           std::to_string(support.deepestSubmodel) + " deep, and " + counted(support.numFallingSteps, "step", "steps") +
-           " after which to hold the model, where " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) + " parts, " +
-           std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels and " +
-           std::to_string(BuildingPlan::MOST_FALLING_STEPS) + " steps are easy: " +
+    const std::string excess =
+        describeExcess(support.largestSubmodel, support.deepestSubmodel, support.numFallingSteps);
+    if (excess.empty()) return {};
+    return "\nbuilding: " + excess + ": " +
            (support.numBuildingColumns > 0 ? "no more columns were found that help"
                                            : "no columns were found that help");
 }

@@ -4,7 +4,7 @@ namespace osgLego
 {
 
 /** The progress of making bricks on the CPU; see LegoNode::getProgress(). Aligned to its size, so that processors load
-    and store it at once. */
+ * and store it at once. */
 struct alignas(8) LegoProgress
 {
     enum class Stage

@@ -1,5 +1,6 @@
 #include <osgLego/ModelDesign.h>
 
+#include <osgLego/data/BuildingLimits.h>
 #include <osgLego/text/CountedNoun.h>
 
 #include <algorithm>
@@ -21,6 +22,12 @@ std::string describeStability(const DesignCandidate& candidate)
     return stability.falls() ? "no" : "unknown";
 }
 
+/** Steps after which to hold something; `-` without a plan. */
+std::string describeHeld(const DesignCandidate& candidate)
+{
+    return candidate.plan ? std::to_string(candidate.plan->getNumFalling()) : "-";
+}
+
 /** Parts of the largest submodel and how deep submodels are nested, such as `95x2`; `-` without a plan. */
 std::string describeSubmodels(const DesignCandidate& candidate)
 {
@@ -37,13 +44,14 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
         width = std::max(width, candidate.settings.toString().size());
     std::ostringstream text;
     text << std::fixed << std::left << std::setw(static_cast<int>(width)) << "settings" << std::right
-         << "  parts pieces  stands submodel surface  colour unlikeness\n";
+         << "  parts pieces  stands submodel hold surface  colour unlikeness\n";
     for (const DesignCandidate& candidate : candidates)
         text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
              << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.numPieces << std::setw(8)
-             << describeStability(candidate) << std::setw(9) << describeSubmodels(candidate) << std::setprecision(2)
-             << std::setw(6) << 100.0 * candidate.surfaceError << " %" << std::setw(8) << std::setprecision(1)
-             << candidate.colorError << std::setw(11) << std::setprecision(2) << candidate.getError() << '\n';
+             << describeStability(candidate) << std::setw(9) << describeSubmodels(candidate) << std::setw(5)
+             << describeHeld(candidate) << std::setprecision(2) << std::setw(6) << 100.0 * candidate.surfaceError
+             << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError << std::setw(11)
+             << std::setprecision(2) << candidate.getError() << '\n';
     return text.str();
 }
 
@@ -81,11 +89,9 @@ std::string explainBuilding(const DesignCandidate& best)
         text += "; hold the model or a submodel after " + counted(plan.getNumFalling(), "step", "steps");
     text += '\n';
     if (best.exceedsLimits())
-        text += "easy to build are submodels of up to " + std::to_string(BuildingPlan::MOST_SUBMODEL_PARTS) +
-                " parts in " + std::to_string(BuildingPlan::DEEPEST_SUBMODEL) + " levels, and up to " +
-                std::to_string(BuildingPlan::MOST_FALLING_STEPS) +
-                " steps after which to hold something: no model that stands as well keeps these limits, with columns "
-                "below it or without\n";
+        text += "hard to build: " +
+                describeExcess(plan.getLargestSubmodel(), plan.getDeepestSubmodel(), plan.getNumFalling()) +
+                ": no model that stands as well is easier, with columns below it or without\n";
     return text;
 }
 
@@ -108,7 +114,9 @@ std::string ModelDesign::toString() const
            "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
            "CIEDE2000; unlikeness: surface, and a tenth of colour; submodel: parts of the largest, and how deep "
            "submodels are\n"
-           "nested, of models whose building was planned; the first model is the chosen one\n" +
+           "nested, and hold: steps after which something has to be held, of models whose building was planned; the "
+           "first\n"
+           "model is the chosen one\n" +
            listCandidates(candidates) +
            (numOthers > 0 ? "no models were made by " + counted(numOthers, "other setting", "other settings") +
                                 ", whose drafts were clearly less like the mesh\n"

@@ -38,11 +38,12 @@ std::string StabilityReport::toString() const
              << *tippingAngle << " degrees";
     if (stands && tiltAngles)
     {
+        const double leastTilt = *std::min_element(tiltAngles->begin(), tiltAngles->end());
         // It may tip in another direction than those of the tilts.
-        const double least =
-            std::min(*std::min_element(tiltAngles->begin(), tiltAngles->end()), tippingAngle.value_or(MOST_TILT));
+        const double least = std::min(leastTilt, tippingAngle.value_or(MOST_TILT));
+        const bool isMore = least >= MOST_TILT || (isTiltBound && least == leastTilt);
         text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
-             << (least >= MOST_TILT || isTiltBound ? ", or more" : ", but not more");
+             << (isMore ? ", or more" : ", but not more");
         // The weights change so little that forces can balance them again, except torques about a single stud.
         if (least < SHOWN_TILT && safe && !isTiltBound && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
             text << ", probably since parts that one stud holds beside their centre would turn about it; the friction "

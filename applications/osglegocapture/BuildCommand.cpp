@@ -14,6 +14,7 @@
 #include <common/PictureBuffer.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/ModelDesigner.h>
+#include <osgLego/data/BuildingLimits.h>
 #include <osgLegoBooklet/Booklet.h>
 
 #include <cmath>
@@ -140,12 +141,9 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
     else if (!best.stability.safe)
         defects.push_back(fmt::format("{}, but not safely", standing));
     if (best.plan && best.exceedsLimits())
-        defects.push_back(fmt::format(
-            "the model is hard to build: its largest submodel has {} parts, submodels are nested "
-            "{} deep, and something has to be held after {} steps; easy to build are at most {} "
-            "parts, {} levels and {} steps",
-            best.plan->getLargestSubmodel(), best.plan->getDeepestSubmodel(), best.plan->getNumFalling(),
-            BuildingPlan::MOST_SUBMODEL_PARTS, BuildingPlan::DEEPEST_SUBMODEL, BuildingPlan::MOST_FALLING_STEPS));
+        defects.push_back("the model is hard to build: " + describeExcess(best.plan->getLargestSubmodel(),
+                                                                          best.plan->getDeepestSubmodel(),
+                                                                          best.plan->getNumFalling()));
     return defects;
 }
 

@@ -113,7 +113,7 @@ std::string SceneStability::toText() const
     for (const auto& [model, report] : _models)
     {
         text += fmt::format("on a {}, {}\n", _base == BuildingBase::TABLE ? "table" : "base plate", report.toString());
-        if (const std::size_t numPieces = countPieces(*model, _base); numPieces > 1)
+        if (const std::size_t numPieces = countPieces(*model, _base); report.stands && numPieces > 1)
             text += fmt::format("  it is {} pieces that no part joins\n", numPieces);
         for (const AddedWeight& weight : _weights)
             text += fmt::format("  load: {:g} g on {}\n", weight.grams, describe(*model, weight.part));
@@ -149,6 +149,7 @@ JsonValue SceneStability::toJson() const
     std::optional<double> tippingAngle;
     std::optional<std::array<double, 4>> tiltAngles;
     bool isTiltBound = false;
+    std::size_t numPieces = 0;
     std::size_t numComponents = 0;
     double milliseconds = 0.0;
     for (const auto& [model, report] : _models)
@@ -168,6 +169,7 @@ JsonValue SceneStability::toJson() const
                 (*tiltAngles)[side] = std::min((*tiltAngles)[side], (*report.tiltAngles)[side]);
         }
         isTiltBound = isTiltBound || report.isTiltBound;
+        numPieces += countPieces(*model, _base);
         numComponents += report.numComponents;
         milliseconds += report.milliseconds;
     }
@@ -185,6 +187,7 @@ JsonValue SceneStability::toJson() const
             {"unknown", unknown},
             {"weakest", weakest},
             {"loads", loads},
+            {"pieces", numPieces},
             {"components", numComponents},
             {"milliseconds", std::round(1000.0 * milliseconds) / 1000.0}};
 }

@@ -51,7 +51,7 @@ DesignMaker::Laid DesignMaker::lay(const LegoSettings& settings) const
 
 DesignMaker::Draft DesignMaker::makeDraft(const LegoSettings& settings) const
 {
-    Draft draft{settings, lay(createDraftSettings(settings)).model, std::numeric_limits<double>::max()};
+    Draft draft{settings, lay(createDraftSettings(settings)).model, nullptr, std::numeric_limits<double>::max()};
     if (draft.model->getBricks().empty()) return draft;
     DesignCandidate measured;
     setDifference(*draft.model, measured);

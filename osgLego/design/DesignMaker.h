@@ -30,6 +30,7 @@ public:
     {
         LegoSettings settings; //!< of the final model
         osg::ref_ptr<const BrickModel> model;
+        osg::ref_ptr<const BrickModel> larger; //!< of the next resolution; null if the size is given
         double error = 0.0; //!< DesignCandidate::getError(); the largest number for a grid that misses the mesh
     };
 

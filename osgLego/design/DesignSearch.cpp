@@ -20,12 +20,20 @@ namespace
 
 constexpr double STUD_PITCH = 8.0; // millimetres
 constexpr unsigned int FEW_COLORS = 8;
-constexpr double SHARE_OF_MODELS = 0.6; // of the work; the rest is for support and plans
+constexpr double SHARE_OF_DRAFTS = 0.1; // of the work; the rest is for support
+constexpr double SHARE_OF_MODELS = 0.5;
 constexpr double SHARE_OF_PLANS = 0.2;
 
 bool haveSameParts(const BrickModel& a, const BrickModel& b)
 {
     return a.getGrid() == b.getGrid() && a.getParts() == b.getParts();
+}
+
+/** Whether drafts have the same cells at both resolutions. */
+bool areSame(const DesignMaker::Draft& a, const DesignMaker::Draft& b)
+{
+    return haveSameParts(*a.model, *b.model) && (a.larger == nullptr) == (b.larger == nullptr) &&
+           (!a.larger || haveSameParts(*a.larger, *b.larger));
 }
 
 /** Settings of a model of parts whose others can be chosen. */
@@ -158,10 +166,12 @@ DesignMaker::Draft DesignSearch::makeDraft(LegoSettings settings) const
     }
     settings.grid.resolution = search.getBest();
     Draft draft = _maker->makeDraft(settings);
+    if (settings.grid.resolution == LegoSettings::MAXIMUM_RESOLUTION) return draft;
     // The final model has fewer parts, and often the next resolution.
     ++settings.grid.resolution;
-    if (settings.grid.resolution <= LegoSettings::MAXIMUM_RESOLUTION)
-        draft.error = std::min(draft.error, _maker->makeDraft(settings).error);
+    const Draft next = _maker->makeDraft(settings);
+    draft.larger = next.model;
+    draft.error = std::min(draft.error, next.error);
     return draft;
 }
 
@@ -196,17 +206,19 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
 }
 
 /** Drafts by all settings that give different ones, those most like the mesh first. */
-std::vector<DesignMaker::Draft> DesignSearch::makeDrafts(const std::vector<LegoSettings>& settings) const
+std::vector<DesignMaker::Draft> DesignSearch::makeDrafts(const std::vector<LegoSettings>& settings)
 {
     std::vector<Draft> made(settings.size());
     tbb::parallel_for(std::size_t(0), made.size(),
-                      [&](std::size_t index) { made[index] = makeDraft(settings[index]); });
+                      [&](std::size_t index)
+                      {
+                          made[index] = makeDraft(settings[index]);
+                          report(SHARE_OF_DRAFTS / static_cast<double>(made.size()));
+                      });
     std::vector<Draft> drafts;
     for (Draft& draft : made)
-    {
-        const auto isSame = [&](const Draft& other) { return haveSameParts(*other.model, *draft.model); };
-        if (std::none_of(drafts.begin(), drafts.end(), isSame)) drafts.push_back(std::move(draft));
-    }
+        if (std::none_of(drafts.begin(), drafts.end(), [&](const Draft& other) { return areSame(draft, other); }))
+            drafts.push_back(std::move(draft));
     std::stable_sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) { return a.error < b.error; });
     return drafts;
 }
@@ -219,25 +231,29 @@ void DesignSearch::makeBetter(const std::vector<Draft>& drafts)
     std::vector<LegoSettings> better;
     for (const Draft& draft : drafts)
         (draft.error <= CLEARLY * drafts.front().error ? better : _others).push_back(draft.settings);
-    makeCandidates(better);
+    const double share = SHARE_OF_MODELS / static_cast<double>(drafts.size());
+    makeCandidates(better, share);
     const DesignCandidate& best = _candidates.front();
-    if (!best.isWhole() || !DesignRanking::standsSafely(best) || !createRanking().hasFewEnoughParts(best)) makeOthers();
+    if (best.isWhole() && DesignRanking::standsSafely(best) && createRanking().hasFewEnoughParts(best))
+        report(share * static_cast<double>(_others.size()));
+    else
+        makeOthers(share);
 }
 
-/** Make the models of all settings whose drafts were less like the mesh. */
-void DesignSearch::makeOthers()
+/** Make the models of all settings whose drafts were less like the mesh. @param share of the work for each. */
+void DesignSearch::makeOthers(double share)
 {
-    makeCandidates(std::exchange(_others, {}));
+    makeCandidates(std::exchange(_others, {}), share);
 }
 
-void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings)
+void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings, double share)
 {
     std::vector<DesignCandidate> made(settings.size());
     tbb::parallel_for(std::size_t(0), settings.size(),
                       [&](std::size_t index)
                       {
                           made[index] = makeLargest(settings[index]);
-                          report(SHARE_OF_MODELS / static_cast<double>(settings.size()));
+                          report(share);
                       });
     for (DesignCandidate& candidate : made)
         addCandidate(std::move(candidate));
@@ -301,7 +317,7 @@ void DesignSearch::supportBetter()
                           [&](std::size_t index) { made[index] = makeSupported(falling[first + index]); });
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
-        report((1.0 - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
+        report((1.0 - SHARE_OF_DRAFTS - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
                static_cast<double>(MOST_SUPPORTED));
         if (DesignRanking::standsSafely(_candidates.front())) return;
     }
@@ -311,8 +327,8 @@ void DesignSearch::supportBetter()
 void DesignSearch::planBest()
 {
     planBetter();
-    if (!_candidates.front().plan || !_candidates.front().exceedsLimits() || _others.empty()) return;
-    makeOthers();
+    if (!_candidates.front().isSound() || !_candidates.front().exceedsLimits() || _others.empty()) return;
+    makeOthers(0.0); // their share is reported
     planBetter();
 }
 

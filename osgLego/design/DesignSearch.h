@@ -15,7 +15,8 @@
 namespace osgLego
 {
 
-/** The search of designModel(): makes models by several settings, compares them, and supports the best if they fall.
+/** The search of designModel(): makes drafts by several settings and models by the better ones, compares them, and
+ * supports the best if they fall.
  *
  * One run per object, in one thread, which uses all threads that oneTBB gives it. */
 class DesignSearch
@@ -43,10 +44,10 @@ private:
     Draft makeDraft(LegoSettings settings) const;
     DesignCandidate makeLargest(LegoSettings settings) const;
     DesignCandidate makeSupported(LegoSettings settings) const;
-    std::vector<Draft> makeDrafts(const std::vector<LegoSettings>& settings) const;
+    std::vector<Draft> makeDrafts(const std::vector<LegoSettings>& settings);
     void makeBetter(const std::vector<Draft>& drafts);
-    void makeOthers();
-    void makeCandidates(const std::vector<LegoSettings>& settings);
+    void makeOthers(double share);
+    void makeCandidates(const std::vector<LegoSettings>& settings, double share);
     void addCandidate(DesignCandidate candidate);
     void tryLowerResolutions();
     void supportBetter();

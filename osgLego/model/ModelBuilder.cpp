@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -114,10 +115,15 @@ struct Connected
     JoinedLayout layout;
     ConnectionStatistics statistics;
 
+    /** Fewer pieces come first, then fewer parts, since both are goals of Effort::BEST, then fewer changes. */
     bool isBetterThan(const Connected& other) const
     {
-        return std::pair(statistics.numPieces, layout.parts.size()) <
-               std::pair(other.statistics.numPieces, other.layout.parts.size());
+        const auto rank = [](const Connected& some)
+        {
+            return std::tuple(some.statistics.numPieces, some.layout.parts.size(),
+                              some.statistics.numAddedCells + some.statistics.numRecolored);
+        };
+        return rank(*this) < rank(other);
     }
 };
 
@@ -138,13 +144,14 @@ std::optional<Connected> connectBest(const LayoutOptions& options, const Recolor
 {
     std::optional<Connected> connected = connect(options, costs, layout);
     if (!connected || connected->statistics.numPiecesBefore <= 1) return connected;
-    LayoutOptions normal = options;
+    LayoutOptions silent = options;
+    silent.progress = nullptr; // the same pieces were joined already
+    LayoutOptions normal = silent;
     normal.effort = Effort::NORMAL;
-    normal.progress = nullptr;
-    Layout other{layout.problem, layOut(layout.problem, normal, previous)};
+    const Layout other{layout.problem, layOut(layout.problem, normal, previous)};
     if (other.parts.empty()) return std::nullopt;
-    normal.effort = options.effort; // to lay parts around the joins again
-    std::optional<Connected> otherConnected = connect(normal, costs, other);
+    // Parts around the joins are laid again with all effort.
+    std::optional<Connected> otherConnected = connect(silent, costs, other);
     return !otherConnected || otherConnected->isBetterThan(*connected) ? std::move(otherConnected)
                                                                        : std::move(connected);
 }

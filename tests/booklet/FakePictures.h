@@ -40,7 +40,7 @@ private:
     {
         BookletPicture picture;
         picture.bytes = bytes;
-        picture.mediaType = "image/webp";
+        picture.mediaType = "image/png";
         picture.width = 300;
         picture.height = 200;
         return picture;

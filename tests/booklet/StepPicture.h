@@ -42,9 +42,7 @@ public:
     explicit Pixels(const BookletPicture& picture)
     {
         OIIO::Filesystem::IOMemReader reader(const_cast<char*>(picture.bytes.data()), picture.bytes.size());
-        const std::string name = picture.mediaType == "image/jpeg"  ? "a.jpg"
-                                 : picture.mediaType == "image/png" ? "a.png"
-                                                                    : "a.webp";
+        const std::string name = picture.mediaType == "image/jpeg" ? "a.jpg" : "a.png";
         const auto input = OIIO::ImageInput::open(name, nullptr, &reader);
         if (!input) throw std::runtime_error(OIIO::geterror());
         _width = input->spec().width;

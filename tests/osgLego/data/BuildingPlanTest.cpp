@@ -90,6 +90,12 @@ TEST(BuildingPlan, StepsAfterWhichToHoldTheModelAreLimited)
     EXPECT_TRUE(create(6)->exceedsLimitsLessThan(*create(7)));
     EXPECT_FALSE(create(4)->exceedsLimitsLessThan(*create(5)));
     EXPECT_FALSE(create(7)->exceedsLimitsLessThan(*create(6)));
+    // A submodel that is too large instead.
+    std::vector<std::uint32_t> parts(BuildingPlan::MOST_SUBMODEL_PARTS + 1);
+    std::iota(parts.begin(), parts.end(), 0u);
+    const auto large = BuildingPlan::create(parts.size(), {createStep({}, {0})}, {{{createStep(parts)}}});
+    EXPECT_FALSE(large->exceedsLimitsLessThan(*create(7)));
+    EXPECT_FALSE(create(7)->exceedsLimitsLessThan(*large));
 }
 
 TEST(BuildingPlan, ThereAreFourTurns)

@@ -69,20 +69,21 @@ TEST(LayoutStatistics, TheReportTellsOfColumnsForSubmodelsAndOfSubmodelsBeyondTh
     EXPECT_EQ(describe(), "support: 3 columns of 9 parts were added, 2 of them for an easier building plan; "
                           "the model stands");
     layout.support = {.largestSubmodel = 151, .deepestSubmodel = 1};
-    EXPECT_EQ(
-        describe(),
-        "support: the model stands without it\n"
-        "building: submodels of up to 151 parts, nested 1 deep, and 0 steps after which to hold the model, where 150 "
-        "parts, 3 levels and 5 steps are easy: "
-        "no columns were found that help");
+    EXPECT_EQ(describe(), "support: the model stands without it\n"
+                          "building: its largest submodel has 151 parts, where 150 are easy: "
+                          "no columns were found that help");
     layout.support = {
         .numColumns = 1, .numColumnParts = 2, .numBuildingColumns = 1, .largestSubmodel = 8, .deepestSubmodel = 4};
-    EXPECT_NE(describe().find("submodels of up to 8 parts, nested 4 deep"), std::string::npos);
+    EXPECT_NE(describe().find("building: its submodels are nested in 4 levels, where 3 are easy: "), std::string::npos);
     EXPECT_NE(describe().find("no more columns were found"), std::string::npos);
     layout.support = {.numFallingSteps = 5};
     EXPECT_EQ(describe(), "support: the model stands without it");
     layout.support = {.numFallingSteps = 6};
-    EXPECT_NE(describe().find("and 6 steps after which to hold the model"), std::string::npos);
+    EXPECT_NE(describe().find("building: something has to be held after 6 steps, where 5 are easy: "),
+              std::string::npos);
+    layout.support = {.largestSubmodel = 200, .deepestSubmodel = 1, .numFallingSteps = 6};
+    EXPECT_NE(describe().find("200 parts, where 150 are easy; something has to be held after 6 steps"),
+              std::string::npos);
 }
 
 TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)

@@ -45,6 +45,10 @@ TEST(StabilityReport, AModelHoldsNoLargerTiltThanThatAtWhichItTips)
     EXPECT_EQ(report.toString(), "the model stands safely, with a margin of 100 %; on a table that tilts, it would tip "
                                  "as a whole at 19.4 degrees; it stands on a base that is tilted by 19.4 degrees, but "
                                  "not more");
+    report.isTiltBound = true;
+    EXPECT_NE(report.toString().find("tilted by 19.4 degrees, but not more"), std::string::npos);
+    report.tiltAngles = {18.0, 21.0, 20.2, 45.0};
+    EXPECT_NE(report.toString().find("tilted by 18.0 degrees, or more"), std::string::npos);
 }
 
 TEST(StabilityReport, ExplainsWhyAModelThatStandsSafelyHoldsNoTilt)
