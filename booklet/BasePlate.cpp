@@ -55,7 +55,7 @@ BasePlate::BasePlate(const BrickModel& model) : _grid(model.getGrid())
     const int up = _grid.getUpIndex();
     const glm::ivec2 footprint(end.x - lowest.x, end[3 - up] - lowest[3 - up]);
     choose(footprint);
-    const glm::ivec2 studs = _size * _counts;
+    const glm::ivec2 studs = getSize();
     const glm::ivec2 before = (studs - footprint) / 2;
     // With y upwards, z points to the front.
     _margin = {before.x, up == 1 ? studs.y - footprint.y - before.y : before.y};

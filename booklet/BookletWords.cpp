@@ -1,6 +1,7 @@
 #include "BookletWords.h"
 
 #include "BookletText.h"
+#include "PlacedBox.h"
 
 #include <common/NumberText.h>
 
@@ -43,23 +44,24 @@ bool areAbove(const glm::ivec3& first, const glm::ivec3& last, const glm::ivec3&
 std::string formatSteps(std::size_t first, std::size_t end, std::size_t number)
 {
     if (first == 0 && end == number) return {};
-    if (first + 1 == end) return fmt::format("Only step {} follows.\n", end);
-    return fmt::format("Only steps {} to {} follow.\n", first + 1, end);
+    return fmt::format("Only {} {}.\n", formatRange("step", static_cast<int>(first) + 1, static_cast<int>(end)),
+                       first + 1 == end ? "follows" : "follow");
 }
 
-/** Quarter turns of the front to the right, 0 to 3. */
-int countTurns(const BuildingView& front)
+/** The quarter turns of a model, 0 to 3, counter-clockwise from above, after which the side nearest to a view is in
+ * front. */
+int countTurns(const BuildingView& view)
 {
-    constexpr double QUARTER = 90.0; // degrees
-    constexpr double TURNS = 4.0;
-    const double turns = std::fmod(std::round(front.azimuth / QUARTER), TURNS);
-    return static_cast<int>(turns < 0.0 ? turns + TURNS : turns);
+    constexpr double QUARTER = 90.0; // degrees, to the right, which is clockwise
+    constexpr int NUM_TURNS = SubmodelTurn::NUM_TURNS;
+    const auto turns = static_cast<int>(std::fmod(-std::round(view.azimuth / QUARTER), NUM_TURNS));
+    return (turns + NUM_TURNS) % NUM_TURNS;
 }
 
 } // namespace
 
-BookletWords::BookletWords(const BookletModel& model, const BuildingView& front) :
-    _model(model), _turns(countTurns(front)), _endStep(model.getMainChapter().steps.size())
+BookletWords::BookletWords(const BookletModel& model, const BuildingView& view) :
+    _model(model), _turns(countTurns(view)), _endStep(model.getMainChapter().steps.size())
 {
 }
 
@@ -110,16 +112,11 @@ void BookletWords::writeBasePlate(const BasePlate& plate, const glm::ivec2& size
 {
     const std::size_t quantity = plate.getQuantity();
     const std::string name = osgDB::convertToLowerCase(plate.getName());
-    glm::ivec2 margin = plate.getMargin();
-    glm::ivec2 oppositeMargin = plate.getSize() - margin - (_turns % 2 == 0 ? size : glm::ivec2(size.y, size.x));
-    for (int turn = 0; turn < _turns; ++turn)
-    {
-        const int left = margin.x;
-        margin = {margin.y, oppositeMargin.x};
-        oppositeMargin = {oppositeMargin.y, left};
-    }
-    const glm::ivec2 first = margin + 1;
-    const glm::ivec2 last = margin + size;
+    const glm::ivec2 footprint = _turns % 2 == 0 ? size : glm::ivec2(size.y, size.x);
+    const PlacedBox model = PlacedBox{{plate.getMargin(), 0}, {footprint, 1}}.turn(_turns);
+    const PlacedBox plates = PlacedBox{glm::ivec3(0), {plate.getSize(), 1}}.turn(_turns);
+    const glm::ivec3 first = model.lower - plates.lower + 1;
+    const glm::ivec3 last = first + model.size - 1;
     *_stream << formatNumber(quantity) << " green " << name << (quantity == 1 ? "" : ", side by side") << ".\n\n"
              << (quantity == 1 ? "The model stands on the base plate"
                                : "The model stands on the base plates, which are counted together")
@@ -164,7 +161,6 @@ std::vector<std::string> BookletWords::findNames(std::size_t chapter) const
 std::vector<BookletWords::Place> BookletWords::findPlaces(std::size_t chapter) const
 {
     const BookletChapter& own = _model.getChapters()[chapter];
-    const BrickGrid& grid = own.model->getGrid();
     const std::vector<std::size_t> rows = _model.getPartsList().findRows(*own.model);
     const std::vector<std::string> names = findNames(own.original);
     std::vector<Place> places;
@@ -174,22 +170,9 @@ std::vector<BookletWords::Place> BookletWords::findPlaces(std::size_t chapter) c
         Place& place = places.emplace_back();
         place.name = names[places.size() - 1];
         place.type = describeParts(_model.getKinds()[rows[part]], 1).substr(2);
-        place.first = own.model->getParts()[part].getCell();
-        place.last = place.first + own.model->getParts()[part].getSize() - 1;
-        if (grid.upAxis == UpAxis::Y) // z points to the front
-        {
-            const glm::ivec3 first = place.first;
-            const glm::ivec3 last = place.last;
-            place.first = {first.x, grid.dimensions.z - 1 - last.z, first.y};
-            place.last = {last.x, grid.dimensions.z - 1 - first.z, last.y};
-        }
-        for (int turn = 0; turn < _turns; ++turn)
-        {
-            const glm::ivec3 first = place.first;
-            const glm::ivec3 last = place.last;
-            place.first = {first.y, -last.x, first.z};
-            place.last = {last.y, -first.x, last.z};
-        }
+        const PlacedBox box = PlacedBox::create(own.model->getGrid(), own.model->getParts()[part]).turn(_turns);
+        place.first = box.lower;
+        place.last = box.lower + box.size - 1;
         lowest = glm::min(lowest, place.first);
     }
     for (Place& place : places)

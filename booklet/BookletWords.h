@@ -16,9 +16,8 @@ namespace osgLego
 class BookletWords
 {
 public:
-    /** @param model must outlive this object. @param front the side of the model that is nearest to its azimuth is the
-     * front. */
-    explicit BookletWords(const BookletModel& model, const BuildingView& front = {});
+    /** @param model must outlive this object. @param view the side of the model that is nearest to it is the front. */
+    explicit BookletWords(const BookletModel& model, const BuildingView& view = {});
 
     /** Write only some steps of the main model. @param first counted from 0. @param end behind the last one. */
     void setSteps(std::size_t first, std::size_t end);
@@ -48,7 +47,7 @@ private:
     void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first);
 
     const BookletModel& _model;
-    int _turns; // quarter turns of the front to the right, 0 to 3
+    int _turns; // quarter turns of the model, 0 to 3, counter-clockwise from above, that bring its front to the reader
     std::size_t _firstStep = 0;
     std::size_t _endStep;
     std::ostream* _stream = nullptr;

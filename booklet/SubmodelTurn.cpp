@@ -1,9 +1,14 @@
 #include "SubmodelTurn.h"
 
+#include "PlacedBox.h"
+
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <tuple>
 #include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
 
 namespace osgLego
 {
@@ -11,53 +16,33 @@ namespace osgLego
 namespace
 {
 
-/** A part to the right, to the back and upwards from a corner of its submodel. */
 struct PlacedKind
 {
-    std::array<int, 3> lower{};
-    std::array<int, 3> size{};
+    PlacedBox box;
     std::size_t kind = 0;
 
-    bool operator==(const PlacedKind&) const = default;
-    bool operator<(const PlacedKind& other) const
+    auto getOrder() const
     {
-        return std::tie(lower, size, kind) < std::tie(other.lower, other.size, other.kind);
+        return std::tie(box.lower.x, box.lower.y, box.lower.z, box.size.x, box.size.y, box.size.z, kind);
     }
+    bool operator==(const PlacedKind& other) const { return getOrder() == other.getOrder(); }
+    bool operator<(const PlacedKind& other) const { return getOrder() < other.getOrder(); }
 };
-
-PlacedKind place(const BrickGrid& grid, const Part& part, std::size_t kind)
-{
-    const glm::ivec3 cell = part.getCell();
-    const glm::ivec3 size = part.getSize();
-    if (grid.upAxis == UpAxis::Z) return {{cell.x, cell.y, cell.z}, {size.x, size.y, size.z}, kind};
-    return {{cell.x, -cell.z - size.z, cell.y}, {size.x, size.z, size.y}, kind}; // z points to the front
-}
-
-/** Turn a part by a quarter, counter-clockwise from above. */
-PlacedKind turn(const PlacedKind& own)
-{
-    return {
-        {-own.lower[1] - own.size[1], own.lower[0], own.lower[2]}, {own.size[1], own.size[0], own.size[2]}, own.kind};
-}
 
 /** Parts, turned, from the lowest cell of all, in ascending order, and their indices. */
 std::vector<std::pair<PlacedKind, std::uint32_t>> arrange(const BrickModel& model, std::span<const std::size_t> kinds,
                                                           int turns)
 {
     std::vector<std::pair<PlacedKind, std::uint32_t>> parts;
-    std::array<int, 3> lowest{};
+    glm::ivec3 lowest(std::numeric_limits<int>::max());
     for (std::uint32_t part = 0; part < kinds.size(); ++part)
     {
-        PlacedKind own = place(model.getGrid(), model.getParts()[part], kinds[part]);
-        for (int index = 0; index < turns; ++index)
-            own = turn(own);
-        for (std::size_t axis = 0; axis < lowest.size(); ++axis)
-            lowest[axis] = part == 0 ? own.lower[axis] : std::min(lowest[axis], own.lower[axis]);
-        parts.emplace_back(own, part);
+        const PlacedBox box = PlacedBox::create(model.getGrid(), model.getParts()[part]).turn(turns);
+        lowest = glm::min(lowest, box.lower);
+        parts.push_back({{box, kinds[part]}, part});
     }
     for (auto& [own, part] : parts)
-        for (std::size_t axis = 0; axis < lowest.size(); ++axis)
-            own.lower[axis] -= lowest[axis];
+        own.box.lower -= lowest;
     std::sort(parts.begin(), parts.end());
     return parts;
 }

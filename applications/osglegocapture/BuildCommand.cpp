@@ -15,6 +15,7 @@
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/ModelDesigner.h>
 #include <osgLego/data/BuildingLimits.h>
+#include <osgLego/text/CountedNoun.h>
 #include <osgLegoBooklet/Booklet.h>
 
 #include <cmath>
@@ -116,8 +117,7 @@ std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
 {
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
-    if (options.buildParts)
-        goals += fmt::format(", of at most {} {}", *options.buildParts, *options.buildParts == 1 ? "part" : "parts");
+    if (options.buildParts) goals += ", of at most " + counted(*options.buildParts, "part", "parts");
     if (!options.settingsText.empty()) goals += ", with " + options.settingsText;
     goals += fmt::format(", with its {} axis upwards", upAxis == UpAxis::Z ? "Z" : "Y");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");

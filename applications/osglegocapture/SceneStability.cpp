@@ -91,7 +91,7 @@ SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>
         const std::optional<StabilityReport> report =
             computeStability(*model, {_base, Cancellation::isRequested, _weights, options.tilt});
         Cancellation::check();
-        _models.push_back({model, *report});
+        _models.push_back({model, *report, countPieces(*model, _base)});
     }
 }
 
@@ -110,11 +110,10 @@ std::optional<StabilityReport> SceneStability::getReport() const
 std::string SceneStability::toText() const
 {
     std::string text;
-    for (const auto& [model, report] : _models)
+    for (const auto& [model, report, numPieces] : _models)
     {
         text += fmt::format("on a {}, {}\n", _base == BuildingBase::TABLE ? "table" : "base plate", report.toString());
-        if (const std::size_t numPieces = countPieces(*model, _base); report.stands && numPieces > 1)
-            text += fmt::format("  it is {} pieces that no part joins\n", numPieces);
+        if (report.stands && numPieces > 1) text += fmt::format("  it is {} pieces that no part joins\n", numPieces);
         for (const AddedWeight& weight : _weights)
             text += fmt::format("  load: {:g} g on {}\n", weight.grams, describe(*model, weight.part));
         if (report.weakest)
@@ -130,17 +129,17 @@ std::string SceneStability::toText() const
 
 JsonValue SceneStability::toJson() const
 {
-    const auto& [worst, worstReport] = getWorst();
+    const ModelStability& worst = getWorst();
     JsonValue weakest;
-    if (worstReport.weakest)
-        weakest = {{"lower", osgLego::toJson(*worst, worstReport.weakest->lower)},
-                   {"upper", osgLego::toJson(*worst, worstReport.weakest->upper)}};
+    if (worst.report.weakest)
+        weakest = {{"lower", osgLego::toJson(*worst.model, worst.report.weakest->lower)},
+                   {"upper", osgLego::toJson(*worst.model, worst.report.weakest->upper)}};
     JsonValue falling = JsonValue::createArray();
     JsonValue unknown = JsonValue::createArray();
     JsonValue loads = JsonValue::createArray();
     for (const AddedWeight& weight : _weights)
     {
-        JsonValue load = osgLego::toJson(*worst, weight.part);
+        JsonValue load = osgLego::toJson(*worst.model, weight.part);
         load["grams"] = weight.grams;
         loads.append(load);
     }
@@ -152,7 +151,7 @@ JsonValue SceneStability::toJson() const
     std::size_t numPieces = 0;
     std::size_t numComponents = 0;
     double milliseconds = 0.0;
-    for (const auto& [model, report] : _models)
+    for (const auto& [model, report, ownPieces] : _models)
     {
         for (const std::uint32_t part : report.falling)
             falling.append(osgLego::toJson(*model, part));
@@ -169,15 +168,15 @@ JsonValue SceneStability::toJson() const
                 (*tiltAngles)[side] = std::min((*tiltAngles)[side], (*report.tiltAngles)[side]);
         }
         isTiltBound = isTiltBound || report.isTiltBound;
-        numPieces += countPieces(*model, _base);
+        numPieces += ownPieces;
         numComponents += report.numComponents;
         milliseconds += report.milliseconds;
     }
     return {{"base", _base == BuildingBase::TABLE ? "table" : "plate"},
             {"stands", stands},
             {"safe", safe},
-            {"margin", worstReport.margin},
-            {"marginIsBound", worstReport.isMarginBound},
+            {"margin", worst.report.margin},
+            {"marginIsBound", worst.report.isMarginBound},
             {"tippingAngle", tippingAngle ? JsonValue(*tippingAngle) : JsonValue()},
             {"tiltAngles", tiltAngles ? JsonValue::createArray(
                                             {(*tiltAngles)[0], (*tiltAngles)[1], (*tiltAngles)[2], (*tiltAngles)[3]})

@@ -36,6 +36,7 @@ private:
     {
         osg::ref_ptr<const BrickModel> model;
         StabilityReport report;
+        std::size_t numPieces; // that nothing joins
     };
 
     /** The model with the least margin. */

@@ -49,14 +49,17 @@ DesignMaker::Laid DesignMaker::lay(const LegoSettings& settings) const
     return laid;
 }
 
-DesignMaker::Draft DesignMaker::makeDraft(const LegoSettings& settings) const
+osg::ref_ptr<const BrickModel> DesignMaker::layDraft(const LegoSettings& settings) const
 {
-    Draft draft{settings, lay(createDraftSettings(settings)).model, nullptr, std::numeric_limits<double>::max()};
-    if (draft.model->getBricks().empty()) return draft;
+    return lay(createDraftSettings(settings)).model;
+}
+
+double DesignMaker::computeError(const BrickModel& model) const
+{
+    if (model.getBricks().empty()) return std::numeric_limits<double>::max();
     DesignCandidate measured;
-    setDifference(*draft.model, measured);
-    draft.error = measured.getError();
-    return draft;
+    setDifference(model, measured);
+    return measured.getError();
 }
 
 DesignCandidate DesignMaker::measure(const Laid& laid) const

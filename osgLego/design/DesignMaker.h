@@ -25,20 +25,15 @@ public:
         osg::ref_ptr<const BrickModel> model;
         LayoutStatistics layout;
     };
-    /** A model whose parts are laid fast and not joined, which looks like the final one. */
-    struct Draft
-    {
-        LegoSettings settings; //!< of the final model
-        osg::ref_ptr<const BrickModel> model;
-        osg::ref_ptr<const BrickModel> larger; //!< of the next resolution; null if the size is given
-        double error = 0.0; //!< DesignCandidate::getError(); the largest number for a grid that misses the mesh
-    };
-
     /** @param node is not kept. @param options are kept as a reference. @param upAxis of all models. */
     DesignMaker(const osg::Node& node, const DesignOptions& options, UpAxis upAxis);
 
     Laid lay(const LegoSettings& settings) const;
-    Draft makeDraft(const LegoSettings& settings) const;
+    /** A model whose parts are laid fast and not joined, which looks like the final one. */
+    osg::ref_ptr<const BrickModel> layDraft(const LegoSettings& settings) const;
+    /** DesignCandidate::getError() of a model; the largest number if it has no bricks, since its grid misses the mesh.
+     */
+    double computeError(const BrickModel& model) const;
     DesignCandidate measure(const Laid& laid) const;
     void planBuildingOf(DesignCandidate& candidate) const;
 

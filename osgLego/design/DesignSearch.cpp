@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -20,20 +21,14 @@ namespace
 
 constexpr double STUD_PITCH = 8.0; // millimetres
 constexpr unsigned int FEW_COLORS = 8;
-constexpr double SHARE_OF_DRAFTS = 0.1; // of the work; the rest is for support
+// Of the work; the rest is for support.
+constexpr double SHARE_OF_DRAFTS = 0.1;
 constexpr double SHARE_OF_MODELS = 0.5;
 constexpr double SHARE_OF_PLANS = 0.2;
 
 bool haveSameParts(const BrickModel& a, const BrickModel& b)
 {
     return a.getGrid() == b.getGrid() && a.getParts() == b.getParts();
-}
-
-/** Whether drafts have the same cells at both resolutions. */
-bool areSame(const DesignMaker::Draft& a, const DesignMaker::Draft& b)
-{
-    return haveSameParts(*a.model, *b.model) && (a.larger == nullptr) == (b.larger == nullptr) &&
-           (!a.larger || haveSameParts(*a.larger, *b.larger));
 }
 
 /** Settings of a model of parts whose others can be chosen. */
@@ -152,27 +147,32 @@ DesignMaker::Laid DesignSearch::layJoined(const LegoSettings& settings) const
 
 /** A draft of a model by some settings, of the size that is given, or of the highest resolution that has few enough
  * parts. */
-DesignMaker::Draft DesignSearch::makeDraft(LegoSettings settings) const
+DesignSearch::Draft DesignSearch::makeDraft(LegoSettings settings) const
 {
     constexpr unsigned int FIRST_RESOLUTION = 24;
     if (_options.length)
         settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
-    if (!canChooseSize()) return _maker->makeDraft(settings);
+    if (!canChooseSize())
+    {
+        const osg::ref_ptr<const BrickModel> model = _maker->layDraft(settings);
+        return {settings, model, nullptr, _maker->computeError(*model)};
+    }
+    std::map<unsigned int, osg::ref_ptr<const BrickModel>> models;
+    const auto layWith = [&](unsigned int resolution)
+    {
+        osg::ref_ptr<const BrickModel>& model = models[resolution];
+        settings.grid.resolution = resolution;
+        if (!model) model = _maker->layDraft(settings);
+        return model;
+    };
     ResolutionSearch search(getMostParts(), FIRST_RESOLUTION);
     while (const std::optional<unsigned int> resolution = search.getNext())
-    {
-        settings.grid.resolution = *resolution;
-        search.add(*resolution, _maker->lay(createDraftSettings(settings)).model->getParts().size());
-    }
-    settings.grid.resolution = search.getBest();
-    Draft draft = _maker->makeDraft(settings);
-    if (settings.grid.resolution == LegoSettings::MAXIMUM_RESOLUTION) return draft;
+        search.add(*resolution, layWith(*resolution)->getParts().size());
+    const unsigned int best = search.getBest();
     // The final model has fewer parts, and often the next resolution.
-    ++settings.grid.resolution;
-    const Draft next = _maker->makeDraft(settings);
-    draft.larger = next.model;
-    draft.error = std::min(draft.error, next.error);
-    return draft;
+    const osg::ref_ptr<const BrickModel> larger = layWith(std::min(best + 1, LegoSettings::MAXIMUM_RESOLUTION));
+    const osg::ref_ptr<const BrickModel> model = layWith(best);
+    return {settings, model, larger, std::min(_maker->computeError(*model), _maker->computeError(*larger))};
 }
 
 /** @param settings with the resolution of their draft. */
@@ -206,7 +206,7 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
 }
 
 /** Drafts by all settings that give different ones, those most like the mesh first. */
-std::vector<DesignMaker::Draft> DesignSearch::makeDrafts(const std::vector<LegoSettings>& settings)
+std::vector<DesignSearch::Draft> DesignSearch::makeDrafts(const std::vector<LegoSettings>& settings)
 {
     std::vector<Draft> made(settings.size());
     tbb::parallel_for(std::size_t(0), made.size(),
@@ -215,6 +215,8 @@ std::vector<DesignMaker::Draft> DesignSearch::makeDrafts(const std::vector<LegoS
                           made[index] = makeDraft(settings[index]);
                           report(SHARE_OF_DRAFTS / static_cast<double>(made.size()));
                       });
+    const auto areSame = [](const Draft& a, const Draft& b)
+    { return haveSameParts(*a.model, *b.model) && (!a.larger || haveSameParts(*a.larger, *b.larger)); };
     std::vector<Draft> drafts;
     for (Draft& draft : made)
         if (std::none_of(drafts.begin(), drafts.end(), [&](const Draft& other) { return areSame(draft, other); }))
@@ -294,7 +296,7 @@ void DesignSearch::tryLowerResolutions()
                       {
                           LegoSettings lower = settings;
                           lower.grid.resolution = resolutions[index];
-                          errors[index] = _maker->makeDraft(lower).error;
+                          errors[index] = _maker->computeError(*_maker->layDraft(lower));
                       });
     const auto best = std::min_element(errors.begin(), errors.end());
     if (*best > CLEARLY * errors.front()) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <osg/Node>
+#include <osg/ref_ptr>
 
 namespace osgLego
 {
@@ -30,7 +31,14 @@ public:
 
 private:
     using Laid = DesignMaker::Laid;
-    using Draft = DesignMaker::Draft;
+    /** A model whose parts are laid fast and not joined, which looks like the final one. */
+    struct Draft
+    {
+        LegoSettings settings; // of the final model
+        osg::ref_ptr<const BrickModel> model;
+        osg::ref_ptr<const BrickModel> larger; // of the next resolution; null if the size is given
+        double error = 0.0;                    // the smaller one of the models
+    };
 
     void checkParts() const;
     bool determineSize() const;

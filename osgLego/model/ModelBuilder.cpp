@@ -128,10 +128,10 @@ struct Connected
 };
 
 /** Join the pieces of a layout. @return nothing if it was cancelled. */
-std::optional<Connected> connect(const LayoutOptions& options, const RecoloringCosts& costs, const Layout& layout)
+std::optional<Connected> connect(const LayoutOptions& options, const RecoloringCosts& costs, Layout layout)
 {
     ConnectionBuilder builder(options, costs);
-    Connected connected{{layout.problem, layout.parts, {}}, {}};
+    Connected connected{{std::move(layout.problem), std::move(layout.parts), {}}, {}};
     if (!builder.build(connected.layout)) return std::nullopt;
     connected.statistics = builder.getStatistics();
     return connected;
@@ -148,10 +148,10 @@ std::optional<Connected> connectBest(const LayoutOptions& options, const Recolor
     silent.progress = nullptr; // the same pieces were joined already
     LayoutOptions normal = silent;
     normal.effort = Effort::NORMAL;
-    const Layout other{layout.problem, layOut(layout.problem, normal, previous)};
+    Layout other{layout.problem, layOut(layout.problem, normal, previous)};
     if (other.parts.empty()) return std::nullopt;
     // Parts around the joins are laid again with all effort.
-    std::optional<Connected> otherConnected = connect(silent, costs, other);
+    std::optional<Connected> otherConnected = connect(silent, costs, std::move(other));
     return !otherConnected || otherConnected->isBetterThan(*connected) ? std::move(otherConnected)
                                                                        : std::move(connected);
 }
@@ -162,10 +162,9 @@ bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const B
 {
     Stopwatch stopwatch;
     std::optional<Connected> connected = options.effort == Effort::BEST ? connectBest(options, costs, layout, previous)
-                                                                        : connect(options, costs, layout);
+                                                                        : connect(options, costs, std::move(layout));
     if (!connected) return false;
-    layout.problem = std::move(connected->layout.problem);
-    layout.parts = std::move(connected->layout.parts);
+    layout = {std::move(connected->layout.problem), std::move(connected->layout.parts)};
     statistics.connection = std::move(connected->statistics);
     statistics.connection->loose = listLoosePieces(layout.parts, grid);
     statistics.connection->milliseconds = stopwatch.lap();
