@@ -21,8 +21,7 @@ constexpr int NEAR = 2; // joints away
 // The widths of corridors about new parts and paths from them to the base, in joints.
 constexpr int NARROW = 2;
 constexpr int WIDE = 6;
-// How many times smaller than all parts in place: the programs of large corridors take as long as those of all parts,
-// and may find nothing.
+// How many times smaller than all parts in place: large corridors take as long as all parts, and may find nothing.
 constexpr std::size_t LEAST_SMALLER = 3;
 
 std::vector<double> findWeights(const BrickModel& model, const std::vector<std::uint32_t>& parts)
@@ -88,11 +87,16 @@ bool PartialStability::flows(const std::vector<bool>& isPlaced)
     return includes(isPlaced, _forces.isPlaced) && _flow.add(_forces, isPlaced);
 }
 
-/** The same with forces due to new parts as if contact points were springs. If other parts are in place than those of
- * the known forces, all are new. */
+/** The same with forces due to new parts as if contact points were springs, first of corridors, then of all parts. If
+ * other parts are in place than those of the known forces, all are new. */
 bool PartialStability::isSprung(const std::vector<bool>& isPlaced)
 {
-    return keep(_springs.add(includes(isPlaced, _forces.isPlaced) ? _forces : createNoForces(_joints), isPlaced));
+    const BearingForces start = includes(isPlaced, _forces.isPlaced) ? _forces : createNoForces(_joints);
+    for (const int numJoints : {NARROW, WIDE})
+        if (const std::optional<std::vector<bool>> isInside = findCorridor(start, isPlaced, numJoints);
+            isInside && keep(_springs.add(start, isPlaced, *isInside)))
+            return true;
+    return keep(_springs.add(start, isPlaced, isPlaced));
 }
 
 /** Whether forces are found that keep parts in equilibrium, all others being as they are known.
@@ -100,14 +104,25 @@ bool PartialStability::isSprung(const std::vector<bool>& isPlaced)
 bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int numJoints)
 {
     if (_numBodies >= _setting.mostSolved || !includes(isPlaced, _forces.isPlaced)) return false;
+    const std::optional<std::vector<bool>> isInside = findCorridor(_forces, isPlaced, numJoints);
+    if (!isInside) return false;
+    _numBodies += listPlaced(*isInside).size();
+    return keep(_corridor.add(_forces, isPlaced, *isInside));
+}
+
+/** The parts near new ones, and near paths from them to the base. Nothing if there are hardly fewer than all in place.
+ * @param start forces between the parts that are not new.
+ * @param numJoints the width. */
+std::optional<std::vector<bool>> PartialStability::findCorridor(const BearingForces& start,
+                                                                const std::vector<bool>& isPlaced, int numJoints) const
+{
+    const PartList placed = listPlaced(isPlaced);
     PartList added;
-    for (const std::uint32_t part : listPlaced(isPlaced))
-        if (!_forces.isPlaced[part]) added.push_back(part);
-    const std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
-    const std::size_t numInside = listPlaced(isInside).size();
-    if (LEAST_SMALLER * numInside > listPlaced(isPlaced).size()) return false;
-    _numBodies += numInside;
-    return keep(_corridor.add(_forces, isPlaced, isInside));
+    std::copy_if(placed.begin(), placed.end(), std::back_inserter(added),
+                 [&start](std::uint32_t part) { return !start.isPlaced[part]; });
+    std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
+    if (LEAST_SMALLER * listPlaced(isInside).size() > placed.size()) return std::nullopt;
+    return isInside;
 }
 
 /** Whether forces are found that keep parts in equilibrium, of the linear program of all of them. */

@@ -21,8 +21,9 @@ class StabilityAnalysis;
  * Simpler methods than the linear program prove that most partial models stand; the program is solved only for the
  * others. First it is solved for few rigid bodies, such as those that moved as one when parts fell before: if bodies
  * fall, so do parts. WeightFlow and SpringBalance add the weights of new parts to forces that are known, since the sum
- * of two equilibria is an equilibrium. ForceCorridor solves the program for new parts and those near them, with known
- * forces between all others, and for all parts.
+ * of two equilibria is an equilibrium; SpringBalance does so in corridors first: parts near the new ones, and near
+ * paths from them to the base. ForceCorridor solves the program for corridors, with known forces between all others,
+ * and for all parts.
  *
  * One thread. */
 class PartialStability
@@ -66,6 +67,8 @@ private:
     bool flows(const std::vector<bool>& isPlaced);
     bool isSprung(const std::vector<bool>& isPlaced);
     bool isBalancedNear(const std::vector<bool>& isPlaced, int numJoints);
+    std::optional<std::vector<bool>> findCorridor(const BearingForces& start, const std::vector<bool>& isPlaced,
+                                                  int numJoints) const;
     bool isBalancedAnew(const std::vector<bool>& isPlaced);
     bool keep(std::optional<BearingForces> forces);
     void createAnalysis();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <Eigen/SparseCholesky>
-
 namespace osgLego
 {
 
@@ -14,12 +12,14 @@ constexpr double TOLERANCE = 1e-9; // newtons
 
 } // namespace
 
-std::optional<BearingForces> SpringBalance::add(const BearingForces& start, const std::vector<bool>& isPlaced)
+std::optional<BearingForces> SpringBalance::add(const BearingForces& start, const std::vector<bool>& isPlaced,
+                                                const std::vector<bool>& isInside)
 {
     constexpr int MOST_RELEASES = 20;
-    constexpr int MOST_SOFTER = 3;
-    _isPlaced = isPlaced;
+    constexpr int MOST_SOFTER = 10;
+    _isInside = isInside;
     _springs.assign(_joints.getPoints().size(), 1.0);
+    _hasPattern = false;
     findFloorPoints();
     int numReleases = 0;
     int numSofter = 0;
@@ -30,7 +30,7 @@ std::optional<BearingForces> SpringBalance::add(const BearingForces& start, cons
             if (++numReleases == MOST_RELEASES) return std::nullopt;
         }
         else if (numSofter++ == MOST_SOFTER || !soften(start))
-            return createForces(start);
+            return createForces(start, isPlaced);
     }
     return std::nullopt;
 }
@@ -38,8 +38,8 @@ std::optional<BearingForces> SpringBalance::add(const BearingForces& start, cons
 void SpringBalance::findFloorPoints()
 {
     _floor.clear();
-    for (std::uint32_t part = 0; part < _isPlaced.size(); ++part)
-        if (_isPlaced[part] && _joints.getGraph().isOnBase(part))
+    for (std::uint32_t part = 0; part < _isInside.size(); ++part)
+        if (_isInside[part] && _joints.getGraph().isOnBase(part))
             for (const Eigen::Vector2d& place : _joints.findFloorPoints(part))
                 _floor.push_back({part, place});
 }
@@ -60,10 +60,10 @@ double SpringBalance::getDepth(std::uint32_t part, const Eigen::Vector2d& place)
  * loose. */
 bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
 {
-    _rows.assign(_isPlaced.size(), -1);
+    _rows.assign(_isInside.size(), -1);
     Eigen::Index numRows = 0;
-    for (std::size_t part = 0; part < _isPlaced.size(); ++part)
-        if (_isPlaced[part]) _rows[part] = 3 * numRows++;
+    for (std::size_t part = 0; part < _isInside.size(); ++part)
+        if (_isInside[part]) _rows[part] = 3 * numRows++;
     std::vector<Eigen::Triplet<double>> entries;
     const auto add = [&](std::uint32_t part, std::uint32_t other, const Eigen::Matrix3d& block)
     {
@@ -74,7 +74,7 @@ bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
     };
     for (const BearingJoints::Joint& joint : _joints.getJoints())
     {
-        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        if (!_isInside[joint.lower] || !_isInside[joint.upper]) continue;
         Eigen::Matrix3d lower = Eigen::Matrix3d::Zero();
         Eigen::Matrix3d upper = Eigen::Matrix3d::Zero();
         Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero(); // rows of the upper part
@@ -95,13 +95,15 @@ bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
         if (!point.isReleased)
             add(point.part, point.part, toRow(point.part, point.place) * toRow(point.part, point.place).transpose());
     _weights.setZero(3 * numRows);
-    for (std::uint32_t part = 0; part < _isPlaced.size(); ++part)
-        if (_isPlaced[part] && !isKnown[part]) _weights[_rows[part]] = _joints.getWeight(part)[0];
+    for (std::uint32_t part = 0; part < _isInside.size(); ++part)
+        if (_isInside[part] && !isKnown[part]) _weights[_rows[part]] = _joints.getWeight(part)[0];
     _stiffness.resize(3 * numRows, 3 * numRows);
     _stiffness.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(_stiffness);
-    if (factors.info() != Eigen::Success) return false;
-    _depths = factors.solve(_weights);
+    if (!_hasPattern) _factors.analyzePattern(_stiffness);
+    _hasPattern = true;
+    _factors.factorize(_stiffness);
+    if (_factors.info() != Eigen::Success) return false;
+    _depths = _factors.solve(_weights);
     return isBalanced();
 }
 
@@ -128,7 +130,7 @@ bool SpringBalance::soften(const BearingForces& start)
     bool hasChanged = false;
     for (const BearingJoints::Joint& joint : _joints.getJoints())
     {
-        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        if (!_isInside[joint.lower] || !_isInside[joint.upper]) continue;
         for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
         {
             const double force = getForce(joint, point);
@@ -178,13 +180,14 @@ VerticalLoad SpringBalance::getFloorLoad(const BearingForces& start, std::span<c
     return load;
 }
 
-std::optional<BearingForces> SpringBalance::createForces(const BearingForces& start) const
+std::optional<BearingForces> SpringBalance::createForces(const BearingForces& start,
+                                                         const std::vector<bool>& isPlaced) const
 {
     BearingForces forces = start;
-    forces.isPlaced = _isPlaced;
+    forces.isPlaced = isPlaced;
     for (const BearingJoints::Joint& joint : _joints.getJoints())
     {
-        if (!_isPlaced[joint.lower] || !_isPlaced[joint.upper]) continue;
+        if (!_isInside[joint.lower] || !_isInside[joint.upper]) continue;
         for (std::size_t point = joint.firstPoint; point < joint.endPoint; ++point)
         {
             forces.pressures[point] += getForce(joint, point);

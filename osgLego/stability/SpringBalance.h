@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 namespace osgLego
@@ -26,8 +27,11 @@ public:
     /** Add parts to those that are in place.
      * @param start forces that are kept, to which those due to the new parts are added.
      * @param isPlaced those that are to be in place, which include all that are.
+     * @param isInside those that pass on the weights of new parts: parts that are to be in place, with all new ones.
+     * The forces between others are kept. Fewer parts take less time.
      * @return nothing if no forces within the capacity were found. */
-    std::optional<BearingForces> add(const BearingForces& start, const std::vector<bool>& isPlaced);
+    std::optional<BearingForces> add(const BearingForces& start, const std::vector<bool>& isPlaced,
+                                     const std::vector<bool>& isInside);
 
 private:
     /** A point at which the base bears a part. */
@@ -49,14 +53,16 @@ private:
     double getDepth(std::uint32_t part, const Eigen::Vector2d& place) const;
     bool releaseFloor(const BearingForces& start);
     bool isBalanced() const;
-    std::optional<BearingForces> createForces(const BearingForces& start) const;
+    std::optional<BearingForces> createForces(const BearingForces& start, const std::vector<bool>& isPlaced) const;
 
     const BearingJoints& _joints;
-    std::vector<bool> _isPlaced;
+    std::vector<bool> _isInside;
     std::vector<Eigen::Index> _rows; // for each part, the first of its rows
     FloorPoints _floor;              // ordered by part
     std::vector<double> _springs;    // the stiffness at each contact point
     Eigen::SparseMatrix<double> _stiffness;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> _factors;
+    bool _hasPattern = false; // whether that of the stiffness was analyzed, which is the same for all springs
     Eigen::VectorXd _weights;
     Eigen::VectorXd _depths; // how far parts sink, and how they incline
 };

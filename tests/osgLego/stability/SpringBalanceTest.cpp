@@ -15,8 +15,8 @@ namespace
 
 std::optional<BearingForces> balance(const BearingJoints& joints, double floorPull = 0.0)
 {
-    return SpringBalance(joints).add(createNoForces(joints, floorPull),
-                                     std::vector<bool>(joints.getGraph().getNumParts(), true));
+    const std::vector<bool> all(joints.getGraph().getNumParts(), true);
+    return SpringBalance(joints).add(createNoForces(joints, floorPull), all, all);
 }
 
 TEST(SpringBalance, JointsBearWhatTheirCapacityAllows)
@@ -44,12 +44,33 @@ TEST(SpringBalance, WhatIsInPlaceKeepsNewPartsFromTopplingOver)
     {
         const BearingJoints joints(graph, {lower, 0.1}, BuildingBase::TABLE);
         SpringBalance springs(joints);
-        const std::optional<BearingForces> first = springs.add(createNoForces(joints), {true, false});
+        const std::optional<BearingForces> first = springs.add(createNoForces(joints), {true, false}, {true, false});
         ASSERT_TRUE(first);
-        const std::optional<BearingForces> both = springs.add(*first, {true, true});
+        const std::optional<BearingForces> both = springs.add(*first, {true, true}, {true, true});
         ASSERT_EQ(both.has_value(), holds) << lower;
         EXPECT_NEAR(both ? both->floorLoads[0][0] : lower + 0.1, lower + 0.1, 1e-9);
     }
+}
+
+TEST(SpringBalance, OnlyPartsInsidePassOnNewWeights)
+{
+    // Two pillars, a beam across them, and a new brick at the left end of the beam.
+    const JointGraph graph(
+        {{{0, 0, 0}, {2, 2, 1}}, {{6, 0, 0}, {8, 2, 1}}, {{0, 0, 1}, {8, 2, 2}}, {{0, 0, 2}, {2, 2, 3}}});
+    const BearingJoints joints(graph, {0.1, 0.1, 0.2, 0.1}, BuildingBase::TABLE);
+    SpringBalance springs(joints);
+    const std::vector<bool> first{true, true, true, false};
+    const std::vector<bool> all(4, true);
+    const std::optional<BearingForces> known = springs.add(createNoForces(joints), first, first);
+    ASSERT_TRUE(known);
+    const std::optional<BearingForces> both = springs.add(*known, all, all);
+    const std::optional<BearingForces> left = springs.add(*known, all, {true, false, true, true});
+    ASSERT_TRUE(both && left);
+    EXPECT_NE(both->floorLoads[1][0], known->floorLoads[1][0]);
+    EXPECT_EQ(left->floorLoads[1], known->floorLoads[1]);
+    EXPECT_NEAR(left->floorLoads[0][0], known->floorLoads[0][0] + 0.1, 1e-9);
+    EXPECT_EQ(left->isPlaced, all);
+    EXPECT_FALSE(springs.add(*known, all, {true, true, false, true})) << "nothing bears the new brick";
 }
 
 TEST(SpringBalance, StudsOfAPlateHoldTheSumOfAllLoads)
@@ -66,8 +87,8 @@ TEST(SpringBalance, StudsOfAPlateHoldTheSumOfAllLoads)
     {
         std::vector<bool> isPlaced(boxes.size(), false);
         std::fill_n(isPlaced.begin(), numParts, true);
-        const bool holdsAtOnce = springs.add(createNoForces(joints), isPlaced).has_value();
-        forces = springs.add(*forces, isPlaced);
+        const bool holdsAtOnce = springs.add(createNoForces(joints), isPlaced, isPlaced).has_value();
+        forces = springs.add(*forces, isPlaced, isPlaced);
         ASSERT_EQ(forces.has_value(), holdsAtOnce) << numParts;
         if (forces) continue;
         EXPECT_GT(numParts, 3u);
