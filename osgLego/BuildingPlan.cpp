@@ -108,24 +108,23 @@ void BuildingPlan::measureSubmodels(const std::vector<BuildingStep>& steps, std:
         }
 }
 
-/** By how much a plan is beyond the limits, in parts, in levels and in steps. */
-std::array<std::size_t, 3> BuildingPlan::getExcess() const
+/** By how much a plan is beyond the limits: the sum of what is beyond each, in multiples of it. */
+double BuildingPlan::getExcess() const
 {
-    const auto getExcessOf = [](std::size_t value, std::size_t limit) { return std::max(value, limit) - limit; };
-    return {getExcessOf(_largestSubmodel, MOST_SUBMODEL_PARTS), getExcessOf(_deepestSubmodel, DEEPEST_SUBMODEL),
-            getExcessOf(getNumFalling(), MOST_FALLING_STEPS)};
+    const auto getExcessOf = [](std::size_t value, std::size_t limit)
+    { return static_cast<double>(std::max(value, limit) - limit) / static_cast<double>(limit); };
+    return getExcessOf(_largestSubmodel, MOST_SUBMODEL_PARTS) + getExcessOf(_deepestSubmodel, DEEPEST_SUBMODEL) +
+           getExcessOf(getNumFalling(), MOST_FALLING_STEPS);
 }
 
 bool BuildingPlan::keepsLimits() const
 {
-    return getExcess() == std::array<std::size_t, 3>{};
+    return getExcess() == 0.0;
 }
 
 bool BuildingPlan::exceedsLimitsLessThan(const BuildingPlan& other) const
 {
-    const std::array<std::size_t, 3> own = getExcess();
-    const std::array<std::size_t, 3> others = other.getExcess();
-    return own != others && std::equal(own.begin(), own.end(), others.begin(), std::less_equal<>());
+    return getExcess() < other.getExcess();
 }
 
 std::size_t BuildingPlan::countSteps(bool (*isCounted)(const BuildingStep&)) const

@@ -97,8 +97,8 @@ public:
     /** Whether the model is easy to build: all submodels are within MOST_SUBMODEL_PARTS and DEEPEST_SUBMODEL, and
      * getNumFalling() within MOST_FALLING_STEPS. */
     bool keepsLimits() const;
-    /** Whether the plan is less far beyond these limits than another one, in parts, in levels or in steps, and farther
-     * in none of them. */
+    /** Whether the plan is less far beyond these limits than another one: what is beyond each counts in multiples of
+     * that limit, so that 75 parts too many are as bad as half a limit of falling steps. */
     bool exceedsLimitsLessThan(const BuildingPlan& other) const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
@@ -115,7 +115,7 @@ private:
     ~BuildingPlan() override = default;
 
     void measureSubmodels(const std::vector<BuildingStep>& steps, std::size_t depth);
-    std::array<std::size_t, 3> getExcess() const;
+    double getExcess() const;
     std::size_t countSteps(bool (*isCounted)(const BuildingStep&)) const;
 
     std::vector<BuildingStep> _steps;

@@ -104,19 +104,22 @@ std::string explainStability(const DesignCandidate& best)
     return "the model is " + std::to_string(best.numPieces) + " pieces that no part joins: they stand, but not as one";
 }
 
+// Of the columns of listCandidates().
+constexpr const char* LEGEND = R"(surface: distance of the bricks from the mesh, in percent of its longest side
+colour: difference between mesh and bricks there, in CIEDE2000; the colour error above is that of parts and cells
+unlikeness: surface, and a tenth of colour
+submodel: parts of the largest, and how deep submodels are nested, where building was planned
+hold: steps after which something has to be held, where building was planned
+The first model is the chosen one.
+)";
+
 } // namespace
 
 std::string ModelDesign::toString() const
 {
     const DesignCandidate& best = getBest();
     return "chosen: " + best.settings.toString() + ": " + explainChoice(best, candidates.size(), numOthers) + "\n" +
-           best.layout.toString() + "\n" + explainStability(best) + "\n" + explainBuilding(best) + "\n" +
-           "surface: distance of the bricks from the mesh, in percent of its longest side; colour: difference in\n"
-           "CIEDE2000; unlikeness: surface, and a tenth of colour; submodel: parts of the largest, and how deep "
-           "submodels are\n"
-           "nested, and hold: steps after which something has to be held, of models whose building was planned; the "
-           "first\n"
-           "model is the chosen one\n" +
+           best.layout.toString() + "\n" + explainStability(best) + "\n" + explainBuilding(best) + "\n" + LEGEND +
            listCandidates(candidates) +
            (numOthers > 0 ? "no models were made by " + counted(numOthers, "other setting", "other settings") +
                                 ", whose drafts were clearly less like the mesh\n"

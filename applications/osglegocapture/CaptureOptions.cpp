@@ -139,14 +139,26 @@ CLI::callback_t toCallback(const Reader& reader)
     };
 }
 
-/** Throws if an option has the name of another one for its value: CLI11 takes what follows, whatever it is. */
+/** Whether the value of an option is the name of a file or a folder. */
+bool isFileName(const CLI::Option& option)
+{
+    const std::string type = option.get_type_name();
+    return option.get_name() == "MESH" || type.starts_with("FILE") || type == "DIR" || type == "REFERENCE";
+}
+
+/** Throws if the name of a file is empty, such as that of a shell variable that is not set, or if an option has the
+ * name of another one for its value: CLI11 takes what follows, whatever it is. */
 void checkValues(const CLI::App& app)
 {
     for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results())
+        {
+            if (value.empty() && isFileName(*option))
+                throw CLI::ValidationError(option->get_name() + " is empty; expected the name of a file or a folder");
             if (value.starts_with('-') && app.get_option_no_throw(value))
                 throw CLI::ValidationError(option->get_name() + " has no value before " + value + "; expected " +
                                            option->get_name() + " " + option->get_type_name());
+        }
 }
 
 // The options of the help text, in its order, by subject.

@@ -5,8 +5,10 @@
 #include <osgLego/model/SupportedLayout.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include <osg/ref_ptr>
 
@@ -16,9 +18,9 @@ namespace osgLego
 /** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep,
  * or too many steps after which the model has to be held.
  *
- * LayerColumns proposes columns, with several sizes of submodels; the building plan on a table judges them. Columns are
- * added only if the plan then exceeds the limits of BuildingPlan less, no more steps have to be held by hand, and there
- * are no more pieces.
+ * LayerColumns proposes columns, with several sizes of submodels, and then StepColumns some below what still falls. The
+ * building plan on a table judges them: columns are added only if it then exceeds the limits of BuildingPlan less, and
+ * if there are no more pieces.
  *
  * Usage:
  *
@@ -46,14 +48,24 @@ public:
     bool run();
 
 private:
-    osg::ref_ptr<const BuildingPlan> plan(const SupportedLayout& layout) const;
+    /** The model of a layout, and its building plan. */
+    struct Planned
+    {
+        osg::ref_ptr<const BrickModel> model;
+        osg::ref_ptr<const BuildingPlan> plan;
+    };
+
+    bool plan(const SupportedLayout& layout, Planned& planned) const;
+    bool addBelowLayers(const SupportedLayout& original);
+    bool addBelowSteps(std::size_t mostCells);
+    std::vector<std::uint32_t> findRanks() const;
     bool replaceIfBetter(const SupportedLayout& other);
     bool isCancelled() const { return _isCancelled && _isCancelled(); }
 
     SupportedLayout& _layout;
     CreateModel _createModel;
     const std::function<bool()>& _isCancelled;
-    osg::ref_ptr<const BuildingPlan> _plan; //!< of the layout
+    Planned _planned; //!< of the layout
 };
 
 } // namespace osgLego

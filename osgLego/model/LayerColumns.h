@@ -1,28 +1,19 @@
 #pragma once
 
-#include <osgLego/model/PartGroups.h>
-#include <osgLego/model/SupportColumns.h>
-#include <osgLego/model/SupportedLayout.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <vector>
+#include <osgLego/model/StagedColumns.h>
 
 namespace osgLego
 {
 
 /** Adds columns so that a layout stands layer by layer, as it is built from bottom to top.
  *
- * Small groups of hanging parts are submodels, which are attached from above: they are left out. While any of
- * the other parts up to a layer fall, a column is added below the largest group of them, or below one of the next two:
- * where it is seen least or, if parts still fall then, at the place of several after which the fewest fall. If no
- * column helps, the next layer follows.
+ * Small groups of hanging parts are submodels, which are attached from above: they are left out. StagedColumns adds
+ * columns for each layer. If no column helps, the next layer follows.
  *
  * Usage:
  *
- *     LayerColumns columns(layout, 60, 0.1, isCancelled);
- *     if (!columns.run()) ... // cancelled, or there would be too many columns
+ *     LayerColumns columns(layout, 60, isCancelled);
+ *     if (!columns.run(mostCells)) ... // cancelled, or there would be too many columns
  *     const SupportedLayout& changed = columns.getLayout();
  *
  * One thread, which uses all threads that oneTBB gives it. */
@@ -30,27 +21,23 @@ class LayerColumns
 {
 public:
     /** @param mostHanging parts of a group that is left out.
-     * @param mostAdded cells of columns, as a share of those of the layout.
      * @param isCancelled is kept as a reference; may be empty. */
-    LayerColumns(const SupportedLayout& layout, std::size_t mostHanging, double mostAdded,
-                 const std::function<bool()>& isCancelled);
+    LayerColumns(const SupportedLayout& layout, std::size_t mostHanging, const std::function<bool()>& isCancelled) :
+        _columns(layout, isCancelled), _mostHanging(mostHanging)
+    {
+    }
 
-    /** @return false if it was cancelled, or if there would be too many columns. */
-    bool run();
+    /** Add columns. If there would be too many, those that were added remain, and another call with more cells adds to
+     * them.
+     * @param mostCells of the layout with columns.
+     * @return false if it was cancelled, or if there would be too many columns. */
+    bool run(std::size_t mostCells);
 
-    const SupportedLayout& getLayout() const { return _layout; }
+    const SupportedLayout& getLayout() const { return _columns.getLayout(); }
 
 private:
-    using PartList = std::vector<std::uint32_t>;
-
-    bool standUpTo(int layer);
-    bool addBelow(const PartList& group, int layer, std::size_t numFalling, bool& isAdded);
-    bool findFalling(const SupportedLayout& layout, int layer, PartList& falling) const;
-
-    SupportedLayout _layout;
+    StagedColumns _columns;
     std::size_t _mostHanging;
-    const std::function<bool()>& _isCancelled;
-    std::size_t _mostCells;
 };
 
 } // namespace osgLego

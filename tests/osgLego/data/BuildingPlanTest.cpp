@@ -71,6 +71,7 @@ TEST(BuildingPlan, LimitsAreFoundToBeExceeded)
     EXPECT_TRUE(create(151, 4)->exceedsLimitsLessThan(*create(151, 5)));
     EXPECT_FALSE(create(1, 1)->exceedsLimitsLessThan(*create(150, 3)));
     EXPECT_FALSE(create(151, 4)->exceedsLimitsLessThan(*create(160, 3)));
+    EXPECT_TRUE(create(160, 3)->exceedsLimitsLessThan(*create(151, 4)));
 }
 
 TEST(BuildingPlan, StepsAfterWhichToHoldTheModelAreLimited)
@@ -94,7 +95,7 @@ TEST(BuildingPlan, StepsAfterWhichToHoldTheModelAreLimited)
     std::vector<std::uint32_t> parts(BuildingPlan::MOST_SUBMODEL_PARTS + 1);
     std::iota(parts.begin(), parts.end(), 0u);
     const auto large = BuildingPlan::create(parts.size(), {createStep({}, {0})}, {{{createStep(parts)}}});
-    EXPECT_FALSE(large->exceedsLimitsLessThan(*create(7)));
+    EXPECT_TRUE(large->exceedsLimitsLessThan(*create(7)));
     EXPECT_FALSE(create(7)->exceedsLimitsLessThan(*large));
 }
 

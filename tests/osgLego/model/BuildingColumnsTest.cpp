@@ -41,19 +41,23 @@ void addBox(SupportedLayout& layout, const glm::ivec3& lower, const glm::ivec3& 
     }
 }
 
-/** A bridge on two narrow posts, each of which tips over with a part of the bridge alone.
+/** Bridges on two narrow posts, each of which tips over with a part of the bridge alone. They do not touch each other.
  * @param length in cells. */
-SupportedLayout createBridge(int length)
+SupportedLayout createBridges(int length, int numBridges = 1)
 {
     constexpr int DEPTH = 4;
     constexpr int CLEARANCE = 2;
     constexpr int TOP = 8;
     SupportedLayout layout;
-    layout.problem.size = {length, DEPTH, TOP};
+    layout.problem.size = {length, numBridges * (DEPTH + 1), TOP};
     layout.problem.colors.emplace_back();
-    addBox(layout, {0, 0, 0}, {2, DEPTH, CLEARANCE});
-    addBox(layout, {length - 2, 0, 0}, {length, DEPTH, CLEARANCE});
-    addBox(layout, {0, 0, CLEARANCE}, {length, DEPTH, TOP});
+    for (int front = 0; front < layout.problem.size.y; front += DEPTH + 1)
+    {
+        const int back = front + DEPTH;
+        addBox(layout, {0, front, 0}, {2, back, CLEARANCE});
+        addBox(layout, {length - 2, front, 0}, {length, back, CLEARANCE});
+        addBox(layout, {0, front, CLEARANCE}, {length, back, TOP});
+    }
     std::sort(layout.parts.begin(), layout.parts.end(), isPlacedBefore<LaidPart>);
     std::sort(layout.problem.cells.begin(), layout.problem.cells.end(), isPlacedBefore<LayoutCell>);
     return layout;
@@ -72,7 +76,7 @@ bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancel
 
 TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
 {
-    SupportedLayout layout = createBridge(32);
+    SupportedLayout layout = createBridges(32);
     ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
     ASSERT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
     const osg::ref_ptr<const BuildingPlan> before = plan(layout);
@@ -93,9 +97,30 @@ TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
     EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
 }
 
+TEST(BuildingColumns, CarryWhatHasToBeHeld)
+{
+    // The lower part of each bridge falls until the upper part is in place.
+    SupportedLayout layout = createBridges(12, 2);
+    ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    const osg::ref_ptr<const BuildingPlan> before = plan(layout);
+    ASSERT_LE(before->getLargestSubmodel(), BuildingPlan::MOST_SUBMODEL_PARTS);
+    ASSERT_LE(before->getDeepestSubmodel(), BuildingPlan::DEEPEST_SUBMODEL);
+    ASSERT_GT(before->getNumFalling(), BuildingPlan::MOST_FALLING_STEPS);
+    const std::size_t numCells = layout.problem.cells.size();
+    ASSERT_TRUE(addColumnsTo(layout, NEVER));
+    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    EXPECT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
+    EXPECT_EQ(LayoutPieces(layout.parts).getCount(), 2u);
+    EXPECT_LE(layout.problem.cells.size(), numCells + numCells / 5);
+    EXPECT_GT(layout.numBuildingColumns, 0u);
+    const osg::ref_ptr<const BuildingPlan> after = plan(layout);
+    EXPECT_TRUE(after->keepsLimits());
+    EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
+}
+
 TEST(BuildingColumns, AreNotAddedToASmallModel)
 {
-    SupportedLayout layout = createBridge(12);
+    SupportedLayout layout = createBridges(12);
     ASSERT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
     const LaidParts parts = layout.parts;
     ASSERT_TRUE(addColumnsTo(layout, NEVER));
@@ -107,7 +132,7 @@ TEST(BuildingColumns, AreNotAddedToASmallModel)
 
 TEST(BuildingColumns, StopWhenTheyAreCancelled)
 {
-    SupportedLayout layout = createBridge(12);
+    SupportedLayout layout = createBridges(12);
     const LaidParts parts = layout.parts;
     const std::function<bool()> always = [] { return true; };
     EXPECT_FALSE(addColumnsTo(layout, always));

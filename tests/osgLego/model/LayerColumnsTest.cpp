@@ -33,12 +33,18 @@ SupportedLayout createGateWithABrick()
              {{0, 0, 4}, {8, 1, 1}}}};
 }
 
+/** With a tenth more cells. */
+std::size_t getMostCells(const SupportedLayout& layout)
+{
+    return 11 * layout.problem.cells.size() / 10;
+}
+
 TEST(LayerColumns, CarryPartsThatFallWhenTheirLayerIsBuilt)
 {
     const SupportedLayout layout = createGateWithABrick();
     ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
-    LayerColumns columns(layout, 0, 0.1, NEVER);
-    EXPECT_TRUE(columns.run());
+    LayerColumns columns(layout, 0, NEVER);
+    EXPECT_TRUE(columns.run(getMostCells(layout)));
     const SupportedLayout& changed = columns.getLayout();
     EXPECT_EQ(findLayoutError(changed.problem, changed.parts), "");
     EXPECT_EQ(changed.numColumns, 1u);
@@ -55,8 +61,8 @@ TEST(LayerColumns, CarryPartsThatFallWhenTheirLayerIsBuilt)
 TEST(LayerColumns, AreNotAddedBelowGroupsThatBecomeSubmodels)
 {
     const SupportedLayout layout = createGateWithABrick();
-    LayerColumns columns(layout, 1, 0.1, NEVER);
-    EXPECT_TRUE(columns.run());
+    LayerColumns columns(layout, 1, NEVER);
+    EXPECT_TRUE(columns.run(getMostCells(layout)));
     EXPECT_EQ(columns.getLayout().parts, layout.parts);
 }
 
@@ -73,15 +79,15 @@ TEST(LayerColumns, AreGivenUpIfTheyHaveManyCells)
     }
     layout.parts.push_back({{0, 0, 4}, {8, 1, 1}});
     ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
-    EXPECT_FALSE(LayerColumns(layout, 0, 0.1, NEVER).run());
-    EXPECT_TRUE(LayerColumns(layout, 1, 0.1, NEVER).run());
+    EXPECT_FALSE(LayerColumns(layout, 0, NEVER).run(getMostCells(layout)));
+    EXPECT_TRUE(LayerColumns(layout, 1, NEVER).run(getMostCells(layout)));
 }
 
 TEST(LayerColumns, AreNotNeededWhereAllLayersStand)
 {
     const SupportedLayout layout{drawProblem({{"aaaa"}, {"aaaa"}}), {{{0, 0, 0}, {4, 1, 1}}, {{0, 0, 1}, {4, 1, 1}}}};
-    LayerColumns columns(layout, 0, 0.1, NEVER);
-    EXPECT_TRUE(columns.run());
+    LayerColumns columns(layout, 0, NEVER);
+    EXPECT_TRUE(columns.run(getMostCells(layout)));
     EXPECT_EQ(columns.getLayout().parts, layout.parts);
     EXPECT_EQ(columns.getLayout().numColumns, 0u);
 }
@@ -89,7 +95,7 @@ TEST(LayerColumns, AreNotNeededWhereAllLayersStand)
 TEST(LayerColumns, StopWhenTheyAreCancelled)
 {
     const std::function<bool()> always = [] { return true; };
-    EXPECT_FALSE(LayerColumns(createGateWithABrick(), 0, 0.1, always).run());
+    EXPECT_FALSE(LayerColumns(createGateWithABrick(), 0, always).run(1000));
 }
 
 } // namespace
