@@ -108,18 +108,20 @@ void BuildingPlan::measureSubmodels(const std::vector<BuildingStep>& steps, std:
         }
 }
 
-/** By how much a plan is beyond the limits: the sum of what is beyond each, in multiples of it. */
-double BuildingPlan::getExcess() const
+/** By how much a plan is beyond the limits: the sum of what is beyond each, in multiples of it, times all limits, so
+ * that it is exact. */
+std::size_t BuildingPlan::getExcess() const
 {
-    const auto getExcessOf = [](std::size_t value, std::size_t limit)
-    { return static_cast<double>(std::max(value, limit) - limit) / static_cast<double>(limit); };
+    const auto getExcessOf = [](std::size_t value, std::size_t limit) {
+        return (std::max(value, limit) - limit) * (MOST_SUBMODEL_PARTS * DEEPEST_SUBMODEL * MOST_FALLING_STEPS / limit);
+    };
     return getExcessOf(_largestSubmodel, MOST_SUBMODEL_PARTS) + getExcessOf(_deepestSubmodel, DEEPEST_SUBMODEL) +
            getExcessOf(getNumFalling(), MOST_FALLING_STEPS);
 }
 
 bool BuildingPlan::keepsLimits() const
 {
-    return getExcess() == 0.0;
+    return getExcess() == 0;
 }
 
 bool BuildingPlan::exceedsLimitsLessThan(const BuildingPlan& other) const

@@ -2,7 +2,6 @@
 
 #include <osgLego/Export.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -98,7 +97,7 @@ public:
      * getNumFalling() within MOST_FALLING_STEPS. */
     bool keepsLimits() const;
     /** Whether the plan is less far beyond these limits than another one: what is beyond each counts in multiples of
-     * that limit, so that 75 parts too many are as bad as half a limit of falling steps. */
+     * that limit, so that a step is as bad as 30 parts, and a level as bad as 50. */
     bool exceedsLimitsLessThan(const BuildingPlan& other) const;
 
     /** The parts of a step and of its submodels, in the order in which they are put in place. */
@@ -115,7 +114,7 @@ private:
     ~BuildingPlan() override = default;
 
     void measureSubmodels(const std::vector<BuildingStep>& steps, std::size_t depth);
-    double getExcess() const;
+    std::size_t getExcess() const;
     std::size_t countSteps(bool (*isCounted)(const BuildingStep&)) const;
 
     std::vector<BuildingStep> _steps;

@@ -223,7 +223,7 @@ struct OSGLEGO_EXPORT LegoSettings
         bool connect = false;
         /** Whether a falling model of parts is changed so that it stands: its pieces are joined, its parts are laid
          * again and, if that does not suffice, hidden cells and columns are added. Columns are also added below a
-         * model that stands, if they keep its BuildingPlan within the limits. */
+         * model that stands, if its BuildingPlan then exceeds the limits less. */
         bool support = false;
 
         bool operator==(const Parts&) const = default;

@@ -161,6 +161,19 @@ void checkValues(const CLI::App& app)
         }
 }
 
+/** Throws if an argument is --name= without a value: CLI11 would take the next argument as the value. */
+void checkArguments(const CLI::App& app, int argc, char** argv)
+{
+    for (int index = 1; index < argc; ++index)
+    {
+        const std::string argument = argv[index];
+        if (!argument.starts_with("--") || !argument.ends_with('=')) continue;
+        const std::string name = argument.substr(0, argument.size() - 1);
+        if (const CLI::Option* option = app.get_option_no_throw(name))
+            throw CLI::ValidationError(name + " is empty; expected " + argument + option->get_type_name());
+    }
+}
+
 // The options of the help text, in its order, by subject.
 
 /** The mesh, its bricks and the picture of them. */
@@ -354,6 +367,7 @@ std::optional<int> readOptions(int argc, char** argv, CaptureOptions& options)
 
     try
     {
+        checkArguments(app, argc, argv);
         app.parse(argc, argv);
         checkValues(app);
         if (app.count("--legolize") > 0 || !options.build.empty()) readSettings(options);

@@ -113,4 +113,17 @@ osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGr
     return BrickModel::createOfParts(grid, std::move(real), covered);
 }
 
+std::vector<std::uint32_t> findModelIndices(const LaidParts& parts, const BrickModel& model)
+{
+    std::vector<std::uint32_t> indices;
+    indices.reserve(parts.size());
+    for (const LaidPart& part : parts)
+    {
+        const glm::ivec3 place(part.place[0], part.place[1], part.place[2]);
+        const Part* own = model.findPart(toGridCell(place, model.getGrid()));
+        indices.push_back(static_cast<std::uint32_t>(own - model.getParts().data()));
+    }
+    return indices;
+}
+
 } // namespace osgLego

@@ -5,6 +5,7 @@
 #include <osgLego/layout/CellFill.h>
 #include <osgLego/layout/LayoutProblem.h>
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,5 +33,8 @@ glm::ivec3 toGridCell(const glm::ivec3& place, const BrickGrid& grid);
 osg::ref_ptr<const BrickModel> createModel(const LaidParts& parts, const BrickGrid& grid,
                                            const std::vector<PaletteColor>& colors,
                                            const std::vector<Brick>& covered = {});
+
+/** For each part of a layout, its index in the model of this layout. */
+std::vector<std::uint32_t> findModelIndices(const LaidParts& parts, const BrickModel& model);
 
 } // namespace osgLego

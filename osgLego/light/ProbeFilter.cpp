@@ -15,9 +15,10 @@ namespace
 
 using std::numbers::pi;
 constexpr int NORMALS_ACROSS = ProbeFormat::CONVOLVED_WIDTH;
-/** Pixels next to each other, whose sums stay in registers, also where each access to an object is checked. Widths are
- * multiples. */
+/** Pixels next to each other in a row. Their sums are local arrays, which stay in registers even with sanitizers. */
 constexpr int BLOCK_WIDTH = 8;
+static_assert(ProbeFormat::CONVOLVED_WIDTH % BLOCK_WIDTH == 0);
+static_assert((ProbeFormat::REFLECTION_WIDTH >> (ProbeFormat::REFLECTION_LEVELS - 1)) % BLOCK_WIDTH == 0);
 using Block = float[BLOCK_WIDTH];
 /** Relative to the peak of a lobe: smaller weights are ignored. This omits a hundredth of the narrowest lobe. */
 constexpr double LEAST_WEIGHT = 1e-4;

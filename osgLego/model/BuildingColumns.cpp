@@ -52,7 +52,8 @@ bool BuildingColumns::run()
     if (!plan(_layout, _planned)) return false;
     const SupportedLayout original = _layout;
     if (!addBelowLayers(original)) return false;
-    for (int round = 0; round < MOST_ROUNDS && !_planned.plan->keepsLimits(); ++round)
+    for (int round = 0; round < MOST_ROUNDS && _planned.plan->getNumFalling() > BuildingPlan::MOST_FALLING_STEPS;
+         ++round)
     {
         const std::size_t numColumns = _layout.numColumns;
         if (!addBelowSteps(getMostCells(original, MOST_ADDED))) return false;
@@ -74,13 +75,12 @@ bool BuildingColumns::addBelowLayers(const SupportedLayout& original)
     for (const ColumnLimits& limits : ATTEMPTS)
     {
         if (keepsSubmodelLimits(*_planned.plan)) return true;
-        const auto [attempt, isNew] =
-            attempts.try_emplace(limits.mostHanging, original, limits.mostHanging, _isCancelled);
-        LayerColumns& columns = attempt->second;
+        LayerColumns& columns =
+            attempts.try_emplace(limits.mostHanging, original, limits.mostHanging, _isCancelled).first->second;
         const std::size_t numColumns = columns.getLayout().numColumns;
         const bool isDone = columns.run(getMostCells(original, limits.mostAdded));
         if (isCancelled()) return false;
-        const bool hasChanged = isNew || columns.getLayout().numColumns > numColumns;
+        const bool hasChanged = columns.getLayout().numColumns > numColumns;
         if (isDone && hasChanged && !replaceIfBetter(columns.getLayout())) return false;
     }
     return true;
@@ -105,23 +105,16 @@ bool BuildingColumns::addBelowSteps(std::size_t mostCells)
     for (std::size_t step = 0; step < plan.getSteps().size(); ++step)
         if (!plan.getSteps()[step].stands) numsPlaced.push_back(plan.getNumPlaced(step));
     StepColumns columns(_layout, findRanks(), _isCancelled);
-    columns.run(numsPlaced, mostCells);
-    if (isCancelled()) return false;
+    if (!columns.run(numsPlaced, mostCells)) return false;
     return columns.getLayout().numColumns == _layout.numColumns || replaceIfBetter(columns.getLayout());
 }
 
 /** The ranks of the parts of the layout in the plan. */
 std::vector<std::uint32_t> BuildingColumns::findRanks() const
 {
-    const BrickModel& model = *_planned.model;
     std::vector<std::uint32_t> ranks;
-    ranks.reserve(_layout.parts.size());
-    for (const LaidPart& part : _layout.parts)
-    {
-        const glm::ivec3 place(part.place[0], part.place[1], part.place[2]);
-        const Part* own = model.findPart(toGridCell(place, model.getGrid()));
-        ranks.push_back(_planned.plan->getRanks()[static_cast<std::size_t>(own - model.getParts().data())]);
-    }
+    for (const std::uint32_t index : findModelIndices(_layout.parts, *_planned.model))
+        ranks.push_back(_planned.plan->getRanks()[index]);
     return ranks;
 }
 

@@ -19,11 +19,12 @@ constexpr std::size_t MOST_GROUPS = 3;
 
 bool StagedColumns::standWith(const Select& select, std::size_t mostCells)
 {
+    if (std::exchange(_mostCells, mostCells) != mostCells) _hopeless.clear();
     for (bool isAdded = true; isAdded;)
     {
         PartList falling;
         if (!findFalling(_layout, select, falling)) return false;
-        if (falling.empty()) return true;
+        if (falling.empty() || _hopeless.contains(falling)) return true;
         isAdded = false;
         PartGroups groups = findTouchingGroups(_layout.parts, falling);
         groups.resize(std::min(groups.size(), MOST_GROUPS));
@@ -33,10 +34,16 @@ bool StagedColumns::standWith(const Select& select, std::size_t mostCells)
             if (!findBelow(*group, select, falling.size(), column)) return false;
             if (!column) continue;
             SupportedLayout changed = addColumns(_layout, {*column});
-            if (changed.problem.cells.size() > mostCells) return false;
+            if (changed.problem.cells.size() > mostCells)
+            {
+                _hopeless.insert(std::move(falling));
+                return false;
+            }
             _layout = std::move(changed);
+            _hopeless.clear();
             isAdded = true;
         }
+        if (!isAdded) _hopeless.insert(std::move(falling));
     }
     return true;
 }

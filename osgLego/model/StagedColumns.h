@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace osgLego
@@ -16,7 +17,7 @@ namespace osgLego
  *
  * While any of these parts fall, a column is added below the largest group of those that fall, or below one of the next
  * two: where it is seen least or, if parts still fall then, at the place of several after which the fewest fall. If no
- * column helps, parts continue to fall at this stage.
+ * column helps, parts continue to fall at this stage, and at others at which the same parts fall.
  *
  * Usage:
  *
@@ -53,6 +54,8 @@ private:
     bool findFalling(const SupportedLayout& layout, const Select& select, PartList& falling) const;
 
     SupportedLayout _layout;
+    std::set<PartList> _hopeless; //!< falling parts of the layout that no column of at most `_mostCells` helped
+    std::size_t _mostCells = 0;
     const std::function<bool()>& _isCancelled;
 };
 

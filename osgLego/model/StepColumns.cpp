@@ -11,7 +11,7 @@ namespace osgLego
 StepColumns::StepColumns(const SupportedLayout& layout, const std::vector<std::uint32_t>& ranks,
                          const std::function<bool()>& isCancelled) :
     _columns(layout, isCancelled),
-    _order(layout.parts.size())
+    _order(layout.parts.size()), _isCancelled(isCancelled)
 {
     for (std::size_t part = 0; part < ranks.size(); ++part)
         _order[ranks[part]] = layout.parts[part];
@@ -22,7 +22,8 @@ bool StepColumns::run(const std::vector<std::size_t>& numsPlaced, std::size_t mo
     for (const std::size_t numPlaced : numsPlaced)
     {
         const auto selectPlaced = [&](const LaidParts& parts) { return select(parts, numPlaced); };
-        if (!_columns.standWith(selectPlaced, mostCells)) return false;
+        // Later steps may need smaller columns.
+        if (!_columns.standWith(selectPlaced, mostCells) && _isCancelled && _isCancelled()) return false;
     }
     return true;
 }

@@ -24,15 +24,15 @@ namespace osgLego
 class StepColumns
 {
 public:
-    /** @param ranks for each part of the layout, how many are placed before it.
+    /** @param ranks for each part of the layout, how many are placed before it: each number once.
      * @param isCancelled is kept as a reference; may be empty. */
     StepColumns(const SupportedLayout& layout, const std::vector<std::uint32_t>& ranks,
                 const std::function<bool()>& isCancelled);
 
-    /** Add columns, of which there are fewer if they would be too many.
+    /** Add columns, but for those with which there would be too many.
      * @param numsPlaced for each step, in their order, the number of parts in place after it.
      * @param mostCells of the layout with columns.
-     * @return false if it was cancelled, or if there would be too many columns. */
+     * @return false if it was cancelled. */
     bool run(const std::vector<std::size_t>& numsPlaced, std::size_t mostCells);
 
     const SupportedLayout& getLayout() const { return _columns.getLayout(); }
@@ -42,6 +42,7 @@ private:
 
     StagedColumns _columns;
     std::vector<LaidPart> _order; //!< the parts of the layout in the order of placing
+    const std::function<bool()>& _isCancelled;
 };
 
 } // namespace osgLego

@@ -110,7 +110,8 @@ bool PartialStability::isBalancedNear(const std::vector<bool>& isPlaced, int num
     return keep(_corridor.add(_forces, isPlaced, *isInside));
 }
 
-/** The parts near new ones, and near paths from them to the base. Nothing if there are hardly fewer than all in place.
+/** The parts near new ones, and near paths from them to the base. Nothing if no parts are new, or if there are hardly
+ * fewer than all in place.
  * @param start forces between the parts that are not new.
  * @param numJoints the width. */
 std::optional<std::vector<bool>> PartialStability::findCorridor(const BearingForces& start,
@@ -120,6 +121,7 @@ std::optional<std::vector<bool>> PartialStability::findCorridor(const BearingFor
     PartList added;
     std::copy_if(placed.begin(), placed.end(), std::back_inserter(added),
                  [&start](std::uint32_t part) { return !start.isPlaced[part]; });
+    if (added.empty() || LEAST_SMALLER * added.size() > placed.size()) return std::nullopt;
     std::vector<bool> isInside = findNear(findPaths(added, isPlaced), isPlaced, numJoints);
     if (LEAST_SMALLER * listPlaced(isInside).size() > placed.size()) return std::nullopt;
     return isInside;

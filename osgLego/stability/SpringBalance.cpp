@@ -64,6 +64,7 @@ bool SpringBalance::solveSprings(const std::vector<bool>& isKnown)
     Eigen::Index numRows = 0;
     for (std::size_t part = 0; part < _isInside.size(); ++part)
         if (_isInside[part]) _rows[part] = 3 * numRows++;
+    if (numRows == 0) return false;
     std::vector<Eigen::Triplet<double>> entries;
     const auto add = [&](std::uint32_t part, std::uint32_t other, const Eigen::Matrix3d& block)
     {

@@ -96,6 +96,12 @@ TEST(BuildingPlan, StepsAfterWhichToHoldTheModelAreLimited)
     std::iota(parts.begin(), parts.end(), 0u);
     const auto large = BuildingPlan::create(parts.size(), {createStep({}, {0})}, {{{createStep(parts)}}});
     EXPECT_TRUE(large->exceedsLimitsLessThan(*create(7)));
+    // 30 parts are as bad as a step.
+    parts.resize(BuildingPlan::MOST_SUBMODEL_PARTS + 30);
+    std::iota(parts.begin(), parts.end(), 0u);
+    const auto larger = BuildingPlan::create(parts.size(), {createStep({}, {0})}, {{{createStep(parts)}}});
+    EXPECT_FALSE(larger->exceedsLimitsLessThan(*create(6)));
+    EXPECT_FALSE(create(6)->exceedsLimitsLessThan(*larger));
     EXPECT_FALSE(create(7)->exceedsLimitsLessThan(*large));
 }
 

@@ -32,4 +32,27 @@ TEST(LayoutModel, AProblemOfAHollowShellIsHollow)
     EXPECT_FALSE(create(Fill::SURFACE, 2).isSolid());
 }
 
+TEST(LayoutModel, PartsAreFoundInModelsWithAnyUpAxis)
+{
+    const LaidParts parts{{{0, 0, 0}, {2, 1, 1}, 0}, {{0, 1, 0}, {1, 2, 1}, 1}, {{0, 0, 1}, {3, 3, 1}, 2}};
+    std::vector<PaletteColor> colors(parts.size());
+    for (std::size_t color = 0; color < colors.size(); ++color)
+        colors[color].color = {static_cast<std::uint8_t>(color), 0, 0};
+    for (const UpAxis upAxis : {UpAxis::Z, UpAxis::Y})
+    {
+        BrickGrid grid;
+        grid.upAxis = upAxis;
+        grid.dimensions = glm::ivec3(3);
+        const osg::ref_ptr<const BrickModel> model = createModel(parts, grid, colors);
+        const std::vector<std::uint32_t> indices = findModelIndices(parts, *model);
+        ASSERT_EQ(indices.size(), parts.size());
+        for (std::size_t part = 0; part < parts.size(); ++part)
+            EXPECT_EQ(model->getParts()[indices[part]].color[0], part);
+        if (upAxis == UpAxis::Y)
+        {
+            EXPECT_NE(indices, (std::vector<std::uint32_t>{0, 1, 2})) << "the order does not differ";
+        }
+    }
+}
+
 } // namespace osgLego

@@ -1,10 +1,12 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/layout/LayoutCheck.h>
+#include <osgLego/layout/LayoutModel.h>
 #include <osgLego/model/BuildingColumns.h>
 #include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/LayoutStanding.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 
 #include <glm/common.hpp>
@@ -68,10 +70,20 @@ osg::ref_ptr<const BuildingPlan> plan(const SupportedLayout& layout)
     return planBuilding(*createStandingModel(layout.problem, layout.parts));
 }
 
-bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancelled)
+/** @param upAxis of the model that is planned. */
+bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancelled, UpAxis upAxis = UpAxis::Z)
 {
-    const auto createModel = [&layout](const LaidParts& parts) { return createStandingModel(layout.problem, parts); };
-    return BuildingColumns(layout, createModel, isCancelled).run();
+    const auto create = [&](const LaidParts& parts)
+    {
+        if (upAxis == UpAxis::Z) return createStandingModel(layout.problem, parts);
+        const glm::ivec3& size = layout.problem.size;
+        BrickGrid grid;
+        grid.upAxis = upAxis;
+        grid.cellSize = {1.0, 1.2, 1.0};
+        grid.dimensions = {size.x, size.z, size.y};
+        return createModel(parts, grid, {PaletteColor()});
+    };
+    return BuildingColumns(layout, create, isCancelled).run();
 }
 
 TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
@@ -95,6 +107,18 @@ TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
     EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
     EXPECT_EQ(layout.deepestSubmodel, after->getDeepestSubmodel());
     EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
+}
+
+TEST(BuildingColumns, CarryWhatHasToBeHeldForAnyUpAxis)
+{
+    // Parts have other indices in a model with y upwards.
+    for (const UpAxis upAxis : {UpAxis::Z, UpAxis::Y})
+    {
+        SupportedLayout layout = createBridges(12, 2);
+        ASSERT_TRUE(addColumnsTo(layout, NEVER, upAxis));
+        EXPECT_GT(layout.numBuildingColumns, 0u);
+        EXPECT_LE(layout.numFallingSteps, BuildingPlan::MOST_FALLING_STEPS);
+    }
 }
 
 TEST(BuildingColumns, CarryWhatHasToBeHeld)
@@ -128,6 +152,18 @@ TEST(BuildingColumns, AreNotAddedToASmallModel)
     EXPECT_EQ(layout.numColumns, 0u);
     EXPECT_EQ(layout.numBuildingColumns, 0u);
     EXPECT_GT(layout.largestSubmodel, 0u);
+}
+
+TEST(BuildingColumns, StopAtAnyTime)
+{
+    for (int numCalls = 1;; numCalls *= 4)
+    {
+        std::atomic<int> numLeft = numCalls;
+        SupportedLayout layout = createBridges(12, 2);
+        if (!addColumnsTo(layout, [&numLeft] { return --numLeft < 0; })) continue;
+        EXPECT_GT(numCalls, 64);
+        return;
+    }
 }
 
 TEST(BuildingColumns, StopWhenTheyAreCancelled)

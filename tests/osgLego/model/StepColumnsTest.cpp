@@ -73,7 +73,7 @@ TEST(StepColumns, AreNotAddedBeyondTheirLimit)
     const SupportedLayout layout = createGate();
     const std::size_t numCells = layout.problem.cells.size();
     StepColumns columns(layout, RANKS, NEVER);
-    EXPECT_FALSE(columns.run({WITH_LOWER_BEAM}, numCells + 1));
+    EXPECT_TRUE(columns.run({WITH_LOWER_BEAM}, numCells + 1));
     EXPECT_EQ(columns.getLayout().parts, layout.parts);
     EXPECT_TRUE(columns.run({WITH_LOWER_BEAM}, numCells + 2));
     EXPECT_EQ(columns.getLayout().problem.cells.size(), numCells + 2);
