@@ -8,6 +8,29 @@
 namespace osgLego
 {
 
+namespace
+{
+
+/** The places of the parts that follow the first ones in an order. */
+std::unordered_set<CellKey> findLater(const std::vector<LaidPart>& order, std::size_t numPlaced)
+{
+    std::unordered_set<CellKey> later;
+    for (std::size_t rank = numPlaced; rank < order.size(); ++rank)
+        later.insert(toCellKey(toBox(order[rank]).lower));
+    return later;
+}
+
+/** All parts but those at some places, so also the columns that were added. */
+std::vector<std::uint32_t> selectOthers(const LaidParts& parts, const std::unordered_set<CellKey>& places)
+{
+    std::vector<std::uint32_t> selected;
+    for (std::uint32_t part = 0; part < parts.size(); ++part)
+        if (!places.contains(toCellKey(toBox(parts[part]).lower))) selected.push_back(part);
+    return selected;
+}
+
+} // namespace
+
 StepColumns::StepColumns(const SupportedLayout& layout, const std::vector<std::uint32_t>& ranks,
                          const std::function<bool()>& isCancelled) :
     _columns(layout, isCancelled),
@@ -21,23 +44,12 @@ bool StepColumns::run(const std::vector<std::size_t>& numsPlaced, std::size_t mo
 {
     for (const std::size_t numPlaced : numsPlaced)
     {
-        const auto selectPlaced = [&](const LaidParts& parts) { return select(parts, numPlaced); };
+        const std::unordered_set<CellKey> later = findLater(_order, numPlaced);
+        const auto select = [&later](const LaidParts& parts) { return selectOthers(parts, later); };
         // Later steps may need smaller columns.
-        if (!_columns.standWith(selectPlaced, mostCells) && _isCancelled && _isCancelled()) return false;
+        if (!_columns.standWith(select, mostCells) && _isCancelled && _isCancelled()) return false;
     }
     return true;
-}
-
-/** The first parts in the order of placing, and all columns that were added. */
-std::vector<std::uint32_t> StepColumns::select(const LaidParts& parts, std::size_t numPlaced) const
-{
-    std::unordered_set<CellKey> later;
-    for (std::size_t rank = numPlaced; rank < _order.size(); ++rank)
-        later.insert(toCellKey(toBox(_order[rank]).lower));
-    std::vector<std::uint32_t> selected;
-    for (std::uint32_t part = 0; part < parts.size(); ++part)
-        if (!later.contains(toCellKey(toBox(parts[part]).lower))) selected.push_back(part);
-    return selected;
 }
 
 } // namespace osgLego

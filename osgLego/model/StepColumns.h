@@ -38,8 +38,6 @@ public:
     const SupportedLayout& getLayout() const { return _columns.getLayout(); }
 
 private:
-    std::vector<std::uint32_t> select(const LaidParts& parts, std::size_t numPlaced) const;
-
     StagedColumns _columns;
     std::vector<LaidPart> _order; //!< the parts of the layout in the order of placing
     const std::function<bool()>& _isCancelled;

@@ -86,6 +86,25 @@ bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancel
     return BuildingColumns(layout, create, isCancelled).run();
 }
 
+/** Add columns to bridges, and expect them to keep the limits then. @param mostAdded cells of columns. */
+void expectEasyWithColumns(SupportedLayout& layout, std::size_t mostAdded)
+{
+    const std::size_t numCells = layout.problem.cells.size();
+    const std::size_t numPieces = LayoutPieces(layout.parts).getCount();
+    ASSERT_TRUE(addColumnsTo(layout, NEVER));
+    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
+    EXPECT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
+    EXPECT_EQ(LayoutPieces(layout.parts).getCount(), numPieces);
+    EXPECT_LE(layout.problem.cells.size(), numCells + mostAdded);
+    EXPECT_GT(layout.numBuildingColumns, 0u);
+    EXPECT_EQ(layout.numBuildingColumns, layout.numColumns);
+    const osg::ref_ptr<const BuildingPlan> after = plan(layout);
+    EXPECT_TRUE(after->keepsLimits());
+    EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
+    EXPECT_EQ(layout.deepestSubmodel, after->getDeepestSubmodel());
+    EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
+}
+
 TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
 {
     SupportedLayout layout = createBridges(32);
@@ -93,20 +112,9 @@ TEST(BuildingColumns, KeepSubmodelsWithinTheLimits)
     ASSERT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
     const osg::ref_ptr<const BuildingPlan> before = plan(layout);
     ASSERT_FALSE(before->keepsLimits());
-    const std::size_t numCells = layout.problem.cells.size();
-    ASSERT_TRUE(addColumnsTo(layout, NEVER));
-    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
-    EXPECT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
-    EXPECT_EQ(LayoutPieces(layout.parts).getCount(), 1u);
-    EXPECT_LE(layout.problem.cells.size(), numCells + numCells / 10);
-    EXPECT_GT(layout.numBuildingColumns, 0u);
-    EXPECT_EQ(layout.numBuildingColumns, layout.numColumns);
-    const osg::ref_ptr<const BuildingPlan> after = plan(layout);
-    EXPECT_TRUE(after->keepsLimits());
-    EXPECT_LE(after->getNumFalling(), before->getNumFalling());
-    EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
-    EXPECT_EQ(layout.deepestSubmodel, after->getDeepestSubmodel());
-    EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
+    ASSERT_EQ(LayoutPieces(layout.parts).getCount(), 1u);
+    expectEasyWithColumns(layout, layout.problem.cells.size() / 10);
+    EXPECT_LE(layout.numFallingSteps, before->getNumFalling());
 }
 
 TEST(BuildingColumns, CarryWhatHasToBeHeldForAnyUpAxis)
@@ -130,16 +138,8 @@ TEST(BuildingColumns, CarryWhatHasToBeHeld)
     ASSERT_LE(before->getLargestSubmodel(), BuildingPlan::MOST_SUBMODEL_PARTS);
     ASSERT_LE(before->getDeepestSubmodel(), BuildingPlan::DEEPEST_SUBMODEL);
     ASSERT_GT(before->getNumFalling(), BuildingPlan::MOST_FALLING_STEPS);
-    const std::size_t numCells = layout.problem.cells.size();
-    ASSERT_TRUE(addColumnsTo(layout, NEVER));
-    EXPECT_EQ(findLayoutError(layout.problem, layout.parts), "");
-    EXPECT_TRUE(computeStanding(layout.problem, layout.parts, {})->stands);
-    EXPECT_EQ(LayoutPieces(layout.parts).getCount(), 2u);
-    EXPECT_LE(layout.problem.cells.size(), numCells + numCells / 5);
-    EXPECT_GT(layout.numBuildingColumns, 0u);
-    const osg::ref_ptr<const BuildingPlan> after = plan(layout);
-    EXPECT_TRUE(after->keepsLimits());
-    EXPECT_EQ(layout.numFallingSteps, after->getNumFalling());
+    ASSERT_EQ(LayoutPieces(layout.parts).getCount(), 2u);
+    expectEasyWithColumns(layout, layout.problem.cells.size() / 5);
 }
 
 TEST(BuildingColumns, AreNotAddedToASmallModel)
