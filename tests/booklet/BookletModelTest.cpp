@@ -1,3 +1,5 @@
+#include "BookletModels.h"
+
 #include <booklet/BookletModel.h>
 
 #include <PartModels.h>
@@ -10,8 +12,9 @@ namespace osgLego
 namespace
 {
 
-constexpr std::array<std::uint8_t, 3> RED{180, 0, 0};
-constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
+using test::BLUE;
+using test::createStep;
+using test::RED;
 
 Part createPart(const glm::ivec3& cell, const glm::ivec3& size, const std::array<std::uint8_t, 3>& color,
                 std::int32_t code)
@@ -37,14 +40,6 @@ osg::ref_ptr<const BrickModel> createModel()
                                                                             createPart({5, 1, 2}, {1, 1, 1}, RED, 4)});
 }
 
-BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {})
-{
-    BuildingStep step;
-    step.parts = std::move(parts);
-    step.submodels = std::move(submodels);
-    return step;
-}
-
 /** Parts 0 and 1; then submodel 0, which attaches submodel 1 to part 2; then part 4. */
 osg::ref_ptr<const BuildingPlan> createPlan()
 {
@@ -57,6 +52,8 @@ osg::ref_ptr<const BuildingPlan> createPlan()
     return BuildingPlan::create(5, std::move(steps), {outer, inner});
 }
 
+} // namespace
+
 class BookletModelTest : public testing::Test
 {
 protected:
@@ -64,8 +61,6 @@ protected:
     osg::ref_ptr<const BuildingPlan> _plan = createPlan();
     BookletModel _model{*_bricks, *_plan, Palette::getKnownColors()};
 };
-
-} // namespace
 
 TEST_F(BookletModelTest, CountsTheKindsOfEachStep)
 {

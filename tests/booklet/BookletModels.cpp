@@ -10,8 +10,6 @@ namespace osgLego::test
 namespace
 {
 
-constexpr std::array<std::uint8_t, 3> RED{180, 0, 0};
-constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
 constexpr std::int32_t RED_CODE = 4;
 constexpr std::int32_t BLUE_CODE = 1;
 

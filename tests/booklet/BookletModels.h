@@ -3,12 +3,16 @@
 #include <booklet/BookletModel.h>
 #include <osgLego/BuildingPlan.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace osgLego::test
 {
+
+inline constexpr std::array<std::uint8_t, 3> RED{180, 0, 0};
+inline constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
 
 /** A step that places parts and attaches submodels, seen from the front. */
 BuildingStep createStep(std::vector<std::uint32_t> parts, std::vector<std::uint32_t> submodels = {});

@@ -50,6 +50,8 @@ std::string readAll(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+} // namespace
+
 class BookletTest : public testing::Test
 {
 protected:
@@ -72,8 +74,6 @@ protected:
 private:
     osg::ref_ptr<osg::GraphicsContext> _context;
 };
-
-} // namespace
 
 TEST_F(BookletTest, WritesTheSamePageTwiceInOneContext)
 {

@@ -19,8 +19,6 @@
 namespace osgLego::test
 {
 
-inline constexpr std::array<std::uint8_t, 3> RED{180, 0, 0};
-inline constexpr std::array<std::uint8_t, 3> BLUE{30, 90, 168};
 inline constexpr double HEIGHT_OF_BRICK = 1.2; // pitches
 inline constexpr double MARGIN = 0.15;         // pitches around the parts
 
