@@ -72,7 +72,7 @@ public:
         const Beginning& beginning = _beginnings[step];
         const std::uint8_t* first = covered - beginning.offset;
         const std::size_t gap = *covered != 0 ? _path.findGap(first, beginning.first) : beginning.first;
-        const std::optional<std::size_t> hit = _path.findHit(first, gap);
+        const std::optional<std::size_t> hit = _path.findHit(first, gap, _path.getSteps().size());
         return hit ? _hidden[*hit] : 0.0f;
     }
 

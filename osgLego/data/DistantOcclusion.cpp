@@ -74,13 +74,13 @@ Cube sumDirections(const std::vector<WeighedPath>& paths)
 
 /** @param all the result of sumDirections(). */
 OcclusionVolume::Light castRays(const VoxelGrid& grid, const std::vector<WeighedPath>& paths, const Cube& all,
-                                std::size_t place)
+                                const glm::ivec3& voxel)
 {
-    const std::uint8_t* covered = grid.getCovered() + place;
+    const std::uint8_t* covered = grid.getCovered() + grid.getPlace(voxel);
     Cube hidden;
     for (const WeighedPath& path : paths)
     {
-        const std::optional<std::size_t> hit = path.path.findHit(covered);
+        const std::optional<std::size_t> hit = path.path.findHit(covered, 0, path.path.countStepsInside(voxel));
         if (hit) hidden.add(path.path.getDirection(), path.weights[*hit]);
     }
     const glm::vec3 lower = hidden.lower / all.lower;
@@ -108,7 +108,7 @@ OcclusionVolume findDistantOcclusion(const VoxelGrid& grid, double reach)
                  {
                      const std::size_t place = grid.getPlace(voxel);
                      if (!grid.isCovered(place) && isNearBricks(grid, place))
-                         volume.set(voxel, castRays(grid, paths, all, place), OcclusionVolume::ALL);
+                         volume.set(voxel, castRays(grid, paths, all, voxel), OcclusionVolume::ALL);
                  });
     volume.fillFromNeighbors(OcclusionVolume::Neighbors::ALL, [](const glm::ivec3&) { return true; });
     return volume;

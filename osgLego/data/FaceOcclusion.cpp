@@ -47,7 +47,7 @@ public:
             const int faces = _faces[place] >> side & 3;
             for (const int each : {side, side + 1})
                 if (faces != 0 ? (faces >> (each - side) & 1) != 0 : isBesideFace(place, each))
-                    castRays(place, each, sums);
+                    castRays(voxel, each, sums);
         }
         if (sums.numFaces == 0.0f) return 0;
         light.mean = sums.mean / glm::max(sums.meanCount, 1.0f);
@@ -97,15 +97,15 @@ private:
         return false;
     }
 
-    void castRays(std::size_t place, int side, Sums& sums) const
+    void castRays(const glm::ivec3& voxel, int side, Sums& sums) const
     {
-        const std::uint8_t* covered = _grid.getCovered() + place;
+        const std::uint8_t* covered = _grid.getCovered() + _grid.getPlace(voxel);
         float hidden = 0.0f;
         float distant = 0.0f;
         glm::vec3 towards(0.0f);
         for (const FaceRay& ray : _rays[static_cast<std::size_t>(side)])
         {
-            const FaceRay::Hit* hit = ray.findHit(covered);
+            const FaceRay::Hit* hit = ray.findHit(voxel, covered);
             if (!hit) continue;
             hidden += hit->hidden;
             distant += hit->distant;

@@ -44,10 +44,10 @@ public:
     const Hit& getHit(std::size_t step) const { return _hits[step]; }
 
     /** The first hit of a brick; null if there is none.
-     * @param covered VoxelGrid::getCovered(), from the cell in front of the face on. */
-    const Hit* findHit(const std::uint8_t* covered) const
+     * @param voxel the cell in front of the face. @param covered VoxelGrid::getCovered() from this cell on. */
+    const Hit* findHit(const glm::ivec3& voxel, const std::uint8_t* covered) const
     {
-        const std::optional<std::size_t> step = _path.findHit(covered);
+        const std::optional<std::size_t> step = _path.findHit(covered, 0, _path.countStepsInside(voxel));
         return step ? &_hits[*step] : nullptr;
     }
 

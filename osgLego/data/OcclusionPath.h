@@ -2,6 +2,8 @@
 
 #include <osgLego/data/VoxelGrid.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,11 +31,21 @@ public:
     const glm::vec3& getDirection() const { return _direction; }
     const std::vector<Step>& getSteps() const { return _steps; }
 
-    /** The index of the first step to a voxel with bricks, if there is one.
-     * @param covered VoxelGrid::getCovered() from the first voxel on. @param first the first step that counts. */
-    std::optional<std::size_t> findHit(const std::uint8_t* covered, std::size_t first = 0) const
+    /** The number of steps from a voxel until the ray leaves the grid, after which there are no bricks.
+     * @param voxel of the grid or its border. */
+    std::size_t countStepsInside(const glm::ivec3& voxel) const
     {
-        for (std::size_t step = first; step < _offsets.size(); ++step)
+        const auto countAlong = [&](int axis)
+        { return _numsInside[static_cast<std::size_t>(axis)][static_cast<std::size_t>(voxel[axis])]; };
+        return std::min({countAlong(0), countAlong(1), countAlong(2)});
+    }
+
+    /** The index of the first step to a voxel with bricks, if there is one.
+     * @param covered VoxelGrid::getCovered() from the first voxel on. @param first the first step that counts, and
+     * @param end the one after the last. */
+    std::optional<std::size_t> findHit(const std::uint8_t* covered, std::size_t first, std::size_t end) const
+    {
+        for (std::size_t step = first; step < end; ++step)
             if (covered[_offsets[step]] != 0) return step;
         return {};
     }
@@ -47,9 +59,12 @@ public:
     }
 
 private:
+    void countSteps(const VoxelGrid& grid);
+
     glm::vec3 _direction;
     std::vector<Step> _steps;
-    std::vector<std::int32_t> _offsets; // of the voxels, from the first one
+    std::vector<std::int32_t> _offsets;                    // of the voxels, from the first one
+    std::array<std::vector<std::uint16_t>, 3> _numsInside; // by axis, and by the first voxel along it
 };
 
 /** Directions that are evenly distributed over the sphere, by Fibonacci's lattice. */

@@ -19,7 +19,7 @@ const std::function<bool()> NEVER;
 constexpr std::size_t ANY = 1000;
 
 /** A gate of two posts and a beam of two layers. */
-SupportedLayout createGate()
+SupportedLayout createSupportedGate()
 {
     const char* const posts = "a......a";
     const char* const beam = "aaaaaaaa";
@@ -35,7 +35,7 @@ constexpr std::size_t WITH_LOWER_BEAM = 3;
 LaidParts selectPlaced(const SupportedLayout& layout, std::size_t numPlaced)
 {
     LaidParts parts = layout.parts;
-    const LaidParts all = createGate().parts;
+    const LaidParts all = createSupportedGate().parts;
     std::erase_if(parts,
                   [&](const LaidPart& part)
                   {
@@ -47,7 +47,7 @@ LaidParts selectPlaced(const SupportedLayout& layout, std::size_t numPlaced)
 
 TEST(StepColumns, CarryPartsThatFallAfterAStep)
 {
-    const SupportedLayout layout = createGate();
+    const SupportedLayout layout = createSupportedGate();
     ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
     ASSERT_FALSE(computeStanding(layout.problem, selectPlaced(layout, WITH_LOWER_BEAM), {})->stands);
     StepColumns columns(layout, RANKS, NEVER);
@@ -61,7 +61,7 @@ TEST(StepColumns, CarryPartsThatFallAfterAStep)
 
 TEST(StepColumns, AreNotAddedForOtherSteps)
 {
-    const SupportedLayout layout = createGate();
+    const SupportedLayout layout = createSupportedGate();
     StepColumns columns(layout, RANKS, NEVER);
     EXPECT_TRUE(columns.run({2, 5, 6}, ANY));
     EXPECT_EQ(columns.getLayout().parts, layout.parts);
@@ -70,7 +70,7 @@ TEST(StepColumns, AreNotAddedForOtherSteps)
 TEST(StepColumns, AreNotAddedBeyondTheirLimit)
 {
     // A column has two cells.
-    const SupportedLayout layout = createGate();
+    const SupportedLayout layout = createSupportedGate();
     const std::size_t numCells = layout.problem.cells.size();
     StepColumns columns(layout, RANKS, NEVER);
     EXPECT_TRUE(columns.run({WITH_LOWER_BEAM}, numCells + 1));
@@ -82,7 +82,7 @@ TEST(StepColumns, AreNotAddedBeyondTheirLimit)
 TEST(StepColumns, StopWhenTheyAreCancelled)
 {
     const std::function<bool()> always = [] { return true; };
-    EXPECT_FALSE(StepColumns(createGate(), RANKS, always).run({WITH_LOWER_BEAM}, ANY));
+    EXPECT_FALSE(StepColumns(createSupportedGate(), RANKS, always).run({WITH_LOWER_BEAM}, ANY));
 }
 
 } // namespace
