@@ -4,8 +4,10 @@
 
 #include <osgLego/layout/GreedyLayout.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -104,6 +106,7 @@ private:
     void tryAt(CellLattice::Index cell, const PartShape& shape)
     {
         std::uint16_t color = LayoutCell::ANY_COLOR;
+        std::set<CellLattice::Index> cells;
         for (int z = 0; z < shape.height; ++z)
             for (int y = 0; y < shape.depth; ++y)
                 for (int x = 0; x < shape.width; ++x)
@@ -115,8 +118,24 @@ private:
                     const auto joint = PartSizes::join(color, lattice.getColor(covered));
                     if (!joint) return;
                     color = *joint;
+                    cells.insert(covered);
                 }
-        if (sizes.isAllowed(shape, color)) map.lay(cell, shape);
+        if (sizes.isAllowed(shape, color) && (shape.height == 1 || !isolates(cells, color))) map.lay(cell, shape);
+    }
+
+    /** Whether a brick of these cells would touch no part, although there are cells beside it of its colour. */
+    bool isolates(const std::set<CellLattice::Index>& cells, std::uint16_t color) const
+    {
+        bool isBesideOthers = false;
+        for (const CellLattice::Index cell : cells)
+            for (int side = 0; side < 6; ++side)
+            {
+                const CellLattice::Index other = lattice.getNeighbor(cell, static_cast<CellLattice::Side>(side));
+                if (other == CellLattice::NONE || cells.contains(other)) continue;
+                if (side >= CellLattice::ABOVE) return false;
+                if (PartSizes::join(color, lattice.getColor(other))) isBesideOthers = true;
+            }
+        return isBesideOthers;
     }
 };
 
@@ -150,6 +169,30 @@ TEST(GreedyLayout, LaysBricksAtTheHeightsThatNeedTheFewestParts)
         ASSERT_EQ(parts.size(), first + 1);
         EXPECT_EQ(parts.back(), (LaidPart{{0, 0, static_cast<std::uint16_t>(first)}, {4, 2, 3}, 0}));
     }
+}
+
+/** The heights of the parts of a layout of plates. @param rows those of each of three equal layers. */
+std::multiset<int> layThreeLayers(const std::vector<std::string>& rows)
+{
+    LayoutProblem problem = drawProblem({3, rows});
+    problem.isOfPlates = true;
+    std::multiset<int> heights;
+    for (const LaidPart& part : lay(problem))
+        heights.insert(part.size[2]);
+    return heights;
+}
+
+TEST(GreedyLayout, LaysNoBrickThatTouchesNoPartIfPlatesMayReachOthers)
+{
+    EXPECT_EQ(layThreeLayers({"aaaaaaaaaa"}).count(3), 0u);
+    EXPECT_EQ(layThreeLayers({"aaaa", "aaaa"}), (std::multiset<int>{3})) << "cells of one brick";
+    EXPECT_EQ(layThreeLayers({"aabb"}), (std::multiset<int>{3, 3})) << "no part covers both colours";
+    EXPECT_EQ(layThreeLayers({"aa*bb"}).count(3), 1u) << "a colour that the cell in the middle does not take";
+    LayoutProblem table = drawProblem({{"a........."}, {"aaaaaaaaaa"}, {"aaaaaaaaaa"}, {"aaaaaaaaaa"}});
+    table.isOfPlates = true;
+    const LaidParts parts = lay(table);
+    EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const LaidPart& part) { return part.size[2] == 3; }))
+        << "a brick on the leg, which touches it";
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -90,6 +92,30 @@ TEST(LayoutComponents, AreAsFewAsInTheBestOfAllLayouts)
         const int fewest = AllLayouts(problem).findFewestComponents();
         EXPECT_EQ(LaidModel(problem, layOut(problem, {})).countComponents(), fewest) << "model " << i;
     }
+}
+
+TEST(LayoutComponents, FlatPlacesAsHighAsABrickAreOnePiece)
+{
+    // Without parts above and below, every brick would be a piece of its own.
+    const auto isOfLetter = [](int x, int y) { return x < 3 || x >= 11 || (y >= 5 && y < 8); };
+    const std::vector<std::pair<std::string, LayoutProblem>> models{
+        {"slab", makeCells({13, 14, 3}, [](int, int, int) { return 0; })},
+        {"beam", makeCells({40, 2, 3}, [](int, int, int) { return 0; })},
+        {"rod", makeCells({30, 1, 3}, [](int, int, int) { return 0; })},
+        {"letter", makeCells({14, 14, 3}, [&](int x, int y, int) { return isOfLetter(x, y) ? 0 : -1; })},
+        {"table", makeCells({15, 9, 9}, [](int x, int y, int z)
+                            { return z >= 6 || ((x < 2 || x >= 13) && (y < 2 || y >= 7)) ? 0 : -1; })}};
+    for (auto [name, problem] : models)
+        for (const Effort effort : {Effort::INSTANT, Effort::NORMAL, Effort::BEST})
+        {
+            problem.isOfPlates = true;
+            LayoutOptions options;
+            options.effort = effort;
+            const LaidParts parts = layOut(problem, options);
+            const LaidModel laid(problem, parts);
+            EXPECT_EQ(laid.findMistake(), "") << name;
+            EXPECT_EQ(laid.countComponents(), 1) << name << ", effort " << static_cast<int>(effort);
+        }
 }
 
 } // namespace osgLego
