@@ -211,12 +211,13 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
 {
     *_stream << fmt::format("\nStep {} of {}. Add {}.\n", step.name, chapter.steps.size(),
                             countOf(step.numNew, "part"));
+    const bool isOnPlate = !chapter.isSubmodel && _model.getBasePlate();
     std::size_t part = step.numPlaced - step.numNew;
     for (const std::size_t end = part + step.numDirect; part < end; ++part)
-        writePart(places, part, step.isUpsideDown, !chapter.isSubmodel && _model.getBasePlate());
+        writePart(places, part, step.isUpsideDown, isOnPlate);
     for (const std::size_t submodel : step.submodels)
     {
-        writeSubmodel(submodel, places, part);
+        writeSubmodel(submodel, places, part, step.isUpsideDown, isOnPlate);
         part += _model.getChapters()[submodel].model->getParts().size();
     }
     if (step.numUnheld == 0 && step.falls())
@@ -232,50 +233,65 @@ void BookletWords::writePart(const std::vector<Place>& places, std::size_t part,
     *_stream << fmt::format("{}: {}{}. {}, {}, {}.", own.name, own.type, direction,
                             formatRange("Column", own.first.x, own.last.x), formatRange("row", own.first.y, own.last.y),
                             formatRange("layer", own.first.z, own.last.z));
-    std::vector<std::string> below;
-    std::vector<std::string> above;
-    const Place* nearest = nullptr;
-    for (std::size_t other = 0; other < part; ++other)
-    {
-        const Place& place = places[other];
-        if (!areAbove(own.first, own.last, place.first, place.last)) continue;
-        const bool isBelow = place.last.z + 1 == own.first.z;
-        if (!isBelow && place.first.z != own.last.z + 1) continue;
-        (isBelow ? below : above).push_back(place.name);
-        if (!nearest) nearest = &place;
-    }
-    if (!below.empty()) *_stream << " On " << joinWords(below) << ".";
-    if (!above.empty()) *_stream << " Below " << joinWords(above) << ".";
-    if (!above.empty() && !below.empty() && !isUpsideDown)
+    const Neighbors neighbors = findNeighbors(places, part, part + 1);
+    *_stream << formatNeighbors(neighbors, own.first.z, isUpsideDown, isOnPlate);
+    if (!neighbors.above.empty() && !neighbors.below.empty() && !isUpsideDown)
         *_stream << " Join it with the part above before you place both.";
-    if (nearest)
+    if (const Place* nearest = neighbors.first)
         *_stream << fmt::format(" Its left edge is {0} that of {2}, its front edge {1} that of {2}.",
                                 formatWay(own.first.x - nearest->first.x, "right of", "left of"),
                                 formatWay(own.first.y - nearest->first.y, "behind", "in front of"), nearest->name);
-    else if (own.first.z > 1 && !isUpsideDown)
-        *_stream << " Nothing holds it yet.";
-    else
-        *_stream << (isOnPlate ? " On the base plate." : " On the table.");
     *_stream << "\n";
 }
 
+/** The parts in place that parts touch above and below. @param first of these parts in the order of building, and
+ * @param end the one after the last. */
+BookletWords::Neighbors BookletWords::findNeighbors(const std::vector<Place>& places, std::size_t first,
+                                                    std::size_t end) const
+{
+    Neighbors neighbors;
+    for (std::size_t other = 0; other < first; ++other)
+    {
+        const Place& place = places[other];
+        bool isBelow = false;
+        bool isAbove = false;
+        for (std::size_t part = first; part < end; ++part)
+        {
+            const Place& own = places[part];
+            if (!areAbove(own.first, own.last, place.first, place.last)) continue;
+            isBelow = isBelow || place.last.z + 1 == own.first.z;
+            isAbove = isAbove || place.first.z == own.last.z + 1;
+        }
+        if (isBelow) neighbors.below.push_back(place.name);
+        if (isAbove) neighbors.above.push_back(place.name);
+        if (!neighbors.first && (isBelow || isAbove)) neighbors.first = &place;
+    }
+    return neighbors;
+}
+
+/** Where parts are placed: on which parts, and below which ones. @param layer the lowest one of the parts. */
+std::string BookletWords::formatNeighbors(const Neighbors& neighbors, int layer, bool isUpsideDown,
+                                          bool isOnPlate) const
+{
+    std::string text;
+    if (!neighbors.below.empty()) text += " On " + joinWords(neighbors.below) + ".";
+    if (!neighbors.above.empty()) text += " Below " + joinWords(neighbors.above) + ".";
+    if (!text.empty()) return text;
+    if (layer > 1 && !isUpsideDown) return " Nothing holds it yet.";
+    return isOnPlate ? " On the base plate." : " On the table.";
+}
+
 /** Say where a submodel is attached. @param first of its parts, in the order of building. */
-void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first)
+void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first,
+                                 bool isUpsideDown, bool isOnPlate)
 {
     constexpr int QUARTER = 90; // degrees
     const BookletChapter& inner = _model.getChapters()[submodel];
     const glm::ivec3 offset = places[first].first - findPlaces(submodel).front().first + 1;
     const std::size_t end = first + inner.model->getParts().size();
-    std::vector<std::string> neighbors;
-    for (std::size_t other = 0; other < first; ++other)
-        if (std::any_of(places.begin() + static_cast<std::ptrdiff_t>(first),
-                        places.begin() + static_cast<std::ptrdiff_t>(end),
-                        [&](const Place& own)
-                        {
-                            return areAbove(own.first, own.last, places[other].first, places[other].last) &&
-                                   places[other].last.z + 1 == own.first.z;
-                        }))
-            neighbors.push_back(places[other].name);
+    int lowest = places[first].first.z;
+    for (std::size_t part = first; part < end; ++part)
+        lowest = std::min(lowest, places[part].first.z);
     const BookletChapter& original = _model.getChapters()[inner.original];
     const std::string copy = original.quantity == 1 ? "" : fmt::format(", copy {}", inner.copy);
     const std::string turn =
@@ -286,7 +302,7 @@ void BookletWords::writeSubmodel(std::size_t submodel, const std::vector<Place>&
                           QUARTER * inner.turn.turns);
     *_stream << fmt::format("Submodel {}{}{} column {}, row {}, layer {}.{}\n", inner.letter, copy, turn, offset.x,
                             offset.y, offset.z,
-                            neighbors.empty() ? std::string() : " On " + joinWords(neighbors) + ".");
+                            formatNeighbors(findNeighbors(places, first, end), lowest, isUpsideDown, isOnPlate));
 }
 
 } // namespace osgLego

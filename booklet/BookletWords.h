@@ -36,6 +36,14 @@ private:
         glm::ivec3 last{1};
     };
 
+    /** The names of parts in place that new parts touch. */
+    struct Neighbors
+    {
+        std::vector<std::string> below;
+        std::vector<std::string> above;
+        const Place* first = nullptr; // of all of them; null if there are none
+    };
+
     std::vector<Place> findPlaces(std::size_t chapter) const;
     std::vector<std::string> findNames(std::size_t chapter) const;
     std::vector<std::string> findNamesOfCopy(const BookletChapter& copy) const;
@@ -44,7 +52,10 @@ private:
     void writeChapter(std::size_t chapter);
     void writeStep(const BookletChapter& chapter, const BookletStep& step, const std::vector<Place>& places);
     void writePart(const std::vector<Place>& places, std::size_t part, bool isUpsideDown, bool isOnPlate);
-    void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first);
+    void writeSubmodel(std::size_t submodel, const std::vector<Place>& places, std::size_t first, bool isUpsideDown,
+                       bool isOnPlate);
+    Neighbors findNeighbors(const std::vector<Place>& places, std::size_t first, std::size_t end) const;
+    std::string formatNeighbors(const Neighbors& neighbors, int layer, bool isUpsideDown, bool isOnPlate) const;
 
     const BookletModel& _model;
     int _turns; // quarter turns of the model, 0 to 3, counter-clockwise from above, that bring its front to the reader

@@ -25,12 +25,15 @@ std::string describe(const ConnectionStatistics& connection)
 {
     if (connection.numPiecesBefore <= 1) return "connections: the model is one piece without changes";
     std::string text = "connections: " + std::to_string(connection.numPiecesBefore) + " pieces ";
-    if (connection.numAddedCells + connection.numRecolored == 0)
+    const bool hasChanged = connection.numAddedCells + connection.numRecolored > 0;
+    if (!hasChanged && !connection.isSupported)
         text += "remain";
     else
-        text += "became " + (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces)) + " by " +
-                counted(connection.numAddedCells, "added cell", "added cells") + " and " +
+        text += "became " + (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces));
+    if (hasChanged)
+        text += " by " + counted(connection.numAddedCells, "added cell", "added cells") + " and " +
                 counted(connection.numRecolored, "cell", "cells") + " in another colour";
+    if (connection.isSupported) text += hasChanged ? ", and by support" : " by support";
     constexpr std::size_t MOST_LISTED = 5;
     const std::size_t numLoose = connection.loose.size();
     const std::size_t numListed = numLoose <= MOST_LISTED + 1 ? numLoose : MOST_LISTED;

@@ -46,7 +46,8 @@ struct ConnectionStatistics
     std::size_t numAddedCells = 0;   //!< cells added to join pieces
     std::size_t numRecolored = 0;    //!< cells that got another colour
     std::vector<LoosePiece> loose;   //!< the pieces that are left apart from the largest, the larger ones first
-    double milliseconds = 0.0;       //!< the time taken
+    double milliseconds = 0.0;       //!< the time taken, without that for support
+    bool isSupported = false;        //!< whether the changes of SupportStatistics joined pieces, too
 };
 
 /** Figures of the parts that cells were joined to (LegoSettings::Parts::set). Times are in milliseconds. */

@@ -171,9 +171,10 @@ bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const B
     return true;
 }
 
-/** Change a layout so that it stands, and is easy to build. @return false if it was cancelled. */
-bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& createModel, Layout& layout,
-             LayoutStatistics& statistics)
+/** Change a layout whose pieces were joined so that it stands, and is easy to build. @return false if it was cancelled.
+ */
+bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& createModel, const BrickGrid& grid,
+             Layout& layout, LayoutStatistics& statistics)
 {
     SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
     if (!SupportBuilder(options).build(supported)) return false;
@@ -190,6 +191,10 @@ bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& c
                           .largestSubmodel = supported.largestSubmodel,
                           .deepestSubmodel = supported.deepestSubmodel,
                           .numFallingSteps = supported.numFallingSteps};
+    const std::size_t numPieces = LayoutPieces(layout.parts).getCount();
+    statistics.connection->isSupported = numPieces < statistics.connection->numPieces;
+    statistics.connection->numPieces = numPieces;
+    statistics.connection->loose = listLoosePieces(layout.parts, grid);
     return true;
 }
 
@@ -306,7 +311,7 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     {
         if (_progress) _progress({LegoProgress::Stage::SUPPORT});
         const auto createBare = [&](const LaidParts& parts) { return createModel(parts, grid, colors); };
-        if (!support(options, createBare, *layout, statistics)) return nullptr;
+        if (!support(options, createBare, grid, *layout, statistics)) return nullptr;
         statistics.support->milliseconds = stopwatch.lap();
     }
     statistics.numInterior = cells.numInterior;

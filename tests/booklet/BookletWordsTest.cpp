@@ -254,11 +254,28 @@ TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
           "3 red bricks 2 x 4.\n", "\nStep 1 of 3. Add 2 parts.\n",
           "1.1: red brick 2 x 4, from front to back. Columns 1 to 2, rows 1 to 4, layer 1. On the table.\n",
           "\nSubmodel A, of 2 parts. Build it apart.\n", "\nSubmodel B, of 1 part. Build it apart.\n",
-          "Submodel B: its column 1, row 1 and layer 1 come to column 1, row 3, layer 1.\n",
+          "Submodel B: its column 1, row 1 and layer 1 come to column 1, row 3, layer 1. On the table.\n",
           "Submodel A: its column 1, row 1 and layer 1 come to column 2, row 1, layer 2. On 1.1 and 1.2.\n",
           "3.1: blue brick 2 x 4, from left to right. Columns 2 to 5, rows 2 to 3, layer 3. On A1.1 and B1.1. Its left "
           "edge is level with that of A1.1, its front edge 1 stud behind that of A1.1.\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+}
+
+TEST(BookletWordsTest, SaysBelowWhichPartsASubmodelHangs)
+{
+    // A beam on a pillar, from which a submodel of two bricks hangs.
+    std::vector<Part> parts;
+    for (const std::uint16_t z : std::vector<std::uint16_t>{0, 1})
+        for (const std::uint16_t x : std::vector<std::uint16_t>{0, 4})
+            parts.push_back({{x, 0, z}, {2, 2, 1}, RED, 4});
+    parts.push_back({{0, 0, 2}, {6, 2, 1}, BLUE, 1});
+    Submodel hanging;
+    hanging.steps = {createStep({1}), createStep({3})};
+    const auto plan =
+        BuildingPlan::create(5, {createStep({0}), createStep({2}), createStep({4}), createStep({}, {0})}, {hanging});
+    const auto bricks = BrickModel::createOfParts(createPartGrid({6, 2, 3}, 1.2), parts);
+    const std::string text = write({*bricks, *plan, Palette::getKnownColors()});
+    EXPECT_NE(text.find("come to column 5, row 1, layer 1. Below 3.1.\n"), std::string::npos) << text;
 }
 
 TEST(BookletWordsTest, SaysWhereTheModelStandsOnABasePlate)

@@ -101,6 +101,28 @@ TEST(LayoutStatistics, TheReportSaysWhichPiecesAreNotJoined)
     EXPECT_EQ(describe(), "connections: 3 pieces remain");
 }
 
+TEST(LayoutStatistics, TheReportSaysThatSupportJoinedPieces)
+{
+    const auto describe = [](const ConnectionStatistics& connection)
+    {
+        LayoutStatistics layout;
+        layout.connection = connection;
+        const std::string text = layout.toString();
+        return text.substr(text.rfind('\n') + 1);
+    };
+    ConnectionStatistics connection;
+    connection.numPiecesBefore = 4;
+    connection.numPieces = 4;
+    EXPECT_EQ(describe(connection), "connections: 4 pieces remain");
+    connection.isSupported = true;
+    connection.numPieces = 1;
+    EXPECT_EQ(describe(connection), "connections: 4 pieces became one by support");
+    connection.numAddedCells = 3;
+    connection.numPieces = 2;
+    EXPECT_EQ(describe(connection),
+              "connections: 4 pieces became 2 by 3 added cells and 0 cells in another colour, and by support");
+}
+
 TEST(LayoutStatistics, TheReportListsTheFirstOfManyPiecesThatAreNotJoined)
 {
     LayoutStatistics layout;

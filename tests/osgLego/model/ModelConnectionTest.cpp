@@ -142,6 +142,10 @@ TEST(ModelConnection, SupportPutsColumnsUnderPartsThatFloatWhichTheReportCounts)
         EXPECT_TRUE(support.stands);
         EXPECT_GE(support.numColumns, 1u);
         EXPECT_EQ(statistics.layout->numParts, model->getParts().size());
+        const ConnectionStatistics& connection = *statistics.layout->connection;
+        EXPECT_TRUE(connection.isSupported);
+        EXPECT_EQ(connection.numPieces, statistics.layout->numComponents);
+        EXPECT_EQ(connection.loose.size() + 1, connection.numPieces);
         EXPECT_GT(model->getBricks().size(), bare->getBricks().size());
         for (const Brick& brick : bare->getBricks())
             EXPECT_TRUE(model->find(brick.getCell()));
