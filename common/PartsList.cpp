@@ -147,17 +147,17 @@ void PartsList::writeCsv(std::ostream& stream) const
         stream << number << ',' << quotedForCsv(name) << ',' << optionalNumber(color.code) << ','
                << quotedForCsv(color.name) << ',' << optionalNumber(color.brickLink) << ',' << count << ',' << masses
                << '\n';
-        quantity += count;
     };
     for (const Row& row : getRows())
     {
         writeParts(row.type->number, row.type->getName(), row.color, row.quantity,
                    formatMass(row.type->mass) + ',' + formatMass(row.getMass()));
+        quantity += row.quantity;
         mass += row.getMass();
     }
+    stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
     for (const Extra& extra : _extras)
         writeParts(extra.number, extra.name, extra.color, extra.quantity, ",");
-    stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
 }
 
 void PartsList::writeWantedList(std::ostream& stream) const

@@ -61,8 +61,8 @@ public:
     static constexpr std::size_t NO_ROW = static_cast<std::size_t>(-1);
 
     /** Write a table: part, name, LDraw's code and name of the colour, BrickLink's number of the colour, quantity, mass
-     * of one part and of all in grams, but no mass of an Extra; the last row has the totals. Values are quoted as RFC
-     * 4180 demands. */
+     * of one part and of all in grams. A row with the totals ends the parts of models; each Extra follows, without a
+     * mass. Values are quoted as RFC 4180 demands. */
     void writeCsv(std::ostream& stream) const;
 
     /** Write a wanted list of BrickLink. Parts in colours without a number of BrickLink are wanted in any colour, with

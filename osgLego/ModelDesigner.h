@@ -25,9 +25,9 @@ struct DesignOptions
 
     /** Settings in their text form that are kept, such as `up=y`; all others may be chosen. */
     std::string settings;
-    /** The most parts that the model should have, 1 to MOST_PARTS. A model that has to be supported may have some more,
-     * and so may one whose size is given by `settings` or `length`, if none with fewer is as sound. Unset: USUAL_PARTS,
-     * or any number if the size is given. */
+    /** The most parts that the model should have, 1 to MOST_PARTS. A model that has to be supported, or whose size is
+     * given by `settings` or `length`, may have more if none with few enough is as sound. Unset: USUAL_PARTS, or any
+     * number if the size is given. */
     std::optional<std::size_t> numParts;
     /** The longest side of the model in millimetres, SHORTEST to LONGEST; unset: as long as `numParts` allow. */
     std::optional<double> length;

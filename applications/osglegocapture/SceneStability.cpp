@@ -3,6 +3,7 @@
 #include "Cancellation.h"
 #include "ExitCode.h"
 
+#include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 #include <osgLego/PieceCount.h>
 
@@ -10,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -27,14 +30,24 @@ std::string nameOf(const BrickModel& model, const Part& part)
     return type ? type->getName() : "part";
 }
 
+std::string nameColorOf(const Part& part)
+{
+    if (part.colorCode == Part::NO_CODE)
+        return fmt::format("colour #{:02x}{:02x}{:02x}", part.color[0], part.color[1], part.color[2]);
+    const std::span<const PaletteColor> colors = Palette::getKnownColors();
+    const auto known = std::find_if(colors.begin(), colors.end(),
+                                    [&](const PaletteColor& color) { return color.code == part.colorCode; });
+    if (known == colors.end()) return fmt::format("colour {}", part.colorCode);
+    std::string name = known->name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 std::string describe(const BrickModel& model, std::uint32_t index)
 {
     if (index == StabilityReport::Joint::BASE) return "the base";
     const Part& part = model.getParts()[index];
-    const std::string color = part.colorCode == Part::NO_CODE
-                                  ? fmt::format("#{:02x}{:02x}{:02x}", part.color[0], part.color[1], part.color[2])
-                                  : std::to_string(part.colorCode);
-    return fmt::format("{} in colour {} at {},{},{}", nameOf(model, part), color, part.cell[0], part.cell[1],
+    return fmt::format("{} in {} at {},{},{}", nameOf(model, part), nameColorOf(part), part.cell[0], part.cell[1],
                        part.cell[2]);
 }
 

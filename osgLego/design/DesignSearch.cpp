@@ -58,7 +58,7 @@ std::size_t DesignSearch::getMostParts() const
 
 DesignRanking DesignSearch::createRanking() const
 {
-    return DesignRanking(canChooseSize() ? std::numeric_limits<std::size_t>::max()
+    return DesignRanking(canChooseSize() ? getMostParts()
                                          : _options.numParts.value_or(std::numeric_limits<std::size_t>::max()));
 }
 
@@ -276,7 +276,7 @@ void DesignSearch::addCandidate(DesignCandidate candidate)
  * others fill. */
 void DesignSearch::tryLowerResolutions()
 {
-    constexpr double LOWEST = 0.7;
+    constexpr double LOWEST = 0.5; // a multiple of the squares of every chessboard is above
     constexpr unsigned int MOST_TRIED = 12;
     constexpr double CLEARLY = 0.9;
     if (!canChooseSize()) return;

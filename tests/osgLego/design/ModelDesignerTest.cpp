@@ -128,16 +128,39 @@ TEST(ModelDesigner, ALengthIsThatOfTheLongestSideWhicheverItIs)
         }
 }
 
-TEST(ModelDesigner, AModelThatFallsIsSupported)
+/** A table with one leg at its end. */
+osg::ref_ptr<osg::Node> createOneLeggedTable()
 {
-    // A table with one leg at its end.
-    const osg::ref_ptr<osg::Group> table = new osg::Group;
+    osg::ref_ptr<osg::Group> table = new osg::Group;
     table->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 5.5f), 12, 3, 0.9f)));
     table->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(-5.4f, 0, 2.5f), 0.9f, 2.9f, 5)));
+    return table;
+}
+
+TEST(ModelDesigner, OfSupportedModelsOneOfFewEnoughPartsIsChosen)
+{
+    DesignOptions options;
+    options.numParts = 30;
+    options.settings = "fill=surface,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    EXPECT_TRUE(best.isSound());
+    EXPECT_LE(best.layout.numParts, 30u);
+    const auto isLarger = [&](const DesignCandidate& candidate)
+    { return candidate.isSound() && candidate.layout.numParts > 30 && candidate.getError() < best.getError(); };
+    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(), isLarger))
+        << "the test needs a model of more parts that is more like the mesh\n"
+        << design->toString();
+}
+
+TEST(ModelDesigner, AModelThatFallsIsSupported)
+{
     DesignOptions options;
     options.settings = "12,proportions=brick,fill=surface,colors=8";
     std::string error;
-    const std::optional<ModelDesign> design = designModel(*table, options, error);
+    const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
     ASSERT_TRUE(design) << error;
     EXPECT_TRUE(design->getBest().isSound());
     EXPECT_TRUE(design->getBest().settings.parts.support);
@@ -218,20 +241,42 @@ TEST(ModelDesigner, ABasePlateJoinsThePiecesOfAFlatSheet)
     }
 }
 
-TEST(ModelDesigner, AChessboardOnABasePlateHasWholeCellsForEachSquareAndKeepsItsColors)
+/** A board of 8 x 8 squares. @param isUpright whether it stands on a side. */
+osg::ref_ptr<osg::Node> createChessboard(bool isUpright)
 {
-    // 21 cells a side would have as few parts, and squares of two and three cells.
-    const osg::ref_ptr<osg::Group> board = new osg::Group;
+    osg::ref_ptr<osg::Group> board = new osg::Group;
     for (int row = 0; row < 8; ++row)
         for (int column = 0; column < 8; ++column)
         {
-            const osg::Vec3 middle(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f, 0.0f);
-            const osg::ref_ptr<osg::ShapeDrawable> square =
-                new osg::ShapeDrawable(new osg::Box(middle, 1.0f, 1.0f, 0.1f));
+            const float x = static_cast<float>(column) + 0.5f;
+            const float y = static_cast<float>(row) + 0.5f;
+            const osg::ref_ptr<osg::ShapeDrawable> square = new osg::ShapeDrawable(
+                isUpright ? new osg::Box(osg::Vec3(x, 0, y), 1, 2, 1) : new osg::Box(osg::Vec3(x, y, 0), 1, 1, 0.1f));
             const float level = (row + column) % 2 == 0 ? 0.0f : 1.0f;
             square->setColor(osg::Vec4(level, level, level, 1.0f));
             board->addChild(square);
         }
+    return board;
+}
+
+TEST(ModelDesigner, AnUprightChessboardHasOneCellForEachSquareIfTwoNeedTooManyParts)
+{
+    DesignOptions options;
+    options.numParts = 200;
+    options.settings = "proportions=plate,fill=shell,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*createChessboard(true), options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_EQ(design->getBest().settings.grid.resolution, 8u) << design->toString();
+    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(),
+                            [](const DesignCandidate& candidate) { return candidate.settings.grid.resolution > 8; }))
+        << "the test needs a model of squares of one and two cells";
+}
+
+TEST(ModelDesigner, AChessboardOnABasePlateHasWholeCellsForEachSquareAndKeepsItsColors)
+{
+    // 21 cells a side would have as few parts, and squares of two and three cells.
+    const osg::ref_ptr<osg::Node> board = createChessboard(false);
     DesignOptions options;
     options.numParts = 80;
     options.base = BuildingBase::PLATE;
@@ -256,7 +301,7 @@ TEST(ModelDesigner, IfTheSizeIsGivenAModelOfFewEnoughPartsIsPreferred)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     DesignOptions options;
-    options.settings = "12,fill=surface";
+    options.settings = "11,fill=surface";
     std::string error;
     const std::optional<ModelDesign> unlimited = designModel(*car, options, error);
     ASSERT_TRUE(unlimited) << error;
