@@ -229,6 +229,17 @@ void checkFile(const std::string& fileName)
     findLDrawWriter();
 }
 
+/** A file name without the last pseudo-loader: `.legolize`, or one of OSG, such as "mug.ply.90,0,0.rot". */
+std::string stripPseudoLoader(const std::string& name)
+{
+    if (LegolizeName parsed; LegolizeName::parse(name, parsed)) return parsed.fileName;
+    const std::string loader = osgDB::getLowerCaseFileExtension(name);
+    if (loader != "rot" && loader != "scale" && loader != "trans") return name;
+    const std::string arguments = osgDB::getNameLessExtension(name);
+    const std::size_t end = arguments.ends_with(')') ? arguments.rfind(".(") : arguments.rfind('.');
+    return end == std::string::npos ? name : arguments.substr(0, end);
+}
+
 } // namespace
 
 std::optional<BookletError> checkBookletFile(const std::string& fileName)
@@ -257,10 +268,8 @@ catch (const BookletFailure& failure)
 
 std::string nameBooklet(const std::string& modelFileName)
 {
-    std::string name = modelFileName;
-    for (LegolizeName parsed; LegolizeName::parse(name, parsed);)
-        name = parsed.fileName;
-    name = osgDB::getStrippedName(name);
+    if (const std::string inner = stripPseudoLoader(modelFileName); inner != modelFileName) return nameBooklet(inner);
+    const std::string name = osgDB::getStrippedName(modelFileName);
     return name.empty() ? "model" : name;
 }
 

@@ -1,5 +1,6 @@
 #include "CaptureOptions.h"
 
+#include "ArgumentCheck.h"
 #include "ExitCode.h"
 #include "OptionReaders.h"
 #include "SettingsHelp.h"
@@ -159,19 +160,6 @@ void checkValues(const CLI::App& app)
                 throw CLI::ValidationError(option->get_name() + " has no value before " + value + "; expected " +
                                            option->get_name() + " " + option->get_type_name());
         }
-}
-
-/** Throws if an argument is --name= without a value: CLI11 would take the next argument as the value. */
-void checkArguments(const CLI::App& app, int argc, char** argv)
-{
-    for (int index = 1; index < argc; ++index)
-    {
-        const std::string argument = argv[index];
-        if (!argument.starts_with("--") || !argument.ends_with('=')) continue;
-        const std::string name = argument.substr(0, argument.size() - 1);
-        if (const CLI::Option* option = app.get_option_no_throw(name))
-            throw CLI::ValidationError(name + " is empty; expected " + argument + option->get_type_name());
-    }
 }
 
 // The options of the help text, in its order, by subject.

@@ -66,11 +66,17 @@ std::string findObstacle(const std::string& fileName)
 std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
 {
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
-    if (!result.message().empty()) return result.message();
     // Pseudo-loaders append to the name of a file, so that only they can know whether it exists.
-    const bool isPlain =
+    const bool isMissing =
         osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
-    return isPlain ? "there is no such file" : "OpenSceneGraph can't read it";
+    // OSG's status is that of any error.
+    if (result.message().find("Could not find plugin") != std::string::npos)
+        return isMissing ? "there is no such file"
+                         : "OpenSceneGraph has no reader for its ending; expected a mesh, such as .ply, .obj or .osgt";
+    const std::string ownPrefix = "osgLego: can't read '" + fileName + "': ";
+    if (result.message().starts_with(ownPrefix)) return result.message().substr(ownPrefix.size());
+    if (!result.message().empty()) return result.message();
+    return isMissing ? "there is no such file" : "OpenSceneGraph can't read it";
 }
 
 osg::ref_ptr<osg::Node> readMesh(const CaptureOptions& options)
