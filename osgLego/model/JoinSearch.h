@@ -36,7 +36,7 @@ public:
     static constexpr double EXPOSED = 6.0;     //!< the additional cost of one with CellExposure 1
     static constexpr double BESIDE = 0.25;     //!< the cost of a step sideways, which needs a certain part
     static constexpr double RECOLORING = 0.25; //!< the cost of another colour, and
-    static constexpr double DIFFERENCE = 0.07; //!< of each unit of CIEDE2000 by which the cell then differs more
+    static constexpr double DIFFERENCE = 0.04; //!< of each unit of CIEDE2000 by which the cell then differs more
     static constexpr double LIMIT = 24.0;      //!< the cost of the most expensive join
 
     /** Additional costs of cells near joins that failed. */
