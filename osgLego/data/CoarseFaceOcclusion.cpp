@@ -58,29 +58,33 @@ public:
         {
             for (; first < _path.getSteps().size() && _path.getSteps()[first].distance < near.distance; ++first)
                 start = _path.getSteps()[first].voxel;
-            _beginnings.push_back({first, voxels.getOffset(start)});
+            _beginnings.push_back({first, start});
         }
         for (const OcclusionPath::Step& step : _path.getSteps())
             _hidden.push_back(static_cast<float>(fadeOcclusion(step.distance, reach)));
     }
 
     /** The hidden fraction of the ray. @param step of the FaceRay, which it continues.
-     * @param covered VoxelGrid::getCovered() from the voxel of that step on. If this one is covered, the ray passes
-     * along bricks, and hits those after the next voxel without bricks. */
-    float findHidden(std::size_t step, const std::uint8_t* covered) const
+     * @param voxel of that step. If it has bricks, the ray passes along them, and hits those after the next voxel
+     * without bricks. */
+    float findHidden(const VoxelGrid& voxels, std::size_t step, const glm::ivec3& voxel) const
     {
         const Beginning& beginning = _beginnings[step];
-        const std::uint8_t* first = covered - beginning.offset;
-        const std::size_t gap = *covered != 0 ? _path.findGap(first, beginning.first) : beginning.first;
-        const std::optional<std::size_t> hit = _path.findHit(first, gap, _path.getSteps().size());
+        const glm::ivec3 start = voxel - beginning.passed;
+        const std::uint8_t* covered = voxels.getCovered() + voxels.getPlace(start);
+        const bool isCovered = voxels.isCovered(voxels.getPlace(voxel));
+        const std::size_t gap = isCovered ? _path.findGap(covered, beginning.first) : beginning.first;
+        // The path may begin outside of the grid.
+        const std::size_t end = voxels.contains(start) ? _path.countStepsInside(start) : _path.getSteps().size();
+        const std::optional<std::size_t> hit = _path.findHit(covered, gap, end);
         return hit ? _hidden[*hit] : 0.0f;
     }
 
 private:
     struct Beginning
     {
-        std::size_t first;     // step that counts
-        std::ptrdiff_t offset; // of the voxel before it
+        std::size_t first; // step that counts
+        glm::ivec3 passed; // from the first voxel to the one before this step
     };
 
     OcclusionPath _path;
@@ -163,9 +167,9 @@ private:
             const glm::ivec3 place = cell + steps[step].voxel;
             if (_cells.isCovered(place)) return near.getHit(step);
             if (step + 1 < steps.size() && steps[step].distance < _nearest) continue;
-            const std::uint8_t* voxel = _voxels.getCovered() + _voxels.getPlace(getVoxel(place));
-            if (step + 1 < steps.size() && *voxel != 0) continue;
-            const float hidden = far.findHidden(step, voxel);
+            const glm::ivec3 voxel = getVoxel(place);
+            if (step + 1 < steps.size() && _voxels.isCovered(_voxels.getPlace(voxel))) continue;
+            const float hidden = far.findHidden(_voxels, step, voxel);
             return {hidden, hidden};
         }
         return {0.0f, 0.0f};

@@ -31,28 +31,33 @@ public:
     /** @param place from 0 to the size, exclusive. */
     const Value& get(const glm::ivec3& place) const
     {
-        return _pages[_pageNumbers[indexIn(_numPages, place / SIDE)]][indexIn(glm::ivec3(SIDE), place % SIDE)];
+        return _pages[_pageNumbers[indexIn(_numPages, getPage(place))]][indexIn(glm::ivec3(SIDE), getPlaceIn(place))];
     }
 
     /** The value of a place, to be changed. @param place from 0 to the size, exclusive. */
     Value& edit(const glm::ivec3& place)
     {
-        std::uint32_t& number = _pageNumbers[indexIn(_numPages, place / SIDE)];
+        std::uint32_t& number = _pageNumbers[indexIn(_numPages, getPage(place))];
         if (number == EMPTY)
         {
             _pages.emplace_back();
             number = static_cast<std::uint32_t>(_pages.size() - 1);
         }
-        return _pages[number][indexIn(glm::ivec3(SIDE), place % SIDE)];
+        return _pages[number][indexIn(glm::ivec3(SIDE), getPlaceIn(place))];
     }
 
     /** The number of pages in memory. */
     std::size_t getNumPages() const { return _pages.size() - 1; }
 
 private:
-    static constexpr int SIDE = 16;
+    static constexpr int SHIFT = 4;
+    static constexpr int SIDE = 1 << SHIFT;
     static constexpr std::uint32_t EMPTY = 0; // the page that all places without values share
     using Page = std::array<Value, SIDE * SIDE * SIDE>;
+
+    // Not by division, since compilers don't know that no place is negative.
+    static glm::ivec3 getPage(const glm::ivec3& place) { return place >> SHIFT; }
+    static glm::ivec3 getPlaceIn(const glm::ivec3& place) { return place & (SIDE - 1); }
 
     static std::size_t indexIn(const glm::ivec3& size, const glm::ivec3& place)
     {

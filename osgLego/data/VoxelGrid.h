@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace osgLego
 {
@@ -41,6 +42,12 @@ public:
     const glm::dvec3& getExtent() const { return _extent; }
     /** The number of voxels along each axis, with the border. */
     const glm::ivec3& getSize() const { return _size; }
+
+    /** Whether a voxel is one of the grid or its border. */
+    bool contains(const glm::ivec3& voxel) const
+    {
+        return glm::all(glm::greaterThanEqual(voxel, glm::ivec3(0))) && glm::all(glm::lessThan(voxel, _size));
+    }
 
     /** The number of voxels in memory, with the margin. */
     std::size_t getNumVoxels() const { return _numVoxels; }
