@@ -26,8 +26,8 @@ public:
     void write(std::ostream& stream, const std::string& title);
 
 private:
-    /** A part of a chapter: its cells from the left, from the front and from the bottom, beginning with 1, and its
-     * description. */
+    /** A part of a chapter: its columns from the left, its rows from the front and its layers from the bottom,
+     * beginning with 1, and its description. */
     struct Place
     {
         std::string name; // such as "A2.1", the first part of step A2
@@ -59,6 +59,7 @@ private:
 
     const BookletModel& _model;
     int _turns; // quarter turns of the model, 0 to 3, counter-clockwise from above, that bring its front to the reader
+    int _layerHeight; // in cells
     std::size_t _firstStep = 0;
     std::size_t _endStep;
     std::ostream* _stream = nullptr;

@@ -261,6 +261,29 @@ TEST(BookletWordsTest, SaysWhereEachPartIsAndWhatItIsOn)
         EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
 }
 
+TEST(BookletWordsTest, LayersAreThoseOfBricksIfThereIsNothingElse)
+{
+    // Bricks in a grid of plates, from its second layer on.
+    std::vector<Part> parts{{{0, 0, 1}, {2, 2, 3}, RED, 4}, {{0, 0, 4}, {2, 2, 3}, RED, 4}};
+    const auto describe = [&]
+    {
+        const auto bricks = BrickModel::createOfParts(createPartGrid({2, 2, 8}, 0.4), parts);
+        const auto plan = BuildingPlan::create(2, {createStep({0}), createStep({1})});
+        return write({*bricks, *plan, Palette::getKnownColors()});
+    };
+    const std::string text = describe();
+    EXPECT_NE(text.find("2 studs deep and 2 layers high."), std::string::npos) << text;
+    EXPECT_NE(text.find("A layer is as high as a brick.\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("rows 1 to 2, layer 2. On 1.1."), std::string::npos) << text;
+
+    parts[1] = {{0, 0, 4}, {2, 2, 1}, RED, 4}; // a plate
+    const std::string mixed = describe();
+    EXPECT_NE(mixed.find("2 studs deep and 4 layers high."), std::string::npos) << mixed;
+    EXPECT_NE(mixed.find("A layer is as high as a plate.\n"), std::string::npos) << mixed;
+    EXPECT_NE(mixed.find("rows 1 to 2, layers 1 to 3. On the table."), std::string::npos) << mixed;
+    EXPECT_NE(write(createTower()).find("A layer is as high as a brick.\n"), std::string::npos);
+}
+
 TEST(BookletWordsTest, SaysBelowWhichPartsASubmodelHangs)
 {
     // A beam on a pillar, from which a submodel of two bricks hangs.
