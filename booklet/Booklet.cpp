@@ -237,7 +237,8 @@ std::string stripPseudoLoader(const std::string& name)
     if (loader != "rot" && loader != "scale" && loader != "trans") return name;
     const std::string arguments = osgDB::getNameLessExtension(name);
     const std::size_t end = arguments.ends_with(')') ? arguments.rfind(".(") : arguments.rfind('.');
-    return end == std::string::npos ? name : arguments.substr(0, end);
+    const std::size_t folder = osgDB::getFilePath(arguments).size();
+    return end == std::string::npos || end < folder ? name : arguments.substr(0, end);
 }
 
 } // namespace

@@ -20,6 +20,8 @@ namespace osgLego
 namespace
 {
 
+constexpr int BRICK_PLATES = 3; // the height of a brick in plates
+
 /** "column 3", or "columns 3 to 4". */
 std::string formatRange(const char* name, int first, int last)
 {
@@ -61,7 +63,6 @@ int countTurns(const BuildingView& view)
 /** The height of a layer in cells: that of a brick, if all parts are bricks and lie in layers of bricks. */
 int findLayerHeight(const BrickModel& model)
 {
-    constexpr int BRICK_PLATES = 3; // the height of a brick in plates
     std::vector<PlacedBox> boxes;
     int lowest = std::numeric_limits<int>::max();
     for (const Part& part : model.getParts())
@@ -73,14 +74,6 @@ int findLayerHeight(const BrickModel& model)
         boxes.begin(), boxes.end(),
         [&](const PlacedBox& box) { return box.size.z == BRICK_PLATES && (box.lower.z - lowest) % BRICK_PLATES == 0; });
     return areBricks ? BRICK_PLATES : 1;
-}
-
-/** Whether a layer of a height in cells is as high as a brick, not as a plate. */
-bool isOfBricks(const BrickModel& model, int layerHeight)
-{
-    const Part& part = model.getParts().front();
-    const PartType* const type = findPartType(part, model.getGrid());
-    return type && type->family == PartFamily::BRICK && PlacedBox::create(model.getGrid(), part).size.z == layerHeight;
 }
 
 } // namespace
@@ -121,10 +114,10 @@ void BookletWords::writeIntroduction(const std::string& title)
                        countOf(static_cast<std::size_t>(size.y), "stud"),
                        countOf(static_cast<std::size_t>(size.z), "layer"), countOf(_model.getNumParts(), "part"), steps)
         << formatSteps(_firstStep, _endStep, _model.getMainChapter().steps.size())
-        << "Columns count from left to right, rows from the front to the back, and layers from the bottom up. A layer "
-           "is "
-           "as high as a "
-        << (isOfBricks(*_model.getMainChapter().model, _layerHeight) ? "brick" : "plate") << ".\n"
+        << "Columns count from left to right, rows from the front to the back, and layers from the bottom up. "
+           "A layer is as high as a "
+        << (getCellPlates(_model.getMainChapter().model->getGrid()) * _layerHeight == BRICK_PLATES ? "brick" : "plate")
+        << ".\n"
         << "The front is the side towards you. Keep the front towards you. Lengths and edges are in studs.\n"
         << "A part has the number of its step and its number in this step: 2.3 is the third part of step 2.\n"
         << "A part that is only below others hangs from them: press it on from below, or, if both are new, join them "

@@ -3,6 +3,7 @@
 #include <osgLego/data/BuildingLimits.h>
 #include <osgLego/text/CountedNoun.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iomanip>
 #include <span>
@@ -23,10 +24,13 @@ std::string describe(const glm::ivec3& cell)
 /** One sentence on the joins of pieces, and one on those that are left. */
 std::string describe(const ConnectionStatistics& connection)
 {
-    if (connection.numPiecesBefore <= 1) return "connections: the model is one piece without changes";
-    std::string text = "connections: " + std::to_string(connection.numPiecesBefore) + " pieces ";
+    if (std::max(connection.numPiecesBefore, connection.numPieces) <= 1)
+        return "connections: the model is one piece without changes";
     const bool hasChanged = connection.numAddedCells + connection.numRecolored > 0;
-    if (!hasChanged && !connection.isSupported)
+    const bool remains = !hasChanged && !connection.isSupported;
+    std::string text =
+        "connections: " + std::to_string(remains ? connection.numPieces : connection.numPiecesBefore) + " pieces ";
+    if (remains)
         text += "remain";
     else
         text += "became " + (connection.numPieces == 1 ? "one" : std::to_string(connection.numPieces));

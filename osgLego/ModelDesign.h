@@ -50,8 +50,8 @@ struct OSGLEGO_EXPORT DesignCandidate
 /** The models of a mesh that were compared, and the one that was chosen. */
 struct OSGLEGO_EXPORT ModelDesign
 {
-    /** The best first: sound models before others, those whose building keeps the limits of BuildingPlan before others,
-     * and those more like the mesh before those less like it. Not empty. */
+    /** The best first: sound models before others, those that have few enough parts, those whose building keeps the
+     * limits of BuildingPlan, and those more like the mesh before those less like it. Not empty. */
     std::vector<DesignCandidate> candidates;
     /** The number of other settings, by which no models were made, since their drafts were clearly less like the mesh
      * than the best one. */

@@ -36,11 +36,12 @@ std::size_t countMistakes(const std::string& a, const std::string& b)
 /** A sentence on an option that does not exist, with the name that is spelled like it, if any. */
 std::string describeUnknownOption(const std::string& name, const std::vector<std::string>& known)
 {
-    constexpr std::size_t MOST_MISTAKES = 2;
+    // Of few letters, others are more likely meant than forgotten.
+    const std::size_t mostMistakes = std::min<std::size_t>(2, (name.size() - 2) / 3);
     const auto hasFewer = [&](const std::string& a, const std::string& b)
     { return countMistakes(name, a) < countMistakes(name, b); };
     const auto closest = std::min_element(known.begin(), known.end(), hasFewer);
-    const bool isClose = closest != known.end() && countMistakes(name, *closest) <= MOST_MISTAKES;
+    const bool isClose = closest != known.end() && countMistakes(name, *closest) <= mostMistakes;
     return "there is no option " + name + (isClose ? "; expected " + *closest : "; --help lists all");
 }
 
@@ -61,12 +62,14 @@ void checkArguments(const CLI::App& app, int argc, char** argv)
     {
         const std::string argument = argv[index];
         if (argument == "--") return; // what follows are files
-        if (!argument.starts_with("--")) continue;
+        if (!argument.starts_with('-')) continue;
         const std::string name = argument.substr(0, argument.find('='));
         const CLI::Option* option = app.get_option_no_throw(name);
+        if (!option && !argument.starts_with("--")) continue;
         if (!option) throw CLI::ValidationError(describeUnknownOption(name, listOptions(app)));
         if (argument == name + "=")
             throw CLI::ValidationError(name + " is empty; expected " + argument + option->get_type_name());
+        if (argument == name && option->get_items_expected_min() > 0) ++index; // its value, which may begin with dashes
     }
 }
 

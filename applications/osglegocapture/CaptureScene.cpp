@@ -67,9 +67,10 @@ std::string explain(const std::string& fileName, const osgDB::ReaderWriter::Read
 {
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
     // Pseudo-loaders append to the name of a file, so that only they can know whether it exists.
-    const bool isMissing =
-        osgDB::findDataFile(fileName).empty() && osgDB::getLowerCaseFileExtension(fileName) != "legolize";
-    // OSG's status is that of any error.
+    const std::string ending = osgDB::getLowerCaseFileExtension(fileName);
+    const bool isPseudoLoader = ending == "legolize" || ending == "rot" || ending == "scale" || ending == "trans";
+    const bool isMissing = osgDB::findDataFile(fileName).empty() && !isPseudoLoader;
+    // OSG reports a missing plugin with the status of other errors, so that only its message tells.
     if (result.message().find("Could not find plugin") != std::string::npos)
         return isMissing ? "there is no such file"
                          : "OpenSceneGraph has no reader for its ending; expected a mesh, such as .ply, .obj or .osgt";

@@ -57,6 +57,7 @@ JsonValue toJson(const LayoutStatistics& layout)
                               {"addedCells", layout.connection->numAddedCells},
                               {"recoloredCells", layout.connection->numRecolored},
                               {"loose", layout.connection->loose.size()},
+                              {"supported", layout.connection->isSupported},
                               {"milliseconds", rounded(layout.connection->milliseconds)}};
     if (layout.support)
         json["support"] = {{"stands", layout.support->stands},

@@ -199,7 +199,10 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
     for (int tries = 1; canChooseSize() && tries < MOST_TRIES; ++tries)
     {
         if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
-        --settings.grid.resolution;
+        // The number of parts grows about with the square of the resolution.
+        const double scale = std::sqrt(static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
+        settings.grid.resolution =
+            std::clamp(static_cast<unsigned int>(scale * settings.grid.resolution), 1u, settings.grid.resolution - 1);
         laid = _maker->lay(settings);
     }
     return _maker->measure(laid);
@@ -276,8 +279,9 @@ void DesignSearch::addCandidate(DesignCandidate candidate)
  * others fill. */
 void DesignSearch::tryLowerResolutions()
 {
-    constexpr double LOWEST = 0.5; // a multiple of the squares of every chessboard is above
-    constexpr unsigned int MOST_TRIED = 12;
+    // Every number of squares along a chessboard has a multiple between half the resolution and all of it.
+    constexpr double LOWEST = 0.5;
+    constexpr unsigned int MOST_TRIED = 24;
     constexpr double CLEARLY = 0.9;
     if (!canChooseSize()) return;
     LegoSettings settings = _candidates.front().settings;
@@ -350,10 +354,12 @@ void DesignSearch::planBetter()
             DesignCandidate supported = makeSupported(candidate.settings);
             _maker->planBuildingOf(supported);
             // If both exceed the limits, the one that is more like the mesh would be better.
-            const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
-                                  DesignRanking::rankStability(supported.stability) <=
-                                      DesignRanking::rankStability(candidate.stability) &&
-                                  supported.plan->exceedsLimitsLessThan(*candidate.plan);
+            const bool isHelped =
+                supported.exceedsLimits() && supported.isSound() &&
+                DesignRanking::rankStability(supported.stability) <=
+                    DesignRanking::rankStability(candidate.stability) &&
+                (createRanking().hasFewEnoughParts(supported) || !createRanking().hasFewEnoughParts(candidate)) &&
+                supported.plan->exceedsLimitsLessThan(*candidate.plan);
             if (isHelped) candidate = supported;
             addCandidate(std::move(supported));
         }

@@ -291,7 +291,8 @@ def check_bags(page, kinds):
 def check_csv(text, parts):
     """The table has a row for each part and colour, and the sums of its rows."""
     rows = list(csv.DictReader(io.StringIO(text)))
-    total = rows.pop()
+    end = next(index for index, row in enumerate(rows) if row["part"] == "total")
+    total, rows = rows[end], rows[:end]  # a base plate follows
     counts, masses = collections.Counter(), []
     for row in rows:
         color = int(row["ldraw_color"]) if row["ldraw_color"] else row["color_name"]

@@ -245,6 +245,7 @@ TEST(BookletNameTest, NamesBookletsAfterTheModelAndNotItsSettings)
     EXPECT_EQ(nameBooklet("models/mug.ply.90,0,0.rot"), "mug");
     EXPECT_EQ(nameBooklet("mug.ply.(0.5,0.5,0.5).scale.0,0,1.TRANS.24.legolize"), "mug");
     EXPECT_EQ(nameBooklet("mug.rot"), "mug");
+    EXPECT_EQ(nameBooklet("models.64/mug.rot"), "mug");
 }
 
 } // namespace osgLego

@@ -3,6 +3,7 @@
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/CpuLegolizer.h>
 #include <osgLego/Stability.h>
+#include <osgLego/design/DesignRanking.h>
 
 #include <common/RacingCar.h>
 
@@ -137,22 +138,42 @@ osg::ref_ptr<osg::Node> createOneLeggedTable()
     return table;
 }
 
-TEST(ModelDesigner, OfSupportedModelsOneOfFewEnoughPartsIsChosen)
+TEST(ModelDesigner, ASupportedModelHasFewEnoughParts)
 {
+    // Supported at the highest resolutions that have few enough parts without, all models would have more.
     DesignOptions options;
     options.numParts = 30;
-    options.settings = "fill=surface,colors=8";
+    options.settings = "proportions=brick,fill=surface,colors=8";
     std::string error;
     const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
     ASSERT_TRUE(design) << error;
-    const DesignCandidate& best = design->getBest();
-    EXPECT_TRUE(best.isSound());
-    EXPECT_LE(best.layout.numParts, 30u);
-    const auto isLarger = [&](const DesignCandidate& candidate)
-    { return candidate.isSound() && candidate.layout.numParts > 30 && candidate.getError() < best.getError(); };
-    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(), isLarger))
-        << "the test needs a model of more parts that is more like the mesh\n"
-        << design->toString();
+    EXPECT_TRUE(design->getBest().isSound());
+    EXPECT_TRUE(design->getBest().settings.parts.support);
+    EXPECT_LE(design->getBest().layout.numParts, 30u) << design->toString();
+}
+
+TEST(DesignRanking, FewEnoughPartsMatterMoreThanLikenessButLessThanStability)
+{
+    const auto create = [](std::size_t numParts, double error)
+    {
+        DesignCandidate candidate;
+        candidate.numPieces = 1;
+        candidate.stability.stands = true;
+        candidate.stability.safe = true;
+        candidate.layout.numParts = numParts;
+        candidate.surfaceError = error;
+        return candidate;
+    };
+    const DesignRanking ranking(200);
+    const DesignCandidate few = create(188, 0.08);
+    const DesignCandidate many = create(219, 0.05);
+    ASSERT_LT(many.getError(), few.getError());
+    EXPECT_TRUE(ranking.isBetter(few, many));
+    EXPECT_FALSE(ranking.isBetter(many, few));
+    EXPECT_TRUE(DesignRanking(300).isBetter(many, few));
+    DesignCandidate falling = few;
+    falling.stability.stands = false;
+    EXPECT_TRUE(ranking.isBetter(many, falling));
 }
 
 TEST(ModelDesigner, AModelThatFallsIsSupported)
@@ -273,6 +294,23 @@ TEST(ModelDesigner, AnUprightChessboardHasOneCellForEachSquareIfTwoNeedTooManyPa
         << "the test needs a model of squares of one and two cells";
 }
 
+TEST(ModelDesigner, AnOddResolutionOfAChessboardIsNotTheBest)
+{
+    // 33 cells a side have few enough parts, and squares of four and five cells.
+    DesignOptions options;
+    options.numParts = 290;
+    options.base = BuildingBase::PLATE;
+    options.settings = "proportions=plate,fill=surface,colors=8";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*createChessboard(false), options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_EQ(design->getBest().settings.grid.resolution % 8, 0u) << design->toString();
+    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(),
+                            [](const DesignCandidate& candidate)
+                            { return candidate.settings.grid.resolution % 2 == 1; }))
+        << "the test needs a highest resolution that is odd";
+}
+
 TEST(ModelDesigner, AChessboardOnABasePlateHasWholeCellsForEachSquareAndKeepsItsColors)
 {
     // 21 cells a side would have as few parts, and squares of two and three cells.
@@ -301,7 +339,7 @@ TEST(ModelDesigner, IfTheSizeIsGivenAModelOfFewEnoughPartsIsPreferred)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     DesignOptions options;
-    options.settings = "11,fill=surface";
+    options.settings = "11,fill=surface"; // in eight colours, the model has fewer parts
     std::string error;
     const std::optional<ModelDesign> unlimited = designModel(*car, options, error);
     ASSERT_TRUE(unlimited) << error;
