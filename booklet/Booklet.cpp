@@ -229,18 +229,6 @@ void checkFile(const std::string& fileName)
     findLDrawWriter();
 }
 
-/** A file name without the last pseudo-loader: `.legolize`, or one of OSG, such as "mug.ply.90,0,0.rot". */
-std::string stripPseudoLoader(const std::string& name)
-{
-    if (LegolizeName parsed; LegolizeName::parse(name, parsed)) return parsed.fileName;
-    const std::string loader = osgDB::getLowerCaseFileExtension(name);
-    if (loader != "rot" && loader != "scale" && loader != "trans") return name;
-    const std::string arguments = osgDB::getNameLessExtension(name);
-    const std::size_t end = arguments.ends_with(')') ? arguments.rfind(".(") : arguments.rfind('.');
-    const std::size_t folder = osgDB::getFilePath(arguments).size();
-    return end == std::string::npos || end < folder ? name : arguments.substr(0, end);
-}
-
 } // namespace
 
 std::optional<BookletError> checkBookletFile(const std::string& fileName)
@@ -269,8 +257,7 @@ catch (const BookletFailure& failure)
 
 std::string nameBooklet(const std::string& modelFileName)
 {
-    if (const std::string inner = stripPseudoLoader(modelFileName); inner != modelFileName) return nameBooklet(inner);
-    const std::string name = osgDB::getStrippedName(modelFileName);
+    const std::string name = osgDB::getStrippedName(LegolizeName::stripPseudoLoaders(modelFileName));
     return name.empty() ? "model" : name;
 }
 

@@ -3,6 +3,7 @@
 #include "Base64.h"
 #include "BookletText.h"
 
+#include <common/ColorName.h>
 #include <common/MarkupText.h>
 
 #include <fmt/format.h>

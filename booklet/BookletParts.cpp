@@ -4,6 +4,7 @@
 #include "SheetArrangement.h"
 #include "TrueSizePicture.h"
 
+#include <common/ColorName.h>
 #include <common/MarkupText.h>
 #include <common/NumberText.h>
 

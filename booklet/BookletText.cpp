@@ -1,5 +1,6 @@
 #include "BookletText.h"
 
+#include <common/ColorName.h>
 #include <common/NumberText.h>
 
 #include <algorithm>
@@ -29,13 +30,6 @@ std::string nameType(const PartType& type)
 {
     const char* family = type.family == PartFamily::BRICK ? "Brick" : "Plate";
     return std::string(family) + "\u00a0" + std::to_string(type.width) + "\u202f×\u202f" + std::to_string(type.length);
-}
-
-std::string nameColor(const PaletteColor& color)
-{
-    std::string name = color.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
 }
 
 std::string nameBrickLinkColor(const PaletteColor& color)

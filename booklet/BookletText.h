@@ -14,9 +14,6 @@ namespace osgLego
 /** The name of a type, such as "Brick 2 x 4", with a multiplication sign, and without spaces at which lines break. */
 std::string nameType(const PartType& type);
 
-/** The name of a colour for readers, such as "Dark Turquoise"; #RRGGBB for a colour of no palette. */
-std::string nameColor(const PaletteColor& color);
-
 /** BrickLink's name of a colour; empty without a number of BrickLink. */
 std::string nameBrickLinkColor(const PaletteColor& color);
 

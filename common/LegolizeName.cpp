@@ -71,6 +71,16 @@ bool LegolizeName::parse(const std::string& name, LegolizeName& result)
     return !result.fileName.empty();
 }
 
+std::string LegolizeName::stripPseudoLoaders(const std::string& name)
+{
+    if (LegolizeName parsed; parse(name, parsed)) return stripPseudoLoaders(parsed.fileName);
+    const std::string loader = osgDB::getLowerCaseFileExtension(name);
+    if (loader != "rot" && loader != "scale" && loader != "trans") return name;
+    const std::string arguments = osgDB::getNameLessExtension(name);
+    const auto end = findLastDot(arguments);
+    return end == std::string::npos ? name : stripPseudoLoaders(arguments.substr(0, end));
+}
+
 std::string LegolizeName::findLoneBracket(const std::string& name)
 {
     std::vector<std::string::size_type> open;

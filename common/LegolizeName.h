@@ -24,6 +24,10 @@ struct LegolizeName
     /** Parse a name. Returns false if it does not end in `.legolize` or has nothing before that. */
     static bool parse(const std::string& name, LegolizeName& result);
 
+    /** The name of the model file without its pseudo-loaders: `.legolize`, and those of OSG that turn, scale and move
+     * models, such as "mug.ply" for "mug.ply.90,0,0.rot.64.legolize". */
+    static std::string stripPseudoLoaders(const std::string& name);
+
     /** An error message if there is an unmatched bracket in the last part of a path, otherwise empty. Files may have
      * such names, so call this only if the file doesn't exist. */
     static std::string findLoneBracket(const std::string& name);

@@ -33,10 +33,7 @@ bool isVersion(const std::string& name, std::size_t place)
 
 std::string toReadableName(const std::string& fileName)
 {
-    std::string name = fileName;
-    for (LegolizeName parsed; LegolizeName::parse(name, parsed);)
-        name = parsed.fileName;
-    name = osgDB::getStrippedName(name);
+    const std::string name = osgDB::getStrippedName(LegolizeName::stripPseudoLoaders(fileName));
     std::string readable;
     for (std::size_t place = 0; place < name.size(); ++place)
     {

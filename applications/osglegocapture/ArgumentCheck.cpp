@@ -36,7 +36,7 @@ std::size_t countMistakes(const std::string& a, const std::string& b)
 /** A sentence on an option that does not exist, with the name that is spelled like it, if any. */
 std::string describeUnknownOption(const std::string& name, const std::vector<std::string>& known)
 {
-    // Of few letters, others are more likely meant than forgotten.
+    // With two mistakes, short names are spelled like unrelated ones.
     const std::size_t mostMistakes = std::min<std::size_t>(2, (name.size() - 2) / 3);
     const auto hasFewer = [&](const std::string& a, const std::string& b)
     { return countMistakes(name, a) < countMistakes(name, b); };

@@ -5,6 +5,7 @@
 #include "ReadingGuard.h"
 #include "SceneReach.h"
 
+#include <common/LegolizeName.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
 #include <common/UprightTurn.h>
@@ -67,9 +68,8 @@ std::string explain(const std::string& fileName, const osgDB::ReaderWriter::Read
 {
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
     // Pseudo-loaders append to the name of a file, so that only they can know whether it exists.
-    const std::string ending = osgDB::getLowerCaseFileExtension(fileName);
-    const bool isPseudoLoader = ending == "legolize" || ending == "rot" || ending == "scale" || ending == "trans";
-    const bool isMissing = osgDB::findDataFile(fileName).empty() && !isPseudoLoader;
+    const bool isMissing =
+        osgDB::findDataFile(fileName).empty() && LegolizeName::stripPseudoLoaders(fileName) == fileName;
     // OSG reports a missing plugin with the status of other errors, so that only its message tells.
     if (result.message().find("Could not find plugin") != std::string::npos)
         return isMissing ? "there is no such file"

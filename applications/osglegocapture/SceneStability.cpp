@@ -3,6 +3,7 @@
 #include "Cancellation.h"
 #include "ExitCode.h"
 
+#include <common/ColorName.h>
 #include <osgLego/Palette.h>
 #include <osgLego/PartType.h>
 #include <osgLego/PieceCount.h>
@@ -37,10 +38,7 @@ std::string nameColorOf(const Part& part)
     const std::span<const PaletteColor> colors = Palette::getKnownColors();
     const auto known = std::find_if(colors.begin(), colors.end(),
                                     [&](const PaletteColor& color) { return color.code == part.colorCode; });
-    if (known == colors.end()) return fmt::format("colour {}", part.colorCode);
-    std::string name = known->name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
+    return known == colors.end() ? fmt::format("colour {}", part.colorCode) : nameColor(*known);
 }
 
 std::string describe(const BrickModel& model, std::uint32_t index)

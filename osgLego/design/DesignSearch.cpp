@@ -58,8 +58,8 @@ std::size_t DesignSearch::getMostParts() const
 
 DesignRanking DesignSearch::createRanking() const
 {
-    return DesignRanking(canChooseSize() ? getMostParts()
-                                         : _options.numParts.value_or(std::numeric_limits<std::size_t>::max()));
+    return DesignRanking(_options.numParts.value_or(canChooseSize() ? DesignOptions::USUAL_PARTS
+                                                                    : std::numeric_limits<std::size_t>::max()));
 }
 
 /** Throws DesignFailure if settings ask for no parts. */
@@ -343,6 +343,7 @@ void DesignSearch::planBest()
 void DesignSearch::planBetter()
 {
     const double share = SHARE_OF_PLANS / static_cast<double>(_candidates.size());
+    const DesignRanking ranking = createRanking();
     while (!_candidates.front().plan && _candidates.front().isSound() &&
            _candidates.front().layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
     {
@@ -354,12 +355,11 @@ void DesignSearch::planBetter()
             DesignCandidate supported = makeSupported(candidate.settings);
             _maker->planBuildingOf(supported);
             // If both exceed the limits, the one that is more like the mesh would be better.
-            const bool isHelped =
-                supported.exceedsLimits() && supported.isSound() &&
-                DesignRanking::rankStability(supported.stability) <=
-                    DesignRanking::rankStability(candidate.stability) &&
-                (createRanking().hasFewEnoughParts(supported) || !createRanking().hasFewEnoughParts(candidate)) &&
-                supported.plan->exceedsLimitsLessThan(*candidate.plan);
+            const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
+                                  DesignRanking::rankStability(supported.stability) <=
+                                      DesignRanking::rankStability(candidate.stability) &&
+                                  (ranking.hasFewEnoughParts(supported) || !ranking.hasFewEnoughParts(candidate)) &&
+                                  supported.plan->exceedsLimitsLessThan(*candidate.plan);
             if (isHelped) candidate = supported;
             addCandidate(std::move(supported));
         }

@@ -25,53 +25,37 @@ std::vector<std::array<int, 2>> getSizesByArea()
     return sizes;
 }
 
-/** Call `function(cell)` for each cell of a part, until it returns false. @return whether it never did. */
-template <typename Function>
-bool forAllCells(const CellLattice& lattice, Index anchor, const PartShape& shape, const Function& function)
-{
-    Index level = anchor;
-    for (int dz = 0; dz < shape.height; ++dz, level = lattice.getNeighbor(level, CellLattice::ABOVE))
-    {
-        Index row = level;
-        for (int dy = 0; dy < shape.depth; ++dy, row = lattice.getNeighbor(row, CellLattice::NORTH))
-        {
-            Index cell = row;
-            for (int dx = 0; dx < shape.width; ++dx, cell = lattice.getNeighbor(cell, CellLattice::EAST))
-                if (!function(cell)) return false;
-        }
-    }
-    return true;
-}
-
 /** Whether a brick is a component of its own, as there are no cells above or below it, while plates in its place may
  * reach cells beside it. @param color of the brick. */
-bool isolates(const CellLattice& lattice, Index anchor, const PartShape& shape, std::uint16_t color)
+bool isolates(const PartMap& map, Index anchor, const PartShape& shape, std::uint16_t color)
 {
-    const int top = lattice.getZ(anchor) + shape.height - 1;
-    const auto isOpen = [&](Index cell)
-    {
-        const int z = lattice.getZ(cell);
-        return (z > top - shape.height + 1 || lattice.getNeighbor(cell, CellLattice::BELOW) == CellLattice::NONE) &&
-               (z < top || lattice.getNeighbor(cell, CellLattice::ABOVE) == CellLattice::NONE);
-    };
-    const int x = lattice.getX(anchor);
-    const int y = lattice.getY(anchor);
+    const CellLattice& lattice = map.getLattice();
+    const std::array<int, 3> first{lattice.getX(anchor), lattice.getY(anchor), lattice.getZ(anchor)};
     const auto isInside = [&](Index cell)
     {
-        return lattice.getX(cell) >= x && lattice.getX(cell) < x + shape.width && lattice.getY(cell) >= y &&
-               lattice.getY(cell) < y + shape.depth;
+        const int x = lattice.getX(cell) - first[0];
+        const int y = lattice.getY(cell) - first[1];
+        const int z = lattice.getZ(cell) - first[2];
+        return x >= 0 && x < shape.width && y >= 0 && y < shape.depth && z >= 0 && z < shape.height;
     };
-    const auto isApart = [&](Index cell)
-    {
-        for (const CellLattice::Side side : CellLattice::LEVEL_SIDES)
-        {
-            const Index other = lattice.getNeighbor(cell, side);
-            if (other != CellLattice::NONE && !isInside(other) && PartSizes::join(color, lattice.getColor(other)))
-                return false;
-        }
-        return true;
-    };
-    return forAllCells(lattice, anchor, shape, isOpen) && !forAllCells(lattice, anchor, shape, isApart);
+    bool isInColumn = false;
+    bool isBesideOthers = false;
+    map.visitCells(anchor, shape,
+                   [&](Index cell)
+                   {
+                       for (const CellLattice::Side side : {CellLattice::ABOVE, CellLattice::BELOW})
+                       {
+                           const Index other = lattice.getNeighbor(cell, side);
+                           isInColumn = isInColumn || (other != CellLattice::NONE && !isInside(other));
+                       }
+                       for (const CellLattice::Side side : CellLattice::LEVEL_SIDES)
+                       {
+                           const Index other = lattice.getNeighbor(cell, side);
+                           isBesideOthers = isBesideOthers || (other != CellLattice::NONE && !isInside(other) &&
+                                                               PartSizes::join(color, lattice.getColor(other)));
+                       }
+                   });
+    return !isInColumn && isBesideOthers;
 }
 
 /** Whether a part of a shape can be laid with its lowest corner on a cell. */
@@ -98,7 +82,7 @@ bool fits(const PartMap& map, const PartSizes& sizes, Index anchor, const PartSh
         }
         if (dz + 1 < shape.height) level = lattice.getNeighbor(level, CellLattice::ABOVE);
     }
-    return sizes.isAllowed(shape, color) && (shape.height == 1 || !isolates(lattice, anchor, shape, color));
+    return sizes.isAllowed(shape, color) && (shape.height == 1 || !isolates(map, anchor, shape, color));
 }
 
 /** The number of cells in a row from a cell on, itself included, up to the length of the longest part. */

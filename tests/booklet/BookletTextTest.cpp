@@ -1,6 +1,8 @@
 #include <booklet/Base64.h>
 #include <booklet/BookletText.h>
 
+#include <common/ColorName.h>
+
 #include <gtest/gtest.h>
 
 namespace osgLego

@@ -21,6 +21,7 @@ TEST(ReadableName, HasWordsWithCapitalsInsteadOfTheSignsOfFileNames)
 TEST(ReadableName, LeavesFoldersAndSettingsOut)
 {
     EXPECT_EQ(toReadableName("models.64/bunny.ply.(64,palette=/a/b.csv).legolize"), "Bunny");
+    EXPECT_EQ(toReadableName("mug.ply.90,0,0.rot.24.legolize"), "Mug");
     EXPECT_EQ(toReadableName("/models/two\nlines"), "Two Lines");
 }
 

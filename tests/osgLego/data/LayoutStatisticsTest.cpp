@@ -11,6 +11,12 @@ namespace osgLego
 namespace
 {
 
+std::string getLastLine(const LayoutStatistics& layout)
+{
+    const std::string text = layout.toString();
+    return text.substr(text.rfind('\n') + 1);
+}
+
 TEST(LayoutStatistics, TheReportNamesEveryFigure)
 {
     LayoutStatistics layout;
@@ -44,8 +50,7 @@ TEST(LayoutStatistics, TheReportSaysHowTheModelWasMadeToStand)
     {
         LayoutStatistics layout;
         layout.support = support;
-        const std::string text = layout.toString();
-        return text.substr(text.rfind('\n') + 1);
+        return getLastLine(layout);
     };
     EXPECT_EQ(describe({true, false, 0, 0, 0, 0}), "support: the model stands without it");
     EXPECT_EQ(describe({true, true, 0, 0, 0, 0}), "support: parts were laid again; the model stands");
@@ -107,8 +112,7 @@ TEST(LayoutStatistics, TheReportSaysThatSupportJoinedPieces)
     {
         LayoutStatistics layout;
         layout.connection = connection;
-        const std::string text = layout.toString();
-        return text.substr(text.rfind('\n') + 1);
+        return getLastLine(layout);
     };
     ConnectionStatistics connection;
     connection.numPiecesBefore = 4;
