@@ -17,6 +17,8 @@ namespace
 
 const osg::Vec4 BLACK(0.0f, 0.0f, 0.0f, 1.0f);
 const osg::Vec4 WHITE(1.0f, 1.0f, 1.0f, 1.0f);
+// Seconds: an animation shows the same moment in all frames of a picture, however long they take.
+constexpr double SIMULATION_TIME = 0.0;
 
 } // namespace
 
@@ -106,7 +108,7 @@ osg::ref_ptr<osg::Image> PictureRenderer::draw(const glm::ivec2& size, const osg
     _camera->setRenderingCache(nullptr);
     _camera->dirtyAttachmentMap();
     _viewer.realize();
-    _viewer.frame();
+    _viewer.frame(SIMULATION_TIME);
     return image;
 }
 
@@ -123,7 +125,7 @@ double PictureRenderer::timeFrame()
     _context->makeCurrent();
     glFinish();
     const osg::Timer_t start = osg::Timer::instance()->tick();
-    _viewer.frame();
+    _viewer.frame(SIMULATION_TIME);
     _context->makeCurrent();
     glFinish();
     return osg::Timer::instance()->delta_m(start, osg::Timer::instance()->tick());

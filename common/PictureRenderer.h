@@ -23,8 +23,8 @@ namespace osgLego
  *     const osg::ref_ptr<osg::Image> picture = renderer.draw({640, 480}, background);
  *
  * Pictures are drawn into frame buffer objects, so that their size, their samples and their formats do not depend on
- * the context. When the object is destroyed, it deletes the GL objects of its scene; the context can be used again. One
- * thread.
+ * the context. Animations are drawn as they are at the simulation time 0. When the object is destroyed, it deletes the
+ * GL objects of its scene; the context can be used again. One thread.
  */
 class PictureRenderer
 {

@@ -4,9 +4,11 @@
 
 #include <new>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <osg/Drawable>
+#include <osg/FrameStamp>
 #include <osg/Geode>
 #include <osg/State>
 
@@ -27,6 +29,38 @@ public:
     osg::BoundingBox computeBoundingBox() const override { return {-1.0f, -1.0f, -1.0f, 1.0f, 1.0f, 1.0f}; }
     void drawImplementation(osg::RenderInfo&) const override { throw std::bad_alloc(); }
 };
+
+/** Makes the simulation time of each frame known. */
+class TimedDrawable : public LargeDrawable
+{
+public:
+    explicit TimedDrawable(std::vector<double>& times) : _times(times) {}
+
+    void drawImplementation(osg::RenderInfo& info) const override
+    {
+        _times.push_back(info.getState()->getFrameStamp()->getSimulationTime());
+    }
+
+private:
+    std::vector<double>& _times;
+};
+
+TEST(PictureRenderer, AnimationsStandStillInAllFramesOfPictures)
+{
+    std::string error;
+    const osg::ref_ptr<osg::GraphicsContext> context = createOffscreenContext(16, 16, error);
+    ASSERT_TRUE(context) << error;
+    std::vector<double> times;
+    const osg::ref_ptr<osg::Geode> scene = new osg::Geode;
+    scene->addDrawable(new TimedDrawable(times));
+    PictureRenderer renderer(*context, 1);
+    renderer.setScene(*scene);
+    renderer.getCamera().setViewMatrixAsLookAt({0.0, -5.0, 0.0}, {}, {0.0, 0.0, 1.0});
+    renderer.getCamera().setProjectionMatrixAsPerspective(40.0, 1.0, 1.0, 10.0);
+    renderer.drawTransparent({64, 64});
+    renderer.timeFrame();
+    EXPECT_EQ(times, std::vector<double>(3, 0.0)); // a transparent picture is drawn over two backgrounds
+}
 
 TEST(PictureRenderer, AFailedPictureLeavesNoStateOfItsScene)
 {
