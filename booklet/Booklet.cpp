@@ -1,6 +1,5 @@
 #include <osgLegoBooklet/Booklet.h>
 
-#include "BasePlate.h"
 #include "BookletCover.h"
 #include "BookletDownloads.h"
 #include "BookletFailure.h"
@@ -11,6 +10,7 @@
 #include "BookletRenderer.h"
 #include "BookletWords.h"
 
+#include <common/BasePlate.h>
 #include <common/LegolizeName.h>
 #include <common/PictureRenderer.h>
 #include <common/ReadableName.h>

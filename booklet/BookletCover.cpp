@@ -17,6 +17,10 @@ std::vector<std::string> createWarnings(const BookletModel& model, const std::op
     else if (!stability->stands && !stability->falls())
         warnings.push_back("It is unknown whether this model stands on " + place + ": the forces between " +
                            countOf(stability->unknown.size(), "part") + " can't be computed precisely enough.");
+    else if (stability->tips())
+        warnings.push_back("This model tips over on " + place +
+                           ": its centre of mass is not above its foot. Build it on a base plate, or lean it against "
+                           "something.");
     else if (!stability->stands)
         warnings.push_back("This model does not stand on " + place + ": " + countOf(stability->falling.size(), "part") +
                            " would fall. Support it from below, or make it with support=on.");

@@ -187,14 +187,7 @@ void BookletModel::nameSteps(BookletChapter& chapter, std::size_t& numNamed)
 void BookletModel::addBasePlate(const BrickModel& model)
 {
     _basePlate.emplace(model);
-    PartsList::Extra plate;
-    plate.number = _basePlate->getNumber();
-    plate.name = _basePlate->getName();
-    plate.color.code = BasePlate::COLOR_CODE;
-    plate.color.name = "Green";
-    plate.color.brickLink = BasePlate::COLOR_BRICKLINK;
-    plate.quantity = _basePlate->getQuantity();
-    _list.addExtra(std::move(plate));
+    _list.addExtra(_basePlate->createRow());
 }
 
 std::size_t BookletModel::getNumFallingSteps() const

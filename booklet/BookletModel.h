@@ -1,8 +1,8 @@
 #pragma once
 
-#include "BasePlate.h"
 #include "SubmodelTurn.h"
 
+#include <common/BasePlate.h>
 #include <common/PartsList.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 namespace osgLego
@@ -18,13 +19,30 @@ std::string countParts(std::size_t count)
     return std::to_string(count) + (count == 1 ? " part is" : " parts are");
 }
 
+std::string describeFall(std::size_t numTipping, std::size_t numUnheld)
+{
+    std::string text;
+    if (numTipping > 0)
+        text = std::to_string(numTipping) + (numTipping == 1 ? " part tips" : " parts tip") +
+               " over as a whole, since the centre of mass is not above the foot";
+    if (numUnheld > 0) text += (text.empty() ? "" : "; ") + countParts(numUnheld) + " not held";
+    return text;
+}
+
 } // namespace
+
+std::vector<std::uint32_t> StabilityReport::findUnheld() const
+{
+    std::vector<std::uint32_t> unheld;
+    std::set_difference(falling.begin(), falling.end(), tipping.begin(), tipping.end(), std::back_inserter(unheld));
+    return unheld;
+}
 
 std::string StabilityReport::toString() const
 {
     std::ostringstream text;
     if (falls())
-        text << "the model falls: " << countParts(falling.size()) << " not held";
+        text << "the model falls: " << describeFall(tipping.size(), findUnheld().size());
     else if (!stands)
         text << "it is unknown whether the model stands";
     else

@@ -131,7 +131,10 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
                                       *options.buildParts));
     const char* standing = best.isWhole() ? "the model stands" : "its pieces stand";
     if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.numPieces));
-    if (best.stability.falls())
+    if (best.stability.tips())
+        defects.push_back(fmt::format("{} tips over: its centre of mass is not above its foot on the table",
+                                      best.isWhole() ? "the model" : "a piece"));
+    else if (best.stability.falls())
         defects.push_back(fmt::format("{} of {} parts fall", best.stability.falling.size(), best.layout.numParts));
     else if (!best.stability.stands)
         defects.push_back(fmt::format("it is unknown whether {}", standing));

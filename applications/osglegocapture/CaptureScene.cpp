@@ -5,6 +5,7 @@
 #include "ReadingGuard.h"
 #include "SceneReach.h"
 
+#include <common/BasePlate.h>
 #include <common/LegolizeName.h>
 #include <common/RacingCar.h>
 #include <common/ReadableFile.h>
@@ -63,21 +64,28 @@ std::string findObstacle(const std::string& fileName)
     return path.empty() ? std::string() : findObstacleToReading(path);
 }
 
+/** That a file, or the one before the pseudo-loaders in its name, does not exist; empty if it is found. */
+std::string findMissing(const std::string& fileName)
+{
+    const std::string model = LegolizeName::stripPseudoLoaders(fileName);
+    if (!osgDB::findDataFile(fileName).empty() || !osgDB::findDataFile(model).empty()) return {};
+    return model == fileName ? "there is no such file" : "there is no file '" + model + "'";
+}
+
 /** The reason why OpenSceneGraph has not read a file. */
 std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
 {
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
-    // Pseudo-loaders append to the name of a file, so that only they can know whether it exists.
-    const bool isMissing =
-        osgDB::findDataFile(fileName).empty() && LegolizeName::stripPseudoLoaders(fileName) == fileName;
+    const std::string missing = findMissing(fileName);
     // OSG reports a missing plugin with the status of other errors, so that only its message tells.
     if (result.message().find("Could not find plugin") != std::string::npos)
-        return isMissing ? "there is no such file"
-                         : "OpenSceneGraph has no reader for its ending; expected a mesh, such as .ply, .obj or .osgt";
+        return missing.empty()
+                   ? "OpenSceneGraph has no reader for its ending; expected a mesh, such as .ply, .obj or .osgt"
+                   : missing;
     const std::string ownPrefix = "osgLego: can't read '" + fileName + "': ";
     if (result.message().starts_with(ownPrefix)) return result.message().substr(ownPrefix.size());
     if (!result.message().empty()) return result.message();
-    return isMissing ? "there is no such file" : "OpenSceneGraph can't read it";
+    return missing.empty() ? "OpenSceneGraph can't read it" : missing;
 }
 
 osg::ref_ptr<osg::Node> readMesh(const CaptureOptions& options)
@@ -299,7 +307,10 @@ PartsList CaptureScene::createPartsList() const
         const std::span<const PaletteColor> colors = palette         ? palette->getColors()
                                                      : error.empty() ? std::span<const PaletteColor>()
                                                                      : Palette::getKnownColors();
-        if (model) list.add(*model, colors);
+        if (!model) continue;
+        list.add(*model, colors);
+        if (_options.base == BuildingBase::PLATE && !model->getParts().empty())
+            list.addExtra(BasePlate(*model).createRow());
     }
     if (list.getRows().empty()) throwWithoutParts(TO_LIST);
     return list;

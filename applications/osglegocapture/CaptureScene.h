@@ -46,7 +46,8 @@ public:
     void checkHasParts(const char* purpose) const;
     /** The visible nodes that make or store bricks. */
     std::vector<LegoNode*> findLegoNodes() const;
-    /** The parts of all bricks in the scene. Throws CaptureError if there are none. */
+    /** The parts of all bricks in the scene, and the base plates below them if the options name that base. Throws
+     * CaptureError if there are no parts. */
     PartsList createPartsList() const;
     /** The models of the scene that have parts. Throws CaptureError if there are none. */
     std::vector<osg::ref_ptr<const BrickModel>> findPartModels() const;

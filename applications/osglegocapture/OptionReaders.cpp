@@ -140,7 +140,8 @@ std::string readSteps(const std::string& text, CaptureOptions& options)
     char rest = 0;
     const bool isRead = text.find_first_not_of("0123456789-") == std::string::npos &&
                         std::sscanf(text.c_str(), "%9lu-%9lu%c", &first, &last, &rest) == 2;
-    if (!isRead || first < 1 || last < first) return badValue("--steps", text, "FIRST-LAST, for example 1-50");
+    if (!isRead || first < 1 || last < first)
+        return badValue("--steps", text, "FIRST-LAST, such as 1-50, with FIRST from 1 to LAST");
     options.bookletSteps = {first, last};
     return {};
 }

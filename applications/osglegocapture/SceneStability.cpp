@@ -130,10 +130,10 @@ std::string SceneStability::toText() const
         if (report.weakest)
             text += fmt::format("  weakest joint: {} on {}\n", describe(*model, report.weakest->upper),
                                 describe(*model, report.weakest->lower));
-        for (std::size_t index = 0; index < std::min(report.falling.size(), MOST_NAMED); ++index)
-            text += fmt::format("  not held: {}\n", describe(*model, report.falling[index]));
-        if (report.falling.size() > MOST_NAMED)
-            text += fmt::format("  and {} more\n", report.falling.size() - MOST_NAMED);
+        const std::vector<std::uint32_t> unheld = report.findUnheld();
+        for (std::size_t index = 0; index < std::min(unheld.size(), MOST_NAMED); ++index)
+            text += fmt::format("  not held: {}\n", describe(*model, unheld[index]));
+        if (unheld.size() > MOST_NAMED) text += fmt::format("  and {} more\n", unheld.size() - MOST_NAMED);
     }
     return text;
 }

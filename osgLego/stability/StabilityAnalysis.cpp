@@ -91,10 +91,10 @@ public:
             cache.emplace(components[index].parts, std::move(*results[index]));
         }
         _cache = std::move(cache);
-        if (_base == BuildingBase::TABLE) report.tippingAngle = findTippingAngle(parts, report);
-        report.safe = report.safe && !report.tipsEasily();
         std::sort(report.falling.begin(), report.falling.end());
         std::sort(report.unknown.begin(), report.unknown.end());
+        if (_base == BuildingBase::TABLE) addTipping(parts, report);
+        report.safe = report.safe && !report.tipsEasily();
         return report;
     }
 
@@ -250,11 +250,9 @@ private:
             _bodies[parts[index]] = parts[bodies.empty() ? 0 : bodies[index]];
     }
 
-    /** Each piece that studs hold together tips by itself: neighbours only push it. */
-    std::optional<double> findTippingAngle(std::span<const std::uint32_t> parts, const StabilityReport& report) const
+    /** The parts of each piece that studs hold together. */
+    std::vector<std::vector<std::uint32_t>> findPieces(std::span<const std::uint32_t> parts) const
     {
-        if (report.falls()) return 0.0;
-        if (!report.stands || parts.empty()) return std::nullopt;
         PartSets studs(_boxes.size());
         for (const Contact& contact : _contacts)
             if (contact.kind == Contact::STUDS && _isSelected[contact.lower] && _isSelected[contact.upper])
@@ -262,10 +260,29 @@ private:
         std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
         for (const std::uint32_t part : parts)
             pieces[studs.find(part)].push_back(part);
-        double least = std::numeric_limits<double>::infinity();
-        for (const auto& [root, piece] : pieces)
-            least = std::min(least, osgLego::findTippingAngle(_boxes, piece, _lowest));
-        return least;
+        std::vector<std::vector<std::uint32_t>> result;
+        for (auto& [root, piece] : pieces)
+            result.push_back(std::move(piece));
+        return result;
+    }
+
+    /** Each piece that studs hold together tips by itself: neighbours only push it. */
+    void addTipping(std::span<const std::uint32_t> parts, StabilityReport& report) const
+    {
+        if (parts.empty() || (!report.falls() && !report.stands)) return;
+        report.tippingAngle = report.falls() ? 0.0 : std::numeric_limits<double>::infinity();
+        for (const std::vector<std::uint32_t>& piece : findPieces(parts))
+        {
+            if (!_isHeld[piece.front()]) continue; // it is not on the table
+            const double angle = findTippingAngle(_boxes, piece, _lowest);
+            report.tippingAngle = std::min(*report.tippingAngle, angle);
+            const auto falls = [&report](std::uint32_t part)
+            { return std::binary_search(report.falling.begin(), report.falling.end(), part); };
+            // Neighbours may hold a piece that would tip alone.
+            if (angle == 0.0 && std::any_of(piece.begin(), piece.end(), falls))
+                report.tipping.insert(report.tipping.end(), piece.begin(), piece.end());
+        }
+        std::sort(report.tipping.begin(), report.tipping.end());
     }
 
     static void drop(std::uint32_t part, StabilityReport& report)

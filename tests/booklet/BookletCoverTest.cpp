@@ -58,6 +58,14 @@ TEST(BookletCoverTest, WarnsOfAModelThatTipsEasily)
                     "lean it against something, or build it on a base plate."});
 }
 
+TEST(BookletCoverTest, SaysThatAModelTipsOver)
+{
+    StabilityReport report = createReport(false, false, {0, 1});
+    report.tipping = {0, 1};
+    EXPECT_EQ(warningsOf(report), Lines{"This model tips over on a table: its centre of mass is not above its foot. "
+                                        "Build it on a base plate, or lean it against something."});
+}
+
 TEST(BookletCoverTest, SaysIfItIsUnknownWhetherAModelStands)
 {
     StabilityReport report = createReport(false, false);

@@ -26,6 +26,22 @@ TEST(StabilityReport, SaysWhetherAModelStandsFallsOrThatThisIsUnknown)
     EXPECT_TRUE(report.falls());
 }
 
+TEST(StabilityReport, TellsPartsThatTipOverFromThoseThatAreNotHeld)
+{
+    StabilityReport report;
+    report.stands = false;
+    report.falling = {1, 2, 5};
+    report.tipping = {1, 2};
+    EXPECT_FALSE(report.tips());
+    EXPECT_EQ(report.toString(), "the model falls: 2 parts tip over as a whole, since the centre of mass is not above "
+                                 "the foot; 1 part is not held");
+    report.falling = {5};
+    report.tipping = {5};
+    EXPECT_TRUE(report.tips());
+    EXPECT_EQ(report.toString(), "the model falls: 1 part tips over as a whole, since the centre of mass is not above "
+                                 "the foot");
+}
+
 TEST(StabilityReport, SaysThatAModelThatTipsEasilyDoesNotStandSafely)
 {
     StabilityReport report;

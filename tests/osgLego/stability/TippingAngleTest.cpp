@@ -3,6 +3,7 @@
 #include <osgLego/Stability.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -85,6 +86,28 @@ TEST(TippingAngle, TowersThatStandSideBySideTipOneByOne)
         for (const int x : {20, 21, 22})
             parts.push_back(createBrick({x, 20, layer}, 1, 4));
     EXPECT_NEAR(computeStability(*createPartModel(parts))->tippingAngle.value(), toDegrees(0.5 / (5.0 * HEIGHT)), 1e-9);
+}
+
+TEST(TippingAngle, PiecesBesideTheirFootTipAsAWhole)
+{
+    // A column with an arm of six pitches tips about its foot; a brick beside it, which hangs in the air, is not held.
+    const std::vector<Part> parts{createBrick({20, 20, 0}, 2, 2), createBrick({20, 20, 1}, 8, 2),
+                                  createBrick({40, 40, 3}, 2, 2), createBrick({50, 20, 0}, 2, 2)};
+    const StabilityReport report = *computeStability(*createPartModel(parts));
+    EXPECT_EQ(report.tipping, (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(report.findUnheld(), std::vector<std::uint32_t>{3});
+    const StabilityReport onPlate = *computeStability(*createPartModel(parts), {BuildingBase::PLATE, {}});
+    EXPECT_TRUE(onPlate.tipping.empty());
+}
+
+TEST(TippingAngle, PiecesWhoseJointsBreakDoNotTip)
+{
+    // The foot is as wide as the arm, on whose end a weight breaks its only stud.
+    const std::vector<Part> parts{createBrick({20, 20, 0}, 8, 2), createBrick({20, 20, 1}, 1, 1),
+                                  createBrick({20, 20, 2}, 8, 2), createBrick({26, 20, 3}, 2, 2)};
+    const StabilityReport report = *computeStability(*createPartModel(parts), {BuildingBase::TABLE, {}, {{3, 300.0}}});
+    EXPECT_TRUE(report.falls());
+    EXPECT_TRUE(report.tipping.empty());
 }
 
 TEST(TippingAngle, IsUnsetOnAPlateAndZeroForModelsThatFall)

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 
 namespace osgLego
@@ -28,7 +27,9 @@ constexpr std::array<PlateSize, 6> SIZES{
     {{8, 16, "3865"}, {16, 16, "3867"}, {16, 24, "3334"}, {16, 32, "3857"}, {32, 32, "3811"}, {48, 48, "4186"}}};
 
 constexpr std::array<std::uint8_t, 3> GREEN{0x23, 0x78, 0x41};
-constexpr double THICKNESS = 0.2; // pitches
+constexpr std::int32_t GREEN_CODE = 2;      // LDraw
+constexpr std::int32_t GREEN_BRICKLINK = 6; // BrickLink
+constexpr double THICKNESS = 0.2;           // pitches
 
 /** As earlier parts are drawn. */
 std::array<std::uint8_t, 3> fade(const std::array<std::uint8_t, 3>& color)
@@ -86,12 +87,25 @@ void BasePlate::choose(const glm::ivec2& footprint)
 
 std::string BasePlate::getName(const std::string& sign) const
 {
-    return fmt::format("Base plate {}{}{}", std::min(_size.x, _size.y), sign, std::max(_size.x, _size.y));
+    return "Base plate " + std::to_string(std::min(_size.x, _size.y)) + sign +
+           std::to_string(std::max(_size.x, _size.y));
 }
 
 std::size_t BasePlate::getQuantity() const
 {
     return static_cast<std::size_t>(_counts.x) * static_cast<std::size_t>(_counts.y);
+}
+
+PartsList::Extra BasePlate::createRow() const
+{
+    PartsList::Extra row;
+    row.number = _number;
+    row.name = getName();
+    row.color.code = GREEN_CODE;
+    row.color.name = "Green";
+    row.color.brickLink = GREEN_BRICKLINK;
+    row.quantity = getQuantity();
+    return row;
 }
 
 osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
@@ -108,7 +122,7 @@ osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
             part.size[static_cast<std::size_t>(3 - up)] = static_cast<std::uint8_t>(_size.y);
             part.size[static_cast<std::size_t>(up)] = 1;
             part.color = isFaded ? fade(GREEN) : GREEN;
-            part.colorCode = COLOR_CODE;
+            part.colorCode = GREEN_CODE;
         }
     return BrickModel::createOfParts(_grid, std::move(parts));
 }

@@ -1,4 +1,4 @@
-#include <booklet/BasePlate.h>
+#include <common/BasePlate.h>
 
 #include <PartModels.h>
 
@@ -26,6 +26,7 @@ TEST(BasePlateTest, IsTheSmallestOnWhichAModelFits)
     EXPECT_EQ(BasePlate(*createModel({9, 16})).getNumber(), "3867");
     EXPECT_EQ(BasePlate(*createModel({30, 12})).getName(), "Base plate 16 x 32");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getNumber(), "4186");
+    EXPECT_EQ(BasePlate(*createModel({30, 12})).createRow().number, "3857");
     EXPECT_EQ(BasePlate(*createModel({48, 40})).getQuantity(), 1u);
 }
 

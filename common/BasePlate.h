@@ -1,5 +1,6 @@
 #pragma once
 
+#include <common/PartsList.h>
 #include <osgLego/BrickModel.h>
 
 #include <array>
@@ -17,15 +18,12 @@ namespace osgLego
  * model.
  *
  *     const BasePlate plate(*model);
- *     list << plate.getQuantity() << " " << plate.getName();
+ *     list.addExtra(plate.createRow());
  *
  * Uses no GL. Immutable; every function may be called from any thread. */
 class BasePlate
 {
 public:
-    static constexpr std::int32_t COLOR_CODE = 2;      //!< green, in LDraw
-    static constexpr std::int32_t COLOR_BRICKLINK = 6; //!< green, in BrickLink
-
     /** @param model with at least one part. */
     explicit BasePlate(const BrickModel& model);
 
@@ -34,6 +32,8 @@ public:
     /** The number of LDraw and BrickLink, such as "3857". */
     const std::string& getNumber() const { return _number; }
     std::size_t getQuantity() const;
+    /** The plates in a list of parts. */
+    PartsList::Extra createRow() const;
     /** How many of its studs are to the left of the model, and how many in front of it. */
     const glm::ivec2& getMargin() const { return _margin; }
 
