@@ -175,7 +175,7 @@ void BookletBlockMarkup::writeStep(std::size_t chapter, std::size_t index, const
 void BookletBlockMarkup::writeNumber(const BookletStep& step)
 {
     _markup.getStream() << "<div class=\"number\"><h3><span class=\"hidden\">Step </span>" << step.name << "</h3><p>"
-                        << countOf(step.numNew, "part") << "</p>";
+                        << describeCount(_model, step) << "</p>";
     writeTurn(step);
     _markup.getStream() << "</div>\n";
 }
@@ -192,14 +192,14 @@ void BookletBlockMarkup::writeTurn(const BookletStep& step)
 {
     if (!step.isTurned) return;
     _markup.getStream() << "<svg class=\"turn\" role=\"img\" aria-label=\"Turn the model"
-                        << (step.isUpsideDown ? " upside down" : "") << "\"><use href=\""
-                        << (step.isUpsideDown ? "#turn-over" : "#turn") << "\"/></svg>";
+                        << (step.isTurnedOver ? " upside down" : "") << "\"><use href=\""
+                        << (step.isTurnedOver ? "#turn-over" : "#turn") << "\"/></svg>";
 }
 
-/** Say whether the builder must hold something. */
+/** Say which parts are pressed on from below, and whether the builder must hold something. */
 void BookletBlockMarkup::writeNote(const BookletChapter& chapter, const BookletStep& step)
 {
-    if (const std::string note = describeHold(chapter, step); !note.empty())
+    if (const std::string note = describeNotes(_model, chapter, step); !note.empty())
         _markup.getStream() << "<p class=\"note\">" << note << "</p>\n";
 }
 

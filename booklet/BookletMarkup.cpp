@@ -74,6 +74,12 @@ std::string BookletMarkup::nameColorOf(std::size_t kind) const
     return brickLinkName.empty() ? nameColor(color) : brickLinkName;
 }
 
+void BookletMarkup::beginSheet()
+{
+    *_stream << "<div class=\"sheet\">\n";
+    ++_numSheets;
+}
+
 void BookletMarkup::writeSwatch(std::size_t kind)
 {
     const glm::dvec2& size = _kindSizes[kind];

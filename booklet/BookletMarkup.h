@@ -27,6 +27,10 @@ public:
     /** The address of a file within the page. */
     static std::string toData(const std::string& mediaType, const std::string& bytes);
 
+    /** Begin a sheet: half of a wide page, or a page. The caller ends the element. */
+    void beginSheet();
+    std::size_t getNumSheets() const { return _numSheets; }
+
     void writeSymbol(const std::string& id, const BookletPicture& picture);
     /** @param text the description of the picture. @param size in pixels of CSS. */
     void writeUse(const std::string& id, const std::string& text, const glm::dvec2& size);
@@ -49,6 +53,7 @@ public:
 private:
     const BookletModel& _model;
     std::ostream* _stream = nullptr;
+    std::size_t _numSheets = 0;
     std::vector<glm::dvec2> _kindSizes;
 };
 

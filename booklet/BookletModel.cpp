@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -25,14 +26,48 @@ std::string letterOf(std::size_t index)
     return letters;
 }
 
-/** Set whether the view of each step differs from that of the step before. Submodels that are built upside down begin
- * so. */
+/** Set whether the view of each step differs from that of the step before. The first step of a submodel that is turned
+ * or built upside down differs from its finished picture. */
 void markTurns(std::vector<BookletStep>& steps)
 {
-    steps.front().isTurned = steps.front().isUpsideDown;
+    steps.front().isTurnedOver = steps.front().isUpsideDown;
+    steps.front().isTurned = steps.front().isUpsideDown || steps.front().turns != 0;
     for (std::size_t step = 1; step < steps.size(); ++step)
-        steps[step].isTurned =
-            steps[step].turns != steps[step - 1].turns || steps[step].isUpsideDown != steps[step - 1].isUpsideDown;
+        steps[step].isTurned = steps[step].turns != steps[step - 1].turns;
+}
+
+/** Whether one part is on top of another, with studs between them. */
+bool isOn(const Part& upper, const Part& lower, int up)
+{
+    if (lower.getCell()[up] + lower.getSize()[up] != upper.getCell()[up]) return false;
+    const glm::ivec3 low = glm::max(upper.getCell(), lower.getCell());
+    const glm::ivec3 high = glm::min(upper.getCell() + upper.getSize(), lower.getCell() + lower.getSize());
+    return low.x < high.x && low[3 - up] < high[3 - up];
+}
+
+/** The parts of a step that are pressed on from below: on no other part in place, but below some.
+ * @param placed the parts in place before. */
+std::vector<std::uint32_t> findPressed(const BrickModel& model, const BuildingStep& step,
+                                       std::span<const std::uint32_t> placed)
+{
+    const int up = model.getGrid().getUpIndex();
+    std::vector<std::uint32_t> inPlace(placed.begin(), placed.end());
+    std::vector<std::uint32_t> pressed;
+    for (const std::uint32_t part : step.parts)
+    {
+        const Part& own = model.getParts()[part];
+        bool isOnOther = false;
+        bool isBelowOther = false;
+        for (const std::uint32_t index : inPlace)
+        {
+            const Part& other = model.getParts()[index];
+            isOnOther = isOnOther || (step.isFromBelow ? isOn(other, own, up) : isOn(own, other, up));
+            isBelowOther = isBelowOther || (step.isFromBelow ? isOn(own, other, up) : isOn(other, own, up));
+        }
+        if (isBelowOther && !isOnOther) pressed.push_back(part);
+        inPlace.push_back(part);
+    }
+    return pressed;
 }
 
 /** The model of some parts of another, and for each of these its index there. */
@@ -88,6 +123,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         all.insert(all.end(), placed.back().begin(), placed.back().end());
         BookletStep& own = chapter.steps.emplace_back();
         own.items = countKinds(step.parts);
+        own.pressed = countKinds(findPressed(*_model, step, std::span(all).first(all.size() - placed.back().size())));
         for (const std::uint32_t submodel : step.submodels)
             own.submodels.push_back(submodel + 1);
         own.turns = step.turns;
@@ -194,8 +230,10 @@ std::size_t BookletModel::getNumFallingSteps() const
 {
     std::size_t number = 0;
     for (const BookletChapter& chapter : _chapters)
-        number += static_cast<std::size_t>(std::count_if(chapter.steps.begin(), chapter.steps.end(),
-                                                         [](const BookletStep& step) { return step.falls(); }));
+        number += chapter.isCallout()
+                      ? 0
+                      : static_cast<std::size_t>(std::count_if(chapter.steps.begin(), chapter.steps.end(),
+                                                               [](const BookletStep& step) { return step.falls(); }));
     return number;
 }
 

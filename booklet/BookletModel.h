@@ -29,13 +29,15 @@ struct BookletItem
 /** A step as it is printed. */
 struct BookletStep
 {
-    std::string name;               //!< such as "12", or "A3" in a submodel
-    std::vector<BookletItem> items; //!< the parts it adds, without those of submodels, in the order of kinds
+    std::string name;                 //!< such as "12", or "A3" in a submodel
+    std::vector<BookletItem> items;   //!< the parts it adds, without those of submodels, in the order of kinds
+    std::vector<BookletItem> pressed; //!< of these, those that parts in place hold from above, and nothing from below
     std::vector<std::size_t>
         submodels;             //!< chapters that are built before this step and attached in it, copies included
     int turns = 0;             //!< as BuildingStep::turns
     bool isUpsideDown = false; //!< as BuildingStep::isFromBelow
-    bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from upright
+    bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from the front
+    bool isTurnedOver = false; //!< whether it does so since the submodel is turned upside down
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
@@ -52,11 +54,10 @@ struct BookletStep
 /** The steps of the main model, or of a submodel. */
 struct BookletChapter
 {
-    static constexpr std::size_t MOST_IN_CALLOUT = 4; //!< parts
-    static constexpr std::size_t MOST_LISTED = 200;   //!< parts; those of larger submodels are in several bags
+    static constexpr std::size_t MOST_LISTED = 200; //!< parts; those of larger submodels are in several bags
 
     /** Whether it is a submodel that is built from a box within the step that attaches it. */
-    bool isCallout() const { return isSubmodel && model->getParts().size() <= MOST_IN_CALLOUT; }
+    bool isCallout() const { return isSubmodel && model->getParts().size() <= BuildingPlan::MOST_IN_HAND; }
     /** Whether the contents of a submodel list its parts. */
     bool isListed() const { return model->getParts().size() <= MOST_LISTED; }
 
@@ -115,7 +116,8 @@ public:
     glm::dvec3 getSize() const;
     /** The number of parts that nothing holds when they are placed. */
     std::size_t getNumUnheld() const { return _numUnheld; }
-    /** The number of steps, also of submodels, after which parts fall, without steps that place unheld parts. */
+    /** The number of steps, also of submodels that are not callouts, after which parts fall, without steps that place
+     * unheld parts. */
     std::size_t getNumFallingSteps() const;
 
 private:

@@ -157,7 +157,10 @@ void BookletPage::writeFacts()
 void BookletPage::writeFinished()
 {
     _progress("finished model");
-    *_stream << "<section class=\"finished\" id=\"finished\" data-stop=\"Finished\">\n<h2>Finished</h2>\n"
+    // On paper with two sheets a page, the last one may leave half a page.
+    const bool isBeside = _markup.getNumSheets() % 2 == 1;
+    *_stream << "<section class=\"finished" << (isBeside ? " beside" : "")
+             << "\" id=\"finished\" data-stop=\"Finished\">\n<h2>Finished</h2>\n"
              << "<figure class=\"picture\">";
     _markup.writeImage(_pictures.drawFinished(0), "The finished model");
     *_stream << "</figure>\n<ul class=\"downloads\">\n";

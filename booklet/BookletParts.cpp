@@ -76,7 +76,7 @@ void BookletParts::write()
     const SheetArrangement arrangement(rows, LIST_HEADER, 1);
     for (const Sheet& sheet : arrangement.getSheets())
     {
-        stream << "<div class=\"sheet\">\n";
+        _markup.beginSheet();
         if (&sheet == &arrangement.getSheets().front())
             stream << "<header><h2>Parts</h2>\n<p class=\"subtitle\">" << countOf(_model.getNumParts(), "part")
                    << " of " << countOf(_model.getKinds().size(), "kind") << "</p></header>\n";
@@ -166,7 +166,7 @@ BookletParts::Details BookletParts::describe(const PartsList::Row& row)
     if (row.color.brickLink >= 0) details.codes.push_back("BrickLink\u00a0" + std::to_string(row.color.brickLink));
     if (row.color.code != Part::NO_CODE)
         details.codes.push_back("LDraw\u00a0" + std::to_string(row.color.code) +
-                                (name == brickLinkName ? std::string() : " " + name));
+                                (spellGray(name) == brickLinkName ? std::string() : " " + name));
     return details;
 }
 

@@ -101,7 +101,7 @@ void BookletSteps::writeSection(std::span<const BookletBlock> undivided, const B
     const std::vector<SheetHeader> headers = bag ? measures.measureHeaders(bag->items) : std::vector<SheetHeader>(1);
     for (std::size_t header = 0; header + 1 < headers.size(); ++header)
     {
-        _markup.getStream() << "<div class=\"sheet\">\n";
+        _markup.beginSheet();
         writeBag(*bag, headers[header], header > 0 ? std::span<const BookletBlock>() : undivided);
         _markup.getStream() << "</div>\n";
     }
@@ -111,7 +111,7 @@ void BookletSteps::writeSection(std::span<const BookletBlock> undivided, const B
         { return SheetMeasures::measureColors(nameColors(std::span(blocks).subspan(first, end - first))).more; });
     for (const Sheet& sheet : arrangement.getSheets())
     {
-        _markup.getStream() << "<div class=\"sheet\">\n";
+        _markup.beginSheet();
         if (bag && &sheet == &arrangement.getSheets().front())
             writeBag(*bag, headers.back(), headers.size() > 1 ? std::span<const BookletBlock>() : undivided);
         writeSheet(blocks, sheet);

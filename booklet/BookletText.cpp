@@ -37,7 +37,11 @@ std::string nameBrickLinkColor(const PaletteColor& color)
     if (color.brickLink < 0) return {};
     for (const auto& [number, name] : OTHER_NAMES)
         if (number == color.brickLink) return name;
-    std::string name = nameColor(color);
+    return spellGray(nameColor(color));
+}
+
+std::string spellGray(std::string name)
+{
     if (const auto place = name.find("Grey"); place != std::string::npos) name.replace(place, 4, "Gray");
     return name;
 }
@@ -60,8 +64,36 @@ std::string nameBuilt(const BookletChapter& chapter)
 std::string describeHold(const BookletChapter& chapter, const BookletStep& step)
 {
     if (step.numUnheld > 0) return "Nothing holds " + countOf(step.numUnheld, "part") + " of this step.";
-    return step.falls() ? "Hold the " + nameBuilt(chapter) + " after this step: it does not stand by itself yet."
-                        : std::string();
+    return step.falls() && !chapter.isCallout()
+               ? "Hold the " + nameBuilt(chapter) + " after this step: it does not stand by itself yet."
+               : std::string();
+}
+
+std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step)
+{
+    std::vector<std::string> pressed;
+    for (const BookletItem& item : step.pressed)
+        pressed.push_back(describeParts(model.getKinds()[item.kind], item.quantity));
+    const std::string hold = describeHold(chapter, step);
+    if (pressed.empty()) return hold;
+    return "Press " + joinWords(pressed) + " on from below." + (hold.empty() ? "" : " ") + hold;
+}
+
+std::string describeCount(const BookletModel& model, const BookletStep& step)
+{
+    constexpr std::size_t MOST_NAMED = 2;
+    std::string text = step.numDirect > 0 ? countOf(step.numDirect, "part") : std::string();
+    const auto add = [&text](const std::string& added) { text += (text.empty() ? "" : " + ") + added; };
+    const std::vector<std::size_t> originals = model.getOriginals(step);
+    if (originals.size() > MOST_NAMED)
+        add(countOf(step.submodels.size(), "submodel"));
+    else
+        for (const std::size_t submodel : originals)
+        {
+            const BookletChapter& own = model.getChapters()[submodel];
+            add((own.quantity > 1 ? std::to_string(own.quantity) + " × " : "") + own.letter);
+        }
+    return text;
 }
 
 std::string joinWords(const std::vector<std::string>& words)

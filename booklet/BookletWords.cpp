@@ -133,7 +133,8 @@ void BookletWords::writeIntroduction(const std::string& title)
 void BookletWords::writeBasePlate(const BasePlate& plate, const glm::ivec2& size)
 {
     const std::size_t quantity = plate.getQuantity();
-    const std::string name = osgDB::convertToLowerCase(plate.getName());
+    std::string name = osgDB::convertToLowerCase(plate.getName());
+    if (quantity > 1) name.insert(name.find("plate") + 5, "s");
     const glm::ivec2 footprint = _turns % 2 == 0 ? size : glm::ivec2(size.y, size.x);
     const PlacedBox model = PlacedBox{{plate.getMargin(), 0}, {footprint, 1}}.turn(_turns);
     const PlacedBox plates = PlacedBox{glm::ivec3(0), {plate.getSize(), 1}}.turn(_turns);
@@ -246,7 +247,7 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
         writeSubmodel(submodel, places, part, step.isUpsideDown, isOnPlate);
         part += _model.getChapters()[submodel].model->getParts().size();
     }
-    if (step.numUnheld == 0 && step.falls())
+    if (!chapter.isCallout() && step.falls())
         *_stream << "Hold the " << nameBuilt(chapter) << ", it does not stand by itself yet.\n";
 }
 

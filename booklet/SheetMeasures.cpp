@@ -225,14 +225,14 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
 /** The height of all but the picture of a step. */
 double SheetMeasures::measureHead(const BookletChapter& chapter, const BookletStep& step, double width) const
 {
-    const std::string count = countOf(step.numNew, "part");
+    const std::string count = describeCount(_model, step);
     const double number = std::max({NUMBER_WIDTH, NUMBER_CHARACTER * static_cast<double>(step.name.size()),
                                     COUNT_CHARACTER * static_cast<double>(count.size())});
     double head =
         std::max(measureCallout(step, width - number - NUMBER_SPACE), NUMBER_HEIGHT + (step.isTurned ? TURN : 0.0));
     if (const Sizes boxes = measureBoxes(step, width); !boxes.empty())
         head += flow(boxes, width, glm::dvec2(SPACE)).y + SPACE;
-    if (const std::string note = describeHold(chapter, step); !note.empty())
+    if (const std::string note = describeNotes(_model, chapter, step); !note.empty())
         head += NOTE_PADDING +
                 NOTE_LINE * std::ceil(static_cast<double>(note.size()) * NOTE_CHARACTER / (width - NOTE_PADDING));
     return head;

@@ -55,14 +55,18 @@ if(OSGLEGO_BUILD_FUZZERS)
     endif()
 endif()
 
-# Have the fuzzers count the branches that inputs reach in targets, and see the values that they are compared with. Other targets
-# need no counters, which slow them and their compilation. The options of -fsanitize=fuzzer-no-link, but those that would need
-# precompiled headers of their own.
+# Have the fuzzers count the branches that inputs reach in targets and single sources, and see the values that they are compared
+# with. Other code needs no counters, which slow it and its compilation. The options of -fsanitize=fuzzer-no-link, but those that
+# would need precompiled headers of their own.
 function(osglego_count_branches)
     if(OSGLEGO_BUILD_FUZZERS)
-        foreach(target IN LISTS ARGN)
-            target_compile_options(${target} PRIVATE
-                -fsanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,trace-cmp)
+        set(options -fsanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,trace-cmp)
+        foreach(name IN LISTS ARGN)
+            if(TARGET ${name})
+                target_compile_options(${name} PRIVATE ${options})
+            else()
+                set_source_files_properties(${name} PROPERTIES COMPILE_OPTIONS "${options}")
+            endif()
         endforeach()
     endif()
 endfunction()

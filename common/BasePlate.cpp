@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -74,15 +75,19 @@ BasePlate::BasePlate(const BrickModel& model) : _grid(model.getGrid())
 void BasePlate::choose(const glm::ivec2& footprint)
 {
     const bool isDeep = footprint.y > footprint.x;
-    const PlateSize* chosen = nullptr;
-    for (const PlateSize& size : SIZES)
-        if (!chosen && size.width >= std::min(footprint.x, footprint.y) &&
-            size.length >= std::max(footprint.x, footprint.y))
-            chosen = &size;
-    if (!chosen) chosen = &SIZES.back();
-    _number = chosen->number;
-    _size = isDeep ? glm::ivec2(chosen->width, chosen->length) : glm::ivec2(chosen->length, chosen->width);
-    _counts = (footprint + _size - 1) / _size;
+    std::pair best(std::numeric_limits<int>::max(), 0); // the number of plates and their studs
+    for (const PlateSize& plate : SIZES)
+    {
+        const glm::ivec2 size = isDeep ? glm::ivec2(plate.width, plate.length) : glm::ivec2(plate.length, plate.width);
+        const glm::ivec2 counts = (footprint + size - 1) / size;
+        const int count = counts.x * counts.y;
+        const std::pair own(count, count * size.x * size.y);
+        if (own >= best) continue;
+        best = own;
+        _number = plate.number;
+        _size = size;
+        _counts = counts;
+    }
 }
 
 std::string BasePlate::getName(const std::string& sign) const

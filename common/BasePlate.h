@@ -14,7 +14,7 @@
 namespace osgLego
 {
 
-/** The studded base plate below a model: the smallest that it fits on, or several of the largest. It is not part of the
+/** The studded base plate below a model: the smallest that it fits on, or as few as possible. It is not part of the
  * model.
  *
  *     const BasePlate plate(*model);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace osgLego
@@ -129,22 +130,31 @@ bool BuildingPlan::exceedsLimitsLessThan(const BuildingPlan& other) const
     return getExcess() < other.getExcess();
 }
 
-std::size_t BuildingPlan::countSteps(bool (*isCounted)(const BuildingStep&)) const
-{
-    auto number = std::count_if(_steps.begin(), _steps.end(), isCounted);
-    for (const Submodel& submodel : _submodels)
-        number += std::count_if(submodel.steps.begin(), submodel.steps.end(), isCounted);
-    return static_cast<std::size_t>(number);
-}
-
 std::size_t BuildingPlan::getNumUnchecked() const
 {
-    return countSteps([](const BuildingStep& step) { return !step.isChecked; });
+    const auto isUnchecked = [](const BuildingStep& step) { return !step.isChecked; };
+    auto number = std::count_if(_steps.begin(), _steps.end(), isUnchecked);
+    for (const Submodel& submodel : _submodels)
+        number += std::count_if(submodel.steps.begin(), submodel.steps.end(), isUnchecked);
+    return static_cast<std::size_t>(number);
 }
 
 std::size_t BuildingPlan::getNumFalling() const
 {
-    return countSteps([](const BuildingStep& step) { return !step.stands; });
+    const auto countFalling = [](const std::vector<BuildingStep>& steps)
+    {
+        return static_cast<std::size_t>(
+            std::count_if(steps.begin(), steps.end(), [](const BuildingStep& step) { return !step.stands; }));
+    };
+    std::size_t number = countFalling(_steps);
+    for (const Submodel& submodel : _submodels)
+    {
+        const std::size_t numParts = std::accumulate(submodel.steps.begin(), submodel.steps.end(), std::size_t{0},
+                                                     [this](std::size_t sum, const BuildingStep& step)
+                                                     { return sum + getPlacedParts(step).size(); });
+        if (numParts > MOST_IN_HAND) number += countFalling(submodel.steps);
+    }
+    return number;
 }
 
 std::vector<std::uint32_t> BuildingPlan::getPlacedParts(const BuildingStep& step) const

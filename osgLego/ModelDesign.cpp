@@ -55,6 +55,12 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
     return text.str();
 }
 
+/** Whether most of a model is one submodel, which stands on the rest. */
+bool isMostlySubmodel(const DesignCandidate& candidate)
+{
+    return 2 * candidate.plan->getLargestSubmodel() > candidate.layout.numParts;
+}
+
 std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates, std::size_t numOthers)
 {
     const std::string of = numOthers == 0 ? " of " + std::to_string(numCandidates) + " different models"
@@ -65,7 +71,7 @@ std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates
     if (!best.stability.stands) return "none" + of + " is one piece and stands; this one is most like the mesh";
     return std::string("most like the mesh") + of + ", among those that are one piece and stand" +
            (best.stability.safe ? " safely" : "") +
-           (best.plan && !best.exceedsLimits() ? ", and are easy to build" : "");
+           (best.plan && !best.exceedsLimits() && !isMostlySubmodel(best) ? ", and are easy to build" : "");
 }
 
 /** Lines on building by hand; empty without a plan. */
@@ -88,6 +94,8 @@ std::string explainBuilding(const DesignCandidate& best)
     if (plan.getNumFalling() > 0)
         text += "; hold the model or a submodel after " + counted(plan.getNumFalling(), "step", "steps");
     text += '\n';
+    if (!best.exceedsLimits() && isMostlySubmodel(best))
+        text += "not easy to build: most parts are in a submodel, which is attached to the other ones as a whole\n";
     if (best.exceedsLimits())
         text += "hard to build: " +
                 describeExcess(plan.getLargestSubmodel(), plan.getDeepestSubmodel(), plan.getNumFalling()) +

@@ -28,10 +28,13 @@ struct OcclusionOptions : BenchOptions
     int stride = 3;
     int numFrames = 5;
     std::string pictures; // the folder; empty: none
+
+    /** Pixels of a frame. */
+    glm::ivec2 getSize() const { return isQuick ? glm::ivec2(320, 180) : glm::ivec2(1280, 720); }
+    unsigned int getFrameResolution() const { return isQuick ? 32 : 128; }
+    unsigned int getNumRuns() const { return isQuick ? 1 : 5; }
 };
 
-constexpr glm::ivec2 SIZE(1280, 720);
-constexpr unsigned int FRAME_RESOLUTION = 128;
 constexpr unsigned int LARGE_RESOLUTION = 192; // voxels of distant occlusion are larger than cells
 constexpr unsigned int FIRST_FRAME_RESOLUTION = 48;
 constexpr const char* GRID = "grid";
@@ -63,20 +66,20 @@ JsonValue compareWithRays(const BenchScene& scene, const std::string& quality, b
                   {"elevation", scene.elevation},
                   {"quality", quality},
                   {"distant", isDistant}};
-    OcclusionView view(scene, getOcclusion(quality), SIZE);
+    OcclusionView view(scene, getOcclusion(quality), options.getSize());
     row.update(view.compare(createSettings(quality, isDistant), options.numRays, options.stride));
     return row;
 }
 
 /** The median times of drawing bricks and of each following pass, in milliseconds. */
-JsonValue timePasses(BenchScene scene, const std::string& quality, int numFrames)
+JsonValue timePasses(BenchScene scene, const std::string& quality, const OcclusionOptions& options)
 {
-    scene.settings.grid.resolution = FRAME_RESOLUTION;
-    OcclusionView view(scene, getOcclusion(quality), SIZE);
+    scene.settings.grid.resolution = options.getFrameResolution();
+    OcclusionView view(scene, getOcclusion(quality), options.getSize());
     const AmbientOcclusionSettings settings = createSettings(quality, true);
     view.draw(settings); // legolizes and creates programs
     std::map<std::string, std::vector<double>> all;
-    for (int frame = 0; frame < numFrames; ++frame)
+    for (int frame = 0; frame < options.numFrames; ++frame)
     {
         view.draw(settings);
         const AmbientOcclusionTimes times = view.getTimes();
@@ -92,7 +95,7 @@ JsonValue timePasses(BenchScene scene, const std::string& quality, int numFrames
     return row;
 }
 
-/** Frames of a mesh at 128 cells without ambient occlusion and with both kinds, from four views. */
+/** Frames of a mesh without ambient occlusion and with both kinds, from four views. */
 JsonValue compareFrames(const BenchScene& scene, const OcclusionOptions& options)
 {
     struct View
@@ -105,10 +108,10 @@ JsonValue compareFrames(const BenchScene& scene, const OcclusionOptions& options
     for (const View& view : {View{"above", 25.0, 3.5}, {"below", -35.0, 3.5}, {"near", 25.0, 1.3}, {"far", 25.0, 14.0}})
     {
         BenchScene seen = scene;
-        seen.settings.grid.resolution = FRAME_RESOLUTION;
+        seen.settings.grid.resolution = options.getFrameResolution();
         seen.elevation = view.elevation;
         seen.distance = view.distance;
-        JsonValue row = compareOcclusionFrames(seen, static_cast<unsigned int>(options.numFrames), SIZE);
+        JsonValue row = compareOcclusionFrames(seen, static_cast<unsigned int>(options.numFrames), options.getSize());
         row["view"] = view.name;
         rows.append(row);
     }
@@ -162,7 +165,9 @@ std::vector<BenchScene> createScenes(const OcclusionOptions& options)
         models.emplace_back(mesh, LARGE_RESOLUTION);
     }
     std::vector<BenchScene> scenes;
-    for (const auto& [azimuth, elevation] : {std::pair{30.0, 25.0}, {150.0, 40.0}, {260.0, 10.0}})
+    std::vector<std::pair<double, double>> views{{30.0, 25.0}};
+    if (!options.isQuick) views.insert(views.end(), {{150.0, 40.0}, {260.0, 10.0}});
+    for (const auto& [azimuth, elevation] : views)
         for (const BenchScene& model : models)
         {
             scenes.push_back(model);
@@ -181,7 +186,9 @@ void runOcclusion(const OcclusionOptions& options)
         return;
     }
     JsonValue costs; // of the first frames; before this process has a context
-    if (options.numFrames > 0) costs.append(compareFirstFrames(BenchScene(MeshSource(), FIRST_FRAME_RESOLUTION), SIZE));
+    if (options.numFrames > 0)
+        costs.append(compareFirstFrames(BenchScene(MeshSource(), FIRST_FRAME_RESOLUTION), options.getSize(),
+                                        options.getNumRuns()));
     JsonValue document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
@@ -190,12 +197,13 @@ void runOcclusion(const OcclusionOptions& options)
             for (const bool isDistant : {false, true})
                 document["errors"].append(compareWithRays(scene, quality, isDistant, options));
     for (const char* quality : QUALITIES)
-        if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options.numFrames));
+        if (options.numFrames > 0) document["times"].append(timePasses(scenes.front(), quality, options));
     if (options.numFrames > 0)
     {
         document["frameRows"] = compareFrames(scenes.front(), options);
         document["firstFrames"] = costs;
-        document["neighbors"].append(timeNeighbors(BenchScene(scenes.front().mesh, FRAME_RESOLUTION)));
+        document["neighbors"].append(
+            timeNeighbors(BenchScene(scenes.front().mesh, options.getFrameResolution()), options.getNumRuns()));
     }
     options.write(document);
 }

@@ -23,7 +23,6 @@ namespace
 
 constexpr std::array OCCLUSIONS{std::pair{"open", BrickOcclusion::OFF}, std::pair{"grid", BrickOcclusion::GRID},
                                 std::pair{"screen", BrickOcclusion::SCREEN}};
-constexpr unsigned int NUM_RUNS = 5;
 
 JsonValue timeFirstFrame(const BenchScene& scene, BrickOcclusion occlusion, const glm::ivec2& size)
 {
@@ -46,7 +45,8 @@ double sumOf(const LegoStatistics& times)
 }
 
 /** @return the median milliseconds of a legolization and of its extraction. */
-std::pair<double, double> timeLegolization(BenchScene scene, Device device, BrickOcclusion occlusion)
+std::pair<double, double> timeLegolization(BenchScene scene, Device device, BrickOcclusion occlusion,
+                                           unsigned int numRuns)
 {
     scene.settings.voxelization.device = device;
     const osg::ref_ptr<LegoNode> lego = scene.createLego(occlusion);
@@ -59,7 +59,7 @@ std::pair<double, double> timeLegolization(BenchScene scene, Device device, Bric
     viewer.drawFrame(); // from the second one on, neighbours are found with the bricks
     std::vector<double> all;
     std::vector<double> extractions;
-    for (unsigned int run = 0; run < NUM_RUNS; ++run)
+    for (unsigned int run = 0; run < numRuns; ++run)
     {
         lego->dirty();
         viewer.drawFrame();
@@ -73,10 +73,10 @@ std::pair<double, double> timeLegolization(BenchScene scene, Device device, Bric
 }
 
 template <typename Function>
-double timeMedian(const Function& function)
+double timeMedian(unsigned int numRuns, const Function& function)
 {
     std::vector<double> times;
-    for (unsigned int run = 0; run < NUM_RUNS; ++run)
+    for (unsigned int run = 0; run < numRuns; ++run)
     {
         const osg::Timer_t start = osg::Timer::instance()->tick();
         function();
@@ -87,10 +87,10 @@ double timeMedian(const Function& function)
 
 } // namespace
 
-JsonValue compareFirstFrames(const BenchScene& scene, const glm::ivec2& size)
+JsonValue compareFirstFrames(const BenchScene& scene, const glm::ivec2& size, unsigned int numRuns)
 {
     std::array<std::vector<double>, OCCLUSIONS.size()> times;
-    for (unsigned int run = 0; run < NUM_RUNS; ++run)
+    for (unsigned int run = 0; run < numRuns; ++run)
         for (std::size_t kind = 0; kind < OCCLUSIONS.size(); ++kind)
             times[kind].push_back(
                 measureInSeparateProcess([&] { return timeFirstFrame(scene, OCCLUSIONS[kind].second, size); })
@@ -103,16 +103,16 @@ JsonValue compareFirstFrames(const BenchScene& scene, const glm::ivec2& size)
     return row;
 }
 
-JsonValue timeNeighbors(const BenchScene& scene)
+JsonValue timeNeighbors(const BenchScene& scene, unsigned int numRuns)
 {
     const osg::ref_ptr<const BrickModel> bricks = scene.createLego()->getBricks();
     const BrickPoints points = createBrickPoints(*bricks);
-    const double cpu = timeMedian([&] { createBrickNeighbors(points.points); });
+    const double cpu = timeMedian(numRuns, [&] { createBrickNeighbors(points.points); });
     const double distant =
-        timeMedian([&] { DistantOcclusion::create(bricks->getGrid(), points.points, NearOcclusion::GRID); });
-    const auto [cpuAll, cpuExtraction] = timeLegolization(scene, Device::CPU, BrickOcclusion::OFF);
-    const auto [gpuAll, gpuExtraction] = timeLegolization(scene, Device::GPU, BrickOcclusion::OFF);
-    const auto [gridAll, gridExtraction] = timeLegolization(scene, Device::GPU, BrickOcclusion::GRID);
+        timeMedian(numRuns, [&] { DistantOcclusion::create(bricks->getGrid(), points.points, NearOcclusion::GRID); });
+    const auto [cpuAll, cpuExtraction] = timeLegolization(scene, Device::CPU, BrickOcclusion::OFF, numRuns);
+    const auto [gpuAll, gpuExtraction] = timeLegolization(scene, Device::GPU, BrickOcclusion::OFF, numRuns);
+    const auto [gridAll, gridExtraction] = timeLegolization(scene, Device::GPU, BrickOcclusion::GRID, numRuns);
     const double gpu = gridExtraction - gpuExtraction;
     return {{"mesh", scene.mesh.name},       {"resolution", scene.settings.grid.resolution},
             {"cpuMilliseconds", cpu},        {"cpuRatio", cpu / cpuAll},

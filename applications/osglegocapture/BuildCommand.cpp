@@ -118,7 +118,7 @@ std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
     if (options.buildParts) goals += ", of at most " + counted(*options.buildParts, "part", "parts");
-    if (!options.settingsText.empty()) goals += ", with " + options.settingsText;
+    if (!options.settingsText.empty()) goals += ", with the settings " + options.settingsText;
     goals += fmt::format(", with its {} axis upwards", upAxis == UpAxis::Z ? "Z" : "Y");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
 }
@@ -201,7 +201,14 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
     const std::string report = describeGoals(options, best.settings.grid.upAxis) + '\n' + choice.toString();
-    writeText(files.get("-report.txt"), [&](std::ostream& stream) { stream << report; });
+    const std::vector<std::string> defects = describeDefects(best, options);
+    writeText(files.get("-report.txt"),
+              [&](std::ostream& stream)
+              {
+                  for (const std::string& defect : defects)
+                      stream << "warning: " << defect << '\n';
+                  stream << report;
+              });
     const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     std::error_code ignored;
     if (!unprinted.empty()) std::filesystem::remove(files.get(".pdf"), ignored); // that of an earlier model
@@ -212,7 +219,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                files.get(".png"), unprinted.empty() ? ".pdf, " : "");
     std::fflush(stdout); // before the warnings, where both are the same file
     if (!unprinted.empty()) fmt::print(stderr, "osglegocapture: warning: there is no PDF: {}\n", unprinted);
-    for (const std::string& defect : describeDefects(best, options))
+    for (const std::string& defect : defects)
         fmt::print(stderr, "osglegocapture: warning: {}\n", defect);
 }
 

@@ -69,7 +69,7 @@ void checkInstructions(const CaptureOptions& options)
     if (!options.instructions.empty()) checkInstructionsView(options);
     if (options.instructions.empty() && !(options.title + options.author + options.license).empty())
         throw CLI::ValidationError(
-            "--title, --author and --license have no booklet; expected --instructions with them");
+            "--title, --author and --license have no booklet; expected --instructions or --build with them");
     if (options.instructions.empty() && options.isBookletConfirmed)
         throw CLI::ValidationError("--yes has no booklet; expected --instructions with it");
     if (options.original && !options.instructions.empty())
@@ -279,11 +279,12 @@ void addBooklet(CLI::App& app, CaptureOptions& options)
                    "For --instructions: write only these steps, for example 1-50")
         ->type_name("FIRST-LAST");
     app.add_option("--title", options.title,
-                   "For --instructions: the title of the booklet and of its model in LDraw's format (the name of MESH)")
+                   "For --instructions and --build: the title of the booklet and of its model in LDraw's format (the "
+                   "name of MESH)")
         ->type_name("TEXT");
-    app.add_option("--author", options.author, "For --instructions: the author of both")->type_name("TEXT");
+    app.add_option("--author", options.author, "For --instructions and --build: the author of both")->type_name("TEXT");
     app.add_option("--license", options.license,
-                   "For --instructions: the text after !LICENSE in the model (no such line)")
+                   "For --instructions and --build: the text after !LICENSE in the model (no such line)")
         ->type_name("TEXT");
     app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
 }

@@ -173,11 +173,11 @@ void CaptureScene::unwrapSource()
     const osg::ref_ptr<LegoNode> lego = dynamic_cast<LegoNode*>(inner);
     if (!lego) return;
     if (lego->getStoredBricks() && lego->getNumChildren() == 0)
-        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh +
-                                               "' has stored bricks but no mesh; expected it without " +
-                                               (_options.original         ? "--original"
-                                                : !_options.build.empty() ? "--build, as with --instructions"
-                                                                          : "--legolize"));
+        throw CaptureError(EXIT_BAD_INPUT,
+                           "'" + _options.mesh + "' has stored bricks but no mesh; expected " +
+                               (!_options.build.empty() ? "--instructions, which writes a booklet for these bricks"
+                                : _options.original     ? "it without --original"
+                                                        : "it without --legolize"));
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (unsigned int child = 0; child < lego->getNumChildren(); ++child)
         group->addChild(lego->getChild(child));

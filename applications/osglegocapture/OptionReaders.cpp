@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include <osgDB/FileNameUtils>
 #include <osgLego/ModelDesigner.h>
 
 namespace osgLego
@@ -60,7 +61,10 @@ std::string readLength(const std::string& text, CaptureOptions& options)
     double number = 0.0;
     int length = 0;
     const bool isRead = std::sscanf(text.c_str(), "%lf%n", &number, &length) == 1;
-    const auto unit = UNITS.find(isRead ? text.substr(static_cast<std::size_t>(length)) : std::string());
+    std::string name =
+        osgDB::convertToLowerCase(isRead ? text.substr(static_cast<std::size_t>(length)) : std::string());
+    name.erase(0, name.find_first_not_of(' '));
+    const auto unit = UNITS.find(name);
     const double millimeters = unit == UNITS.end() ? 0.0 : number * unit->second;
     // Written so that NaN is rejected.
     if (!(millimeters >= DesignOptions::SHORTEST && millimeters <= DesignOptions::LONGEST))

@@ -28,8 +28,8 @@ glm::dvec3 getDirection(const BuildingView& view, int turns, double cellHeight)
 
 } // namespace
 
-StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view, bool mayTurn) :
-    _boxes(boxes), _cellHeight(cellHeight), _view(view), _numTurns(mayTurn ? BuildingStep::NUM_TURNS : 1)
+StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view) :
+    _boxes(boxes), _cellHeight(cellHeight), _view(view)
 {
     if (boxes.empty()) return;
     _lower = boxes.front().lower;
@@ -61,7 +61,7 @@ int StepViews::show(const std::vector<std::uint32_t>& parts)
     Sight best = look(parts, _turns);
     if (best.numHidden == 0 && 2 * best.numVisible > parts.size()) return _turns;
     const int before = _turns;
-    for (int turn = 1; turn < _numTurns; ++turn)
+    for (int turn = 1; turn < BuildingStep::NUM_TURNS; ++turn)
     {
         const int turns = (before + turn) % BuildingStep::NUM_TURNS;
         const Sight sight = look(parts, turns);
@@ -76,7 +76,7 @@ bool StepViews::canShow(const std::vector<std::uint32_t>& parts, bool isTurning)
 {
     cover(parts, true);
     bool isShown = false;
-    for (int turn = 0; turn < (isTurning ? _numTurns : 1) && !isShown; ++turn)
+    for (int turn = 0; turn < (isTurning ? BuildingStep::NUM_TURNS : 1) && !isShown; ++turn)
         isShown = look(parts, (_turns + turn) % BuildingStep::NUM_TURNS).numHidden == 0;
     cover(parts, false);
     return isShown;

@@ -22,10 +22,8 @@ class StepViews
 public:
     /** @param boxes those of all parts; they must outlive this object.
      * @param cellHeight the height of a cell, in studs.
-     * @param view without turns.
-     * @param mayTurn whether there are other views. */
-    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view = {},
-              bool mayTurn = true);
+     * @param view without turns. */
+    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view = {});
 
     /** Put parts in place. @return the quarter turns, 0 to 3, counter-clockwise from above, that show them. */
     int show(const std::vector<std::uint32_t>& parts);
@@ -51,7 +49,6 @@ private:
     const std::vector<BuildingBox>& _boxes;
     double _cellHeight;
     BuildingView _view;
-    int _numTurns;
     glm::ivec3 _lower{0};
     glm::ivec3 _size{0};
     SparseBox<bool> _isCovered; // cells from `_lower` on

@@ -164,9 +164,12 @@ void LDrawSteps::endStep(std::ostream& stream, const BuildingStep& step)
     }
     else if (view != _view)
     {
-        // The model is turned over about x, and then to the left, which shows its right side.
+        // The model is turned over about x, and then to the left, which shows its right side. Turned over, its rear is
+        // in front, and a turn to the left shows its left side: other turns show the sides that the plan chose.
         constexpr int QUARTER = 90;
-        const int degrees = view.turns == 3 ? -QUARTER : QUARTER * view.turns;
+        const int turns =
+            view.isFromBelow ? (1 - view.turns + BuildingStep::NUM_TURNS) % BuildingStep::NUM_TURNS : view.turns;
+        const int degrees = turns == 3 ? -QUARTER : QUARTER * turns;
         stream << "0 ROTSTEP " << (view.isFromBelow ? 2 * QUARTER : 0) << " " << degrees << " 0 REL"
                << LDRAW_END_OF_LINE;
     }

@@ -1,7 +1,14 @@
+#include "BookletModels.h"
+
 #include <booklet/Base64.h>
 #include <booklet/BookletText.h>
 
+#include <PartModels.h>
 #include <common/ColorName.h>
+#include <osgLego/Palette.h>
+
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +43,43 @@ TEST(BookletTextTest, DescribesPartsInASentence)
 {
     EXPECT_EQ(describeParts(createRow(PartFamily::BRICK, 2, 4, "Dark_Red"), 2), "2 dark red bricks 2 x 4");
     EXPECT_EQ(describeParts(createRow(PartFamily::PLATE, 1, 1, "White"), 1), "1 white plate 1 x 1");
+}
+
+TEST(BookletTextTest, CountsWhatAStepAdds)
+{
+    const auto countOfStep = [](const BookletModel& model, std::size_t step)
+    { return describeCount(model, model.getMainChapter().steps[step]); };
+    const BookletModel tower = test::createTower();
+    EXPECT_EQ(countOfStep(tower, 0), "2 parts");
+    EXPECT_EQ(countOfStep(tower, 1), "A");
+    EXPECT_EQ(countOfStep(test::createTower({.hasTwoSubmodels = true}), 1), "A + B");
+    EXPECT_EQ(countOfStep(test::createTwins(), 1), "2 × A");
+}
+
+TEST(BookletTextTest, NotesPartsThatArePressedOnFromBelowAndWhatToHold)
+{
+    // A beam on a brick, and a brick below its free end.
+    const auto bricks =
+        BrickModel::createOfParts(test::createPartGrid({4, 1, 2}, 1.2), {{{0, 0, 0}, {1, 1, 1}, test::RED, 4},
+                                                                         {{3, 0, 0}, {1, 1, 1}, test::RED, 4},
+                                                                         {{0, 0, 1}, {4, 1, 1}, test::RED, 4}});
+    std::vector<BuildingStep> steps{test::createStep({0}), test::createStep({2}), test::createStep({1})};
+    steps[2].stands = false;
+    const BookletModel model(*bricks, *BuildingPlan::create(3, std::move(steps)), Palette::getKnownColors());
+    const BookletChapter& chapter = model.getMainChapter();
+    EXPECT_EQ(describeNotes(model, chapter, chapter.steps[1]), "");
+    EXPECT_EQ(
+        describeNotes(model, chapter, chapter.steps[2]),
+        "Press 1 red brick 1 x 1 on from below. Hold the model after this step: it does not stand by itself yet.");
+}
+
+TEST(BookletTextTest, ABoxOfAFewPartsNeedsNoHold)
+{
+    const BookletModel model = test::createTwins(true);
+    BookletStep step;
+    step.stands = false;
+    EXPECT_EQ(describeHold(model.getChapters()[1], step), "") << "two parts";
+    EXPECT_NE(describeHold(model.getChapters()[3], step), "") << "five parts";
 }
 
 TEST(BookletTextTest, NamesColorsAsBrickLinkDoes)

@@ -34,6 +34,9 @@ TEST(BasePlateTest, LargerModelsStandOnSeveralPlates)
 {
     const BasePlate plates(*createModel({49, 100}));
     EXPECT_EQ(plates.getQuantity(), 6u);
+    const BasePlate narrow(*createModel({58, 2}));
+    EXPECT_EQ(narrow.getQuantity(), 2u);
+    EXPECT_EQ(narrow.getName(), "Base plate 16 x 32");
     EXPECT_EQ(plates.createModel(false)->getParts().size(), 6u);
 }
 

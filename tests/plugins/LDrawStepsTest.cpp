@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego::test
@@ -71,7 +73,7 @@ TEST(LDrawSteps, TheViewOfAFileDoesNotDependOnTheFileBefore)
     steps.writeMain(main);
     EXPECT_EQ(getCommands(main.str()), (StepLines{"STEP", "ROTSTEP 0 90 0 REL", "STEP"}));
     EXPECT_EQ(commandsOf(0), StepLines{"STEP"});
-    const StepLines upsideDown{"ROTSTEP 180 0 0 REL", "STEP"};
+    const StepLines upsideDown{"ROTSTEP 180 90 0 REL", "STEP"};
     EXPECT_EQ(commandsOf(1), upsideDown);
     EXPECT_EQ(commandsOf(2), upsideDown);
     EXPECT_EQ(commandsOf(0), StepLines{"STEP"});
@@ -129,12 +131,19 @@ TEST(LDrawSteps, RotationsShowTheSidesThatTheTurnsOfThePlanShow)
 
 TEST(LDrawSteps, RotationsOfSubmodelsThatAreBuiltUpsideDownShowThemFromBelow)
 {
-    BuildingStep attached = createStep({0});
-    attached.submodels = {0};
-    const LDrawModel model = createModel(BuildingPlan::create(2, {attached}, {{{createStep({1}, 0, true)}}}));
-    std::ostringstream stream;
-    LDrawSteps(model, "a").writeSubmodel(stream, 0);
-    EXPECT_NEAR(findDirectionToEye(stream.str()).z, -0.5, 1e-9) << stream.str();
+    for (const int turns : {0, 1, 2, 3})
+    {
+        BuildingStep attached = createStep({0});
+        attached.submodels = {0};
+        const LDrawModel model = createModel(BuildingPlan::create(2, {attached}, {{{createStep({1}, turns, true)}}}));
+        std::ostringstream stream;
+        LDrawSteps(model, "a").writeSubmodel(stream, 0);
+        const glm::dvec3 toEye = findDirectionToEye(stream.str());
+        EXPECT_NEAR(toEye.z, -0.5, 1e-9) << stream.str();
+        // The same side as upright, although the model is mirrored in the picture.
+        const glm::dvec3 upright = findDirectionToEye("0 ROTSTEP 0 " + std::to_string(90 * turns) + " 0 REL\r\n");
+        EXPECT_GT(glm::dot(glm::normalize(glm::dvec2(toEye)), glm::normalize(glm::dvec2(upright))), 0.8) << turns;
+    }
 }
 
 TEST(LDrawSteps, EveryStepThatChangesTheViewSaysSoOnce)

@@ -93,7 +93,7 @@ TEST(LDrawWriterSteps, AChangedViewIsWrittenForTheStepThatItEnds)
     node->setBuildingPlan(
         BuildingPlan::create(4, {{{0}, {}}, {{1}, {}, 1}, {{2}, {}, 1}, {{}, {0}, 0}}, {{{{{3}, {}, 0, true}}}}));
     EXPECT_EQ(summarize(writeLDraw(*node, "a.mpd").text),
-              "/p|pROTSTEP 0 90 0 REL|p|1ROTSTEP END|/pROTSTEP 180 0 0 REL|");
+              "/p|pROTSTEP 0 90 0 REL|p|1ROTSTEP END|/pROTSTEP 180 90 0 REL|");
     EXPECT_EQ(summarize(writeLDraw(*node).text), "p|pROTSTEP 0 90 0 REL|p|pROTSTEP END|");
 }
 

@@ -53,6 +53,19 @@ TEST(BuildingPlan, MeasuresSubmodelsWithoutPartsThatNothingHolds)
     EXPECT_EQ(BuildingPlan::create(1, {createStep({0})})->getDeepestSubmodel(), 0u);
 }
 
+TEST(BuildingPlan, StepsOfSubmodelsInAHandDoNotCountAsFalling)
+{
+    for (const std::uint32_t numParts : {4u, 5u})
+    {
+        std::vector<std::uint32_t> parts(numParts - 1);
+        std::iota(parts.begin(), parts.end(), 1u);
+        Submodel submodel{{createStep(parts), createStep({numParts})}};
+        submodel.steps[0].stands = false;
+        const auto plan = BuildingPlan::create(numParts + 1, {createStep({0}), createStep({}, {0})}, {submodel});
+        EXPECT_EQ(plan->getNumFalling(), numParts == 5 ? 1u : 0u);
+    }
+}
+
 TEST(BuildingPlan, LimitsAreFoundToBeExceeded)
 {
     const auto create = [](std::size_t numParts, std::uint32_t depth)
