@@ -21,7 +21,7 @@ bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b)
         constexpr double VISIBLE = 0.01;
         return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), !hasFewEnoughParts(candidate),
                           candidate.numPieces, candidate.exceedsLimits(), std::lround(candidate.getError() / VISIBLE),
-                          candidate.layout.numParts);
+                          candidate.layout.numParts, candidate.settings.toString().size());
     };
     return rank(a) < rank(b);
 }

@@ -22,7 +22,7 @@ public:
 
     /** Models of one piece before others, then those that stand, those that have few enough parts, those of fewer
      * pieces, those easy to build, as far as it is known, and those more like the mesh; among those
-     * that look alike, the one of fewer parts. */
+     * that look alike, the one of fewer parts, or of fewer settings. */
     bool isBetter(const DesignCandidate& a, const DesignCandidate& b) const;
 
     /** The models that fall, are not supported yet, and are clearly more like the mesh than the best that stands

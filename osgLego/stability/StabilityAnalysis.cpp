@@ -261,6 +261,7 @@ private:
         for (const std::uint32_t part : parts)
             pieces[studs.find(part)].push_back(part);
         std::vector<std::vector<std::uint32_t>> result;
+        result.reserve(pieces.size());
         for (auto& [root, piece] : pieces)
             result.push_back(std::move(piece));
         return result;

@@ -227,7 +227,18 @@ def match_submodels(page, letters, attached, kinds, document, where):
     return list(pairs.items())
 
 
-def check_step(page, step, name, written, kinds, document, is_first):
+def describe_added(num_parts, letters):
+    """Such as "4 parts + A + 2 × B"; submodels of many letters are only counted."""
+    added = [f"{num_parts} part{'s' if num_parts != 1 else ''}"] if num_parts else []
+    quantities = collections.Counter(letters)
+    if len(quantities) > 2:
+        added.append(f"{len(letters)} submodels")
+    else:
+        added += [f"{quantity} × {letter}" if quantity > 1 else letter for letter, quantity in quantities.items()]
+    return " + ".join(added)
+
+
+def check_step(page, step, name, written, kinds, document):
     """A step of the page has the parts, submodels and the turn of a step of the .mpd. Returns its submodels' letters."""
     attached = [own.name for own in written.references if own.name in document.files]
     if step.has_class("small-step"):  # the box around it lists its parts
@@ -243,15 +254,13 @@ def check_step(page, step, name, written, kinds, document, is_first):
         direct = collections.Counter((own.name, own.color) for own in written.references if own.name not in document.files)
         if parts != direct or len(letters) != len(attached):
             fail(f"step {name} shows {parts} and submodels {letters}, and the .mpd places {direct} and {attached}")
-        total = sum(direct.values()) + sum(document.count_parts(own).total() for own in attached)
-        if count.get_text() != f"{total} part{'s' if total != 1 else ''}":
-            fail(f"step {name} has {total} parts, and counts {count.get_text()}")
+        added = describe_added(direct.total(), letters)
+        if count.get_text() != added:
+            fail(f"step {name} adds {added}, and counts {count.get_text()}")
     if heading.get_text() != name:
         fail(f"step {name} shows the number '{heading.get_text()}'")
-    # The first step begins upright, whatever its view is.
-    must_turn = written.changes_view and (not is_first or written.is_from_below)
-    if any(own.has_class("turn") for own in number.children) != must_turn:
-        fail(f"step {name} {'has no' if must_turn else 'has an'} arrow for turning, unlike the .mpd")
+    if any(own.has_class("turn") for own in number.children) != written.changes_view:
+        fail(f"step {name} {'has no' if written.changes_view else 'has an'} arrow for turning, unlike the .mpd")
     return match_submodels(page, letters, attached, kinds, document, f"step {name}")
 
 
@@ -259,7 +268,7 @@ def check_chapter(page, letter, steps, kinds, document, first=1):
     """The steps of the page are those of a file of the .mpd, and so are its submodels."""
     for index, (step, written) in enumerate(zip(find_steps(page, letter), steps)):
         name = f"{letter}{first + index}"
-        for inner_letter, inner in check_step(page, step, name, written, kinds, document, first + index == 1):
+        for inner_letter, inner in check_step(page, step, name, written, kinds, document):
             steps_of_inner = document.files[inner]
             number = len(find_steps(page, inner_letter))
             # The picture of a finished submodel may show all its parts.

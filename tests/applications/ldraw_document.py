@@ -14,7 +14,7 @@ Reference = collections.namedtuple("Reference", "name color place axes")
 
 class Step:
     def __init__(self):
-        self.references, self.changes_view, self.is_from_below = [], False, False
+        self.references, self.changes_view = [], False
 
 
 def name_part(number):
@@ -49,7 +49,6 @@ class Document:
                 steps[-1].references.append(self._read(words))
             elif words[:2] == ["0", "ROTSTEP"]:
                 steps[-1].changes_view = True
-                steps[-1].is_from_below = words[2] == "180"
             elif words[:2] == ["0", "STEP"]:
                 steps.append(Step())
         for steps in self.files.values():
