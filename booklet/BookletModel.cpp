@@ -45,27 +45,28 @@ bool isOn(const Part& upper, const Part& lower, int up)
     return low.x < high.x && low[3 - up] < high[3 - up];
 }
 
-/** The parts of a step that are pressed on from below: on no other part in place, but below some.
+/** The parts of a step that are pressed on from below: below parts in place, and on none, nor on others of the step.
+ * Parts that hang from others of the step are joined with them in a hand.
  * @param placed the parts in place before. */
 std::vector<std::uint32_t> findPressed(const BrickModel& model, const BuildingStep& step,
                                        std::span<const std::uint32_t> placed)
 {
     const int up = model.getGrid().getUpIndex();
-    std::vector<std::uint32_t> inPlace(placed.begin(), placed.end());
+    const auto touchesAny = [&](const Part& own, std::span<const std::uint32_t> others, bool isOwnUpper)
+    {
+        return std::any_of(others.begin(), others.end(),
+                           [&](std::uint32_t other)
+                           {
+                               const Part& part = model.getParts()[other];
+                               return isOwnUpper != step.isFromBelow ? isOn(own, part, up) : isOn(part, own, up);
+                           });
+    };
     std::vector<std::uint32_t> pressed;
     for (const std::uint32_t part : step.parts)
     {
         const Part& own = model.getParts()[part];
-        bool isOnOther = false;
-        bool isBelowOther = false;
-        for (const std::uint32_t index : inPlace)
-        {
-            const Part& other = model.getParts()[index];
-            isOnOther = isOnOther || (step.isFromBelow ? isOn(other, own, up) : isOn(own, other, up));
-            isBelowOther = isBelowOther || (step.isFromBelow ? isOn(own, other, up) : isOn(other, own, up));
-        }
-        if (isBelowOther && !isOnOther) pressed.push_back(part);
-        inPlace.push_back(part);
+        const bool isOnOther = touchesAny(own, placed, true) || touchesAny(own, step.parts, true);
+        if (!isOnOther && touchesAny(own, placed, false)) pressed.push_back(part);
     }
     return pressed;
 }

@@ -37,7 +37,7 @@ struct BookletStep
     int turns = 0;             //!< as BuildingStep::turns
     bool isUpsideDown = false; //!< as BuildingStep::isFromBelow
     bool isTurned = false;     //!< whether the view differs from that of the step before; at first, from the front
-    bool isTurnedOver = false; //!< whether it does so since the submodel is turned upside down
+    bool isTurnedOver = false; //!< whether it does so because the submodel is turned upside down
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
@@ -57,7 +57,7 @@ struct BookletChapter
     static constexpr std::size_t MOST_LISTED = 200; //!< parts; those of larger submodels are in several bags
 
     /** Whether it is a submodel that is built from a box within the step that attaches it. */
-    bool isCallout() const { return isSubmodel && model->getParts().size() <= BuildingPlan::MOST_IN_HAND; }
+    bool isCallout() const { return isSubmodel && model->getParts().size() <= BuildingPlan::MOST_PARTS_HELD; }
     /** Whether the contents of a submodel list its parts. */
     bool isListed() const { return model->getParts().size() <= MOST_LISTED; }
 

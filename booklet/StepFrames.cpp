@@ -152,9 +152,9 @@ double StepFrames::findLowest(std::size_t chapter, std::size_t step) const
 {
     constexpr double CONTEXT = 5.0; // pitches of the model below new parts
     const BookletChapter& own = _model.getChapters()[chapter];
-    const BookletCamera camera = createCamera(own, own.steps[step]);
     // The first step shows the whole base plate, so that its studs beside the model can be counted.
-    if (isOnPlate(own) && step == 0) return camera.findFrame(*_plate).lowest.y;
+    if (isOnPlate(own) && step == 0) return findUncut(chapter, step).lowest.y;
+    const BookletCamera camera = createCamera(own, own.steps[step]);
     double lowest = std::numeric_limits<double>::max();
     for (const std::uint32_t part : getNewParts(own, own.steps[step]))
         lowest = std::min(lowest, camera.findFrame(std::span(&own.model->getParts()[part], 1)).lowest.y);

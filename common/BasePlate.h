@@ -14,8 +14,8 @@
 namespace osgLego
 {
 
-/** The studded base plate below a model: the smallest that it fits on, or as few as possible. It is not part of the
- * model.
+/** The studded base plate below a model: the smallest that it fits on, or, for larger models, the fewest, and of those
+ * the smallest. It is not part of the model.
  *
  *     const BasePlate plate(*model);
  *     list.addExtra(plate.createRow());

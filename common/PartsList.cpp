@@ -112,6 +112,17 @@ void PartsList::add(const BrickModel& model, std::span<const PaletteColor> palet
     }
 }
 
+void PartsList::addExtra(Extra extra)
+{
+    const auto same = std::find_if(_extras.begin(), _extras.end(),
+                                   [&extra](const Extra& other)
+                                   { return other.number == extra.number && other.color.code == extra.color.code; });
+    if (same != _extras.end())
+        same->quantity += extra.quantity;
+    else
+        _extras.push_back(std::move(extra));
+}
+
 std::vector<PartsList::Row> PartsList::getRows() const
 {
     std::vector<Row> rows;

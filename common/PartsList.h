@@ -50,8 +50,8 @@ public:
      * @param palette the colours that the model was built in, which override the library's colours of the same code. */
     void add(const BrickModel& model, std::span<const PaletteColor> palette);
 
-    /** Add parts that only the written lists have, at their end. */
-    void addExtra(Extra extra) { _extras.push_back(std::move(extra)); }
+    /** Add parts that only the written lists have, at their end: to a row of the same parts, if there is one. */
+    void addExtra(Extra extra);
 
     /** The rows: bricks before plates, each from small to large and in the order of colours. */
     std::vector<Row> getRows() const;

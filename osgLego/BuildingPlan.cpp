@@ -152,7 +152,7 @@ std::size_t BuildingPlan::getNumFalling() const
         const std::size_t numParts = std::accumulate(submodel.steps.begin(), submodel.steps.end(), std::size_t{0},
                                                      [this](std::size_t sum, const BuildingStep& step)
                                                      { return sum + getPlacedParts(step).size(); });
-        if (numParts > MOST_IN_HAND) number += countFalling(submodel.steps);
+        if (numParts > MOST_PARTS_HELD) number += countFalling(submodel.steps);
     }
     return number;
 }

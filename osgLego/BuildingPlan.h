@@ -65,7 +65,7 @@ public:
      * submodel, and so on. */
     static constexpr std::size_t DEEPEST_SUBMODEL = 3;
     static constexpr std::size_t MOST_FALLING_STEPS = 5; //!< after which a builder holds the model
-    static constexpr std::size_t MOST_IN_HAND = 4;       //!< parts of a submodel that a builder holds in a hand anyway
+    static constexpr std::size_t MOST_PARTS_HELD = 4;    //!< of a submodel that a builder holds while building it
 
     /** Create a plan.
      * @param numParts the number of parts in the model.
@@ -86,8 +86,8 @@ public:
     /** The number of steps, with those of submodels, that are not `isChecked`: it is unknown whether the partial model
      * stands after them. */
     std::size_t getNumUnchecked() const;
-    /** The number of steps, with those of submodels of more than MOST_IN_HAND parts, after which the partial model does
-     * not stand. */
+    /** The number of steps, with those of submodels of more than MOST_PARTS_HELD parts, after which the partial model
+     * does not stand. */
     std::size_t getNumFalling() const;
 
     /** The parts of the largest submodel; 0 without submodels. Parts that nothing holds are not counted, here and in

@@ -55,10 +55,11 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
     return text.str();
 }
 
-/** Whether most of a model is one submodel, which stands on the rest. */
+/** Whether most parts are in one submodel, which a builder doesn't hold in a hand. */
 bool isMostlySubmodel(const DesignCandidate& candidate)
 {
-    return 2 * candidate.plan->getLargestSubmodel() > candidate.layout.numParts;
+    const std::size_t largest = candidate.plan->getLargestSubmodel();
+    return largest > BuildingPlan::MOST_PARTS_HELD && 2 * largest > candidate.layout.numParts;
 }
 
 std::string explainChoice(const DesignCandidate& best, std::size_t numCandidates, std::size_t numOthers)
@@ -95,7 +96,7 @@ std::string explainBuilding(const DesignCandidate& best)
         text += "; hold the model or a submodel after " + counted(plan.getNumFalling(), "step", "steps");
     text += '\n';
     if (!best.exceedsLimits() && isMostlySubmodel(best))
-        text += "not easy to build: most parts are in a submodel, which is attached to the other ones as a whole\n";
+        text += "most parts are in one submodel, which is attached to the rest as a whole\n";
     if (best.exceedsLimits())
         text += "hard to build: " +
                 describeExcess(plan.getLargestSubmodel(), plan.getDeepestSubmodel(), plan.getNumFalling()) +

@@ -56,8 +56,8 @@ struct OSGLEGO_EXPORT StabilityReport
      * a large component, they may be all parts of groups of which some are not. */
     std::vector<std::uint32_t> falling;
     /** The parts, in ascending order, of pieces that studs hold together, that fall at least partly, and whose centre
-     * of mass is not above the convex hull of their lowest faces: they tip over as a whole, even if `falling` has not
-     * all of their parts. Empty on a base plate, which holds them. */
+     * of mass is not above the convex hull of their lowest faces: they tip over as a whole, even if `falling` lacks
+     * some of their parts. Empty on a base plate, which holds them. */
     std::vector<std::uint32_t> tipping;
     /** Parts of pieces whose forces can't be computed precisely enough to know whether they stand, in ascending order.
      * If there are any, `stands` is false, and `margin` is a bound of -1. */
@@ -90,7 +90,7 @@ struct OSGLEGO_EXPORT StabilityReport
     bool falls() const { return !falling.empty(); }
     /** Of `falling`, those that are not in `tipping`. */
     std::vector<std::uint32_t> findUnheld() const;
-    /** Whether the model falls only since pieces tip over as a whole. */
+    /** Whether the model falls only because pieces tip over as a whole. */
     bool tips() const { return falls() && findUnheld().empty(); }
     /** The verdict and the margin in a line of English. */
     std::string toString() const;

@@ -192,6 +192,8 @@ void runOcclusion(const OcclusionOptions& options)
     JsonValue document = createDocument("occlusion", *createBenchContext());
     document["rays"] = options.numRays;
     document["frames"] = options.numFrames;
+    document["width"] = options.getSize().x;
+    document["height"] = options.getSize().y;
     for (const BenchScene& scene : scenes)
         for (const char* quality : QUALITIES)
             for (const bool isDistant : {false, true})

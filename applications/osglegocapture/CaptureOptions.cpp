@@ -71,7 +71,7 @@ void checkInstructions(const CaptureOptions& options)
         throw CLI::ValidationError(
             "--title, --author and --license have no booklet; expected --instructions or --build with them");
     if (options.instructions.empty() && options.isBookletConfirmed)
-        throw CLI::ValidationError("--yes has no booklet; expected --instructions with it");
+        throw CLI::ValidationError("--yes has no booklet; expected --instructions or --build with it");
     if (options.original && !options.instructions.empty())
         throw CLI::ValidationError("--original has no parts; expected --instructions without --original");
 }
@@ -286,7 +286,8 @@ void addBooklet(CLI::App& app, CaptureOptions& options)
     app.add_option("--license", options.license,
                    "For --instructions and --build: the text after !LICENSE in the model (no such line)")
         ->type_name("TEXT");
-    app.add_flag("--yes", options.isBookletConfirmed, "For --instructions: write all steps of more than 2,000 parts");
+    app.add_flag("--yes", options.isBookletConfirmed,
+                 "For --instructions and --build: write all steps of more than 2,000 parts");
 }
 
 /** A model with settings that the program chooses. */

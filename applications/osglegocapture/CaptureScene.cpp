@@ -68,6 +68,8 @@ std::string findObstacle(const std::string& fileName)
 std::string findMissing(const std::string& fileName)
 {
     const std::string model = LegolizeName::stripPseudoLoaders(fileName);
+    // The built-in model and those of servers are no files.
+    if ((model != fileName && model == "sample") || osgDB::containsServerAddress(fileName)) return {};
     if (!osgDB::findDataFile(fileName).empty() || !osgDB::findDataFile(model).empty()) return {};
     return model == fileName ? "there is no such file" : "there is no file '" + model + "'";
 }

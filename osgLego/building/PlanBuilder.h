@@ -50,7 +50,7 @@ private:
     {
         std::vector<BuildingStep> steps;
         std::vector<Submodel> submodels;
-        std::size_t numFalls = 0; // steps after which parts fall, also of submodels
+        std::size_t numFalls = 0; // steps after which parts fall, also of all submodels, however small
         std::size_t largest = 0;  // parts of the largest submodel that the steps attach
     };
 

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 
 namespace osgLego
 {
+
+namespace
+{
+
+/** The settings that are not left at their defaults. */
+std::size_t countSettings(const DesignCandidate& candidate)
+{
+    const std::string text = candidate.settings.toString();
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+}
+
+} // namespace
 
 int DesignRanking::rankStability(const StabilityReport& stability)
 {
@@ -21,7 +34,7 @@ bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b)
         constexpr double VISIBLE = 0.01;
         return std::tuple(!candidate.isWhole(), rankStability(candidate.stability), !hasFewEnoughParts(candidate),
                           candidate.numPieces, candidate.exceedsLimits(), std::lround(candidate.getError() / VISIBLE),
-                          candidate.layout.numParts, candidate.settings.toString().size());
+                          candidate.layout.numParts, countSettings(candidate));
     };
     return rank(a) < rank(b);
 }

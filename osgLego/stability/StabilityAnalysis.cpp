@@ -267,7 +267,7 @@ private:
         return result;
     }
 
-    /** Each piece that studs hold together tips by itself: neighbours only push it. */
+    /** Each piece that studs hold together tips by itself. */
     void addTipping(std::span<const std::uint32_t> parts, StabilityReport& report) const
     {
         if (parts.empty() || (!report.falls() && !report.stands)) return;
@@ -279,7 +279,7 @@ private:
             report.tippingAngle = std::min(*report.tippingAngle, angle);
             const auto falls = [&report](std::uint32_t part)
             { return std::binary_search(report.falling.begin(), report.falling.end(), part); };
-            // Neighbours may hold a piece that would tip alone.
+            // Neighbours that it leans on may keep a piece from tipping.
             if (angle == 0.0 && std::any_of(piece.begin(), piece.end(), falls))
                 report.tipping.insert(report.tipping.end(), piece.begin(), piece.end());
         }

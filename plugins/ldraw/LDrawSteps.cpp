@@ -164,8 +164,9 @@ void LDrawSteps::endStep(std::ostream& stream, const BuildingStep& step)
     }
     else if (view != _view)
     {
-        // The model is turned over about x, and then to the left, which shows its right side. Turned over, its rear is
-        // in front, and a turn to the left shows its left side: other turns show the sides that the plan chose.
+        // The model is turned over about x, and then to the left, which shows its right side. From an azimuth of 33
+        // degrees, k quarters show the sides at 33 + 90 k; but turned over, those at 147 - 90 k, and the plan wants
+        // those at 33 + 90 turns: k = 1 - turns shows the same two sides.
         constexpr int QUARTER = 90;
         const int turns =
             view.isFromBelow ? (1 - view.turns + BuildingStep::NUM_TURNS) % BuildingStep::NUM_TURNS : view.turns;

@@ -216,6 +216,11 @@ TEST(BookletModel, FindsPartsThatArePressedOnFromBelow)
         BuildingPlan::create(5, {createStep({0}), createStep({1}), createStep({3}), createStep({2}), createStep({4})});
     EXPECT_EQ(quantitiesOf(BookletModel(*bricks, *upright, {}).getMainChapter().steps),
               (std::vector<std::size_t>{0, 0, 0, 1, 0}));
+    // A beam and the brick below it that are placed in one step are joined in a hand.
+    const auto joined =
+        BuildingPlan::create(5, {createStep({0}), createStep({1}), createStep({3, 2}), createStep({4})});
+    EXPECT_EQ(quantitiesOf(BookletModel(*bricks, *joined, {}).getMainChapter().steps),
+              (std::vector<std::size_t>{0, 0, 0, 0}));
     Submodel over{{createStep({3}), createStep({2}), createStep({4})}};
     for (BuildingStep& step : over.steps)
         step.isFromBelow = true;

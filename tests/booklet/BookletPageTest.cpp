@@ -392,6 +392,18 @@ TEST(BookletPage, ShowsThePartsOfASmallModelInTrueSize)
               std::string::npos);
 }
 
+TEST(BookletPage, TheFinishedModelIsBesideTheLastSheetOnPaperThatHasTwo)
+{
+    for (const BookletModel& model : {createTower(), createTwins()})
+    {
+        const std::string html = write(model);
+        std::size_t numSheets = 0;
+        for (auto place = html.find("class=\"sheet\""); place != std::string::npos; ++numSheets)
+            place = html.find("class=\"sheet\"", place + 1);
+        EXPECT_EQ(html.find("class=\"finished beside\"") != std::string::npos, numSheets % 2 == 1) << numSheets;
+    }
+}
+
 TEST(BookletPage, ShowsWarningsOnTheCover)
 {
     const std::string cover = findElement(write(createTower(), {"It is <heavy>.", "It falls."}), "cover");

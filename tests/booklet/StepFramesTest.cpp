@@ -3,6 +3,7 @@
 #include <booklet/StepFrames.h>
 
 #include <PartModels.h>
+#include <common/BasePlate.h>
 
 #include <algorithm>
 
@@ -89,6 +90,19 @@ TEST(StepFrames, PicturesOfASectionLeaveOutWhatIsFarBelowItsParts)
     }
     EXPECT_LE(frames.findFrame(0, LOW_STEP).lowest.y, findBottom(frames, model, 0)) << "its part on the ground";
     EXPECT_FALSE(frames.isCut(0, LOW_STEP));
+}
+
+TEST(StepFrames, TheFirstStepShowsTheWholeBasePlate)
+{
+    const BookletModel model = createHighTower();
+    const osg::ref_ptr<const BrickModel> plate = BasePlate(*model.getMainChapter().model).createModel(false);
+    StepFrames frames(model, plate, {});
+    frames.setSection(0, createBlocks(0));
+    const BookletChapter& chapter = model.getMainChapter();
+    EXPECT_LE(frames.findFrame(0, 0).lowest.y,
+              frames.createCamera(chapter, chapter.steps[0]).findFrame(*plate).lowest.y);
+    EXPECT_FALSE(frames.isCut(0, 0));
+    EXPECT_TRUE(frames.isCut(0, NUM_STEPS - 1));
 }
 
 TEST(StepFrames, PicturesOfASectionHaveALargerScaleUntilTheNextOne)

@@ -59,6 +59,8 @@ TEST(PartsList, WrittenListsEndWithPartsThatAreNotThoseOfTheModel)
               std::string::npos)
         << wanted.str();
     EXPECT_EQ(list.getRows().size(), 3u);
+    list.addExtra({"3857", "Base plate 16 x 32", {2, "Green", {}, 6}, 1});
+    EXPECT_NE(csvOf(list).find("\n3857,Base plate 16 x 32,2,Green,6,3,,\n"), std::string::npos) << csvOf(list);
 }
 
 TEST(PartsList, PartsOfSeveralModelsAreAddedUp)

@@ -140,7 +140,7 @@ TEST(LDrawSteps, RotationsOfSubmodelsThatAreBuiltUpsideDownShowThemFromBelow)
         LDrawSteps(model, "a").writeSubmodel(stream, 0);
         const glm::dvec3 toEye = findDirectionToEye(stream.str());
         EXPECT_NEAR(toEye.z, -0.5, 1e-9) << stream.str();
-        // The same side as upright, although the model is mirrored in the picture.
+        // The same side as upright, although the model is turned over.
         const glm::dvec3 upright = findDirectionToEye("0 ROTSTEP 0 " + std::to_string(90 * turns) + " 0 REL\r\n");
         EXPECT_GT(glm::dot(glm::normalize(glm::dvec2(toEye)), glm::normalize(glm::dvec2(upright))), 0.8) << turns;
     }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <gtest/gtest.h>
 #include <osg/ShapeDrawable>
@@ -174,6 +175,39 @@ TEST(DesignRanking, FewEnoughPartsMatterMoreThanLikenessButLessThanStability)
     DesignCandidate falling = few;
     falling.stability.stands = false;
     EXPECT_TRUE(ranking.isBetter(many, falling));
+}
+
+TEST(DesignRanking, OfEqualModelsThatWithTheFewestSettingsComesFirst)
+{
+    DesignCandidate plain;
+    DesignCandidate colored;
+    colored.settings.colors.count = 8;
+    const DesignRanking ranking(200);
+    EXPECT_TRUE(ranking.isBetter(plain, colored));
+    EXPECT_FALSE(ranking.isBetter(colored, plain));
+}
+
+TEST(ModelDesign, AModelWhosePartsAreMostlyInOneSubmodelIsNotCalledEasyToBuild)
+{
+    const auto describe = [](std::uint32_t numInSubmodel)
+    {
+        constexpr std::uint32_t NUM_PARTS = 12;
+        std::vector<std::uint32_t> parts(NUM_PARTS);
+        std::iota(parts.begin(), parts.end(), 0u);
+        BuildingStep attached;
+        attached.parts.assign(parts.begin() + numInSubmodel, parts.end());
+        attached.submodels = {0};
+        BuildingStep inner;
+        inner.parts.assign(parts.begin(), parts.begin() + numInSubmodel);
+        DesignCandidate candidate;
+        candidate.numPieces = 1;
+        candidate.layout.numParts = NUM_PARTS;
+        candidate.plan = BuildingPlan::create(NUM_PARTS, {attached}, {{{inner}}});
+        return ModelDesign{{candidate, candidate}}.toString();
+    };
+    EXPECT_NE(describe(6).find("and are easy to build"), std::string::npos);
+    EXPECT_EQ(describe(7).find("and are easy to build"), std::string::npos);
+    EXPECT_NE(describe(7).find("most parts are in one submodel"), std::string::npos);
 }
 
 TEST(ModelDesigner, AModelThatFallsIsSupported)
