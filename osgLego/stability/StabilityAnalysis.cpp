@@ -250,8 +250,8 @@ private:
             _bodies[parts[index]] = parts[bodies.empty() ? 0 : bodies[index]];
     }
 
-    /** The parts of each piece that studs hold together. */
-    std::vector<std::vector<std::uint32_t>> findPieces(std::span<const std::uint32_t> parts) const
+    /** The parts of each piece that studs hold together, by one of them. */
+    std::map<std::uint32_t, std::vector<std::uint32_t>> findPieces(std::span<const std::uint32_t> parts) const
     {
         PartSets studs(_boxes.size());
         for (const Contact& contact : _contacts)
@@ -260,11 +260,7 @@ private:
         std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
         for (const std::uint32_t part : parts)
             pieces[studs.find(part)].push_back(part);
-        std::vector<std::vector<std::uint32_t>> result;
-        result.reserve(pieces.size());
-        for (auto& [root, piece] : pieces)
-            result.push_back(std::move(piece));
-        return result;
+        return pieces;
     }
 
     /** Each piece that studs hold together tips by itself. */
@@ -272,13 +268,13 @@ private:
     {
         if (parts.empty() || (!report.falls() && !report.stands)) return;
         report.tippingAngle = report.falls() ? 0.0 : std::numeric_limits<double>::infinity();
-        for (const std::vector<std::uint32_t>& piece : findPieces(parts))
+        const auto falls = [&report](std::uint32_t part)
+        { return std::binary_search(report.falling.begin(), report.falling.end(), part); };
+        for (const auto& [root, piece] : findPieces(parts))
         {
             if (!_isHeld[piece.front()]) continue; // it is not on the table
             const double angle = findTippingAngle(_boxes, piece, _lowest);
             report.tippingAngle = std::min(*report.tippingAngle, angle);
-            const auto falls = [&report](std::uint32_t part)
-            { return std::binary_search(report.falling.begin(), report.falling.end(), part); };
             // Neighbours that it leans on may keep a piece from tipping.
             if (angle == 0.0 && std::any_of(piece.begin(), piece.end(), falls))
                 report.tipping.insert(report.tipping.end(), piece.begin(), piece.end());

@@ -136,7 +136,8 @@ TEST(BuildingPlanner, PartsThatTouchNothingAreListedAndComeLast)
 
 TEST(BuildingPlanner, RandomPartsWithManyHolesAreHeldWhenTheyArePlaced)
 {
-    // Most of these models have hooks that interlock, which no order of building avoids.
+    // Hooks that interlock can't always be assembled from above; their parts are held when they are placed, but from
+    // the side. The order of building decides how many there are.
     std::size_t numUnreachable = 0;
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
         for (std::uint32_t seed = 1; seed < 9; ++seed)
