@@ -210,7 +210,7 @@ std::vector<AssemblyStep> PlanBuilder::assemble(const PartList& parts, const Set
     StepBuilder::FindFalling findFalling;
     if (_options.checksStability)
         findFalling = [&stability](const std::vector<bool>& isPlaced) { return stability.findFalling(isPlaced); };
-    StepViews views(graph.getBoxes(), getCellHeight(), _options.view);
+    StepViews views(graph.getBoxes(), getCellHeight(), _options.view, !setting.isUpsideDown);
     StepBuilder builder(
         graph, findFalling,
         [this, &setting](std::size_t numPlaced, bool stands)

@@ -28,8 +28,10 @@ glm::dvec3 getDirection(const BuildingView& view, int turns, double cellHeight)
 
 } // namespace
 
-StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view) :
-    _boxes(boxes), _cellHeight(cellHeight), _view(view)
+StepViews::StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view,
+                     bool mayPlanTurns) :
+    _boxes(boxes),
+    _cellHeight(cellHeight), _view(view), _mayPlanTurns(mayPlanTurns)
 {
     if (boxes.empty()) return;
     _lower = boxes.front().lower;
@@ -76,8 +78,9 @@ bool StepViews::canShow(const std::vector<std::uint32_t>& parts, bool isTurning)
 {
     cover(parts, true);
     bool isShown = false;
-    for (int turn = 0; turn < (isTurning ? BuildingStep::NUM_TURNS : 1) && !isShown; ++turn)
-        isShown = look(parts, (_turns + turn) % BuildingStep::NUM_TURNS).numHidden == 0;
+    const int first = _mayPlanTurns ? _turns : 0;
+    for (int turn = 0; turn < (isTurning && _mayPlanTurns ? BuildingStep::NUM_TURNS : 1) && !isShown; ++turn)
+        isShown = look(parts, (first + turn) % BuildingStep::NUM_TURNS).numHidden == 0;
     cover(parts, false);
     return isShown;
 }

@@ -22,8 +22,10 @@ class StepViews
 public:
     /** @param boxes those of all parts; they must outlive this object.
      * @param cellHeight the height of a cell, in studs.
-     * @param view without turns. */
-    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view = {});
+     * @param view without turns.
+     * @param mayPlanTurns whether canShow() counts other views than the first one; show() always does. */
+    StepViews(const std::vector<BuildingBox>& boxes, double cellHeight, const BuildingView& view = {},
+              bool mayPlanTurns = true);
 
     /** Put parts in place. @return the quarter turns, 0 to 3, counter-clockwise from above, that show them. */
     int show(const std::vector<std::uint32_t>& parts);
@@ -49,6 +51,7 @@ private:
     const std::vector<BuildingBox>& _boxes;
     double _cellHeight;
     BuildingView _view;
+    bool _mayPlanTurns;
     glm::ivec3 _lower{0};
     glm::ivec3 _size{0};
     SparseBox<bool> _isCovered; // cells from `_lower` on
