@@ -12,6 +12,7 @@
 
 #include <common/BasePlate.h>
 #include <common/LegolizeName.h>
+#include <common/ModelHeader.h>
 #include <common/PictureRenderer.h>
 #include <common/ReadableName.h>
 #include <osgLego/BuildingPlanner.h>
@@ -197,15 +198,17 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     planned->setBuildingPlan(plan);
 
     const std::string name = osgDB::getStrippedName(fileName);
-    facts.title = _options.title.empty() ? toReadableName(fileName) : _options.title;
-    facts.author = _options.author;
+    ModelHeader header{_options.title, _options.author, _options.license};
+    header.complete(ModelHeader::find(_lego));
+    header.complete({toReadableName(fileName), {}, {}});
+    facts.title = header.title;
+    facts.author = header.author;
     facts.warnings = createWarnings(model, findStability(*bricks), *plan, _options.base);
     std::ostringstream words;
     BookletWords writer(model, _options.view);
     writer.setSteps(facts.firstStep, facts.endStep);
     writer.write(words, facts.title);
-    facts.downloads =
-        createDownloads(name, model.getPartsList(), *planned, {facts.title, _options.author, _options.license});
+    facts.downloads = createDownloads(name, model.getPartsList(), *planned, header);
     checkCancellation();
     BookletPictures pictures(model, renderer, _options.view);
     facts.downloads.push_back({"Instructions in words", name + ".txt", "text/plain;charset=utf-8", words.str()});

@@ -15,7 +15,7 @@ namespace
 {
 
 /** The model in LDraw's format, with its steps and submodels. */
-std::string createMpd(const LegoNode& lego, const std::string& fileName, const BookletHeader& header)
+std::string createMpd(const LegoNode& lego, const std::string& fileName, const ModelHeader& header)
 {
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
     options->setPluginStringData("STREAM_FILENAME", fileName); // as OSG's own plugins name streams
@@ -41,7 +41,7 @@ osgDB::ReaderWriter& findLDrawWriter()
 }
 
 std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
-                                             const BookletHeader& header)
+                                             const ModelHeader& header)
 {
     std::ostringstream wanted;
     list.writeWantedList(wanted);

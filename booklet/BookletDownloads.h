@@ -2,6 +2,7 @@
 
 #include "BookletPage.h"
 
+#include <common/ModelHeader.h>
 #include <common/PartsList.h>
 #include <osgLego/LegoNode.h>
 
@@ -13,22 +14,15 @@
 namespace osgLego
 {
 
-/** The texts of the header of the model in LDraw's format; empty: the plugin's default. */
-struct BookletHeader
-{
-    std::string title;
-    std::string author;
-    std::string license;
-};
-
 /** The plugin that writes LDraw's files. Throws BookletFailure if osgDB does not find it. */
 osgDB::ReaderWriter& findLDrawWriter();
 
 /** The files that readers save from a booklet: a wanted list, a parts list, and the model in LDraw's format. Throws
  * BookletFailure.
  * @param name of the files, without an extension.
- * @param lego with stored bricks and their building plan. */
+ * @param lego with stored bricks and their building plan.
+ * @param header of the model in LDraw's format. */
 std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
-                                             const BookletHeader& header);
+                                             const ModelHeader& header);
 
 } // namespace osgLego

@@ -105,8 +105,8 @@ std::string LayoutStatistics::toString() const
     text << std::setprecision(1) << "\nsize: " << 0.1 * size.x << " cm wide, " << 0.1 * size.y << " cm deep and "
          << 0.1 * size.z << " cm high\n"
          << counted(numComponents, "piece", "pieces") << ", where the cells allow " << numComponentsPossible << "; ";
-    if (numFloating > 0) text << counted(numFloating, "part floats", "parts float") << ", and ";
-    text << counted(numArticulationParts, "part holds", "parts hold") << " a piece together alone\n";
+    if (numFloating > 0) text << counted(numFloating, "part floats", "parts float") << "; ";
+    text << "parts without which a piece would fall apart: " << numArticulationParts << '\n';
     text << "stacked seams: " << 100.0 * stackedSeams << " %, a length of " << stackedLength
          << "; colour error: " << meanColorError << " on average, at most " << maximumColorError << " in CIEDE2000";
     if (numUnavailable > 0)

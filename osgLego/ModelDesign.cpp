@@ -32,6 +32,7 @@ std::string describeHeld(const DesignCandidate& candidate)
 std::string describeSubmodels(const DesignCandidate& candidate)
 {
     if (!candidate.plan) return "-";
+    if (candidate.plan->getSubmodels().empty()) return "none";
     return std::to_string(candidate.plan->getLargestSubmodel()) + "x" +
            std::to_string(candidate.plan->getDeepestSubmodel());
 }

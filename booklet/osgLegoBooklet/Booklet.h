@@ -37,9 +37,12 @@ struct BookletOptions
     /** The order in which the node's bricks are built, if it is planned already: on `base`, for `view`, with checks of
      * stability, as DesignCandidate::plan. Null, or a plan for another number of parts: it is planned. */
     osg::ref_ptr<const BuildingPlan> plan;
-    std::string title;   //!< of the booklet and its model; empty: the readable name of the file, such as "Small Tower"
-    std::string author;  //!< likewise; empty: none on the cover, and osgLego in the model
-    std::string license; //!< of the model in LDraw's format, the text after !LICENSE; empty: no such line
+    /** Of the booklet and its model. Empty: the node's user value "title", as nodes read from LDraw's files have;
+     * without it, the readable name of the file, such as "Small Tower". */
+    std::string title;
+    std::string author; //!< likewise; empty: the user value "author", or none on the cover, and osgLego in the model
+    std::string
+        license; //!< of the model in LDraw's format, after !LICENSE; empty: the user value "license", or no line
     /** Whether the files that readers can save from the page, the model and the parts lists, are written beside it,
      * too.
      */

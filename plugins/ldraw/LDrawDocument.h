@@ -2,6 +2,8 @@
 
 #include "LDrawTransform.h"
 
+#include <common/ModelHeader.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -54,6 +56,9 @@ public:
     static constexpr std::int32_t EDGE_COLOR = 24;
     static constexpr std::size_t LONGEST_LINE = 65536;
     static constexpr double LARGEST_NUMBER = 1e7;
+    /** Before the titles that LDrawWriter writes: no text after it is a command such as NOFILE. */
+    static constexpr std::string_view TITLE_PREFIX = "Model:";
+    static constexpr std::string_view DEFAULT_AUTHOR = "osgLego"; //!< of written models without another one
 
     /** Give the main model a name, if it has none. */
     void setDefaultName(const std::string& name);
@@ -69,6 +74,8 @@ public:
     /** The normalized name of a reference. */
     const std::string& getName(const LDrawReference& reference) const { return _names[reference.name]; }
     const std::vector<LDrawColorDefinition>& getColors() const { return _colors; }
+    /** The texts at the beginning of the main model. */
+    const ModelHeader& getHeader() const { return _header; }
 
 private:
     friend class LDrawParser;
@@ -76,6 +83,7 @@ private:
     std::vector<LDrawFile> _files;
     std::vector<std::string> _names;
     std::vector<LDrawColorDefinition> _colors;
+    ModelHeader _header;
     std::unordered_map<std::string, std::size_t> _filesByName;
 };
 

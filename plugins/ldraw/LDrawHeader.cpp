@@ -30,14 +30,11 @@ std::string findText(const osgDB::Options& options, const std::string& name, con
 
 } // namespace
 
-LDrawHeader LDrawHeader::read(const osgDB::Options* options)
+ModelHeader readLDrawHeader(const osgDB::Options* options)
 {
-    LDrawHeader header;
-    if (!options) return header;
-    header.title = findText(*options, "TITLE", "title");
-    if (const std::string author = findText(*options, "AUTHOR", "author"); !author.empty()) header.author = author;
-    header.license = findText(*options, "LICENSE", "license");
-    return header;
+    if (!options) return {};
+    return {findText(*options, "TITLE", "title"), findText(*options, "AUTHOR", "author"),
+            findText(*options, "LICENSE", "license")};
 }
 
 } // namespace osgLego

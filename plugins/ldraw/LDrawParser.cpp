@@ -78,6 +78,28 @@ std::string readColor(std::string_view& text, std::int32_t& color)
     return quoted(word) + " is not a colour; expected a code, or 0x2 and six hexadecimal digits";
 }
 
+/** A text of the header, without control characters. */
+std::string toText(std::string_view text)
+{
+    std::string result(trimmed(text));
+    std::replace_if(
+        result.begin(), result.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
+    return result;
+}
+
+/** The title in the first line of a model; empty if that is a command, or the placeholder of an editor. */
+std::string toTitle(std::string_view line)
+{
+    constexpr std::array COMMANDS{"BFC",   "CLEAR",   "FILE", "NOFILE", "PAUSE",
+                                  "PRINT", "ROTSTEP", "SAVE", "STEP",   "WRITE"};
+    std::string_view rest = line;
+    const std::string_view word = takeWord(rest);
+    if (word == LDrawDocument::TITLE_PREFIX) return toText(rest);
+    const bool isCommand = word.starts_with('!') || word.starts_with("//") || word.ends_with(':') ||
+                           std::find(COMMANDS.begin(), COMMANDS.end(), word) != COMMANDS.end();
+    return isCommand || word == "Untitled" || word == "untitled" ? std::string() : toText(line);
+}
+
 } // namespace
 
 LDrawParser::LDrawParser()
@@ -119,6 +141,8 @@ std::string LDrawParser::readLine(std::string_view line)
 
 std::string LDrawParser::readLineOfType(char type, std::string_view rest)
 {
+    const bool isTitle = std::exchange(_isTitleNext, false);
+    if (type == '0' && _file == 0) readHeader(trimmed(rest), isTitle);
     if (type == '0') readCommand(rest);
     if (!_isInFile) return {};
     switch (type)
@@ -142,6 +166,22 @@ void LDrawParser::readCommand(std::string_view rest)
     if (command == "!COLOUR") readColorDefinition(rest);
 }
 
+/** Read a line that may be one of those at the beginning of the main model.
+ * @param isTitle whether it is the first one. */
+void LDrawParser::readHeader(std::string_view line, bool isTitle)
+{
+    constexpr std::size_t LONGEST = 200;
+    const LDrawFile& main = _document._files.front();
+    if (line.size() > LONGEST || !main.references.empty() || !main.triangles.empty()) return;
+    ModelHeader& header = _document._header;
+    std::string_view rest = line;
+    const std::string_view word = takeWord(rest);
+    if (isTitle) header.title = toTitle(line);
+    if (word == "Author:" && header.author.empty() && trimmed(rest) != LDrawDocument::DEFAULT_AUTHOR)
+        header.author = toText(rest);
+    if (word == "!LICENSE" && header.license.empty()) header.license = toText(rest);
+}
+
 void LDrawParser::beginFile(std::string_view name)
 {
     std::vector<LDrawFile>& files = _document._files;
@@ -149,6 +189,7 @@ void LDrawParser::beginFile(std::string_view name)
         files.size() == 1 && files[0].name.empty() && files[0].references.empty() && files[0].triangles.empty();
     if (!isFirst) files.emplace_back();
     _file = files.size() - 1;
+    _isTitleNext = isFirst;
     files[_file].name = LDrawDocument::normalizeName(name);
     // Of files with one name, the first is used.
     _document._filesByName.emplace(files[_file].name, _file);

@@ -27,6 +27,7 @@ private:
     std::string readLine(std::string_view line);
     std::string readLineOfType(char type, std::string_view rest);
     void readCommand(std::string_view rest);
+    void readHeader(std::string_view line, bool isTitle);
     void beginFile(std::string_view name);
     void readColorDefinition(std::string_view rest);
     std::string readReference(std::string_view rest);
@@ -37,6 +38,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> _nameIndices; // by the name as it is written
     std::size_t _file = 0;
     bool _isInFile = true;
+    bool _isTitleNext = true; // the first line of the main model
 };
 
 } // namespace osgLego

@@ -80,7 +80,7 @@ osg::ref_ptr<osg::Node> LDrawReader::read(const std::string& text, std::string& 
     if (error.empty()) error = addSurfaces(bricks.offLattice, resolver);
     if (!error.empty()) return nullptr;
     addWarnings(bricks, resolver);
-    if (bricks.model || !resolver.getTriangles().empty()) return createScene(bricks, resolver, colors);
+    if (bricks.model || !resolver.getTriangles().empty()) return createScene(bricks, *document, resolver, colors);
     error = "it has no bricks or plates that can be shown; expected upright parts such as 3001.dat";
     if (!_library.hasParts() && !resolver.getMissing().empty())
         error += ", or LDRAWDIR as the folder of a part library";
@@ -121,12 +121,17 @@ void LDrawReader::addWarnings(const LDrawBricks& bricks, const LDrawResolver& re
         _warnings.push_back("these colours are not known and are shown in grey: " + join(bricks.unknownColors));
 }
 
-osg::ref_ptr<osg::Node> LDrawReader::createScene(const LDrawBricks& bricks, const LDrawResolver& resolver,
-                                                 const LDrawColors& colors) const
+osg::ref_ptr<osg::Node> LDrawReader::createScene(const LDrawBricks& bricks, const LDrawDocument& document,
+                                                 const LDrawResolver& resolver, const LDrawColors& colors) const
 {
     osg::ref_ptr<AmbientOcclusionScene> scene = new AmbientOcclusionScene;
     scene->setName(_name);
-    if (bricks.model) scene->addChild(createLegoNode(_name, *bricks.model));
+    if (bricks.model)
+    {
+        const osg::ref_ptr<osg::Node> lego = createLegoNode(_name, *bricks.model);
+        document.getHeader().store(*lego);
+        scene->addChild(lego);
+    }
     if (!resolver.getTriangles().empty()) scene->addChild(createLDrawGeometry(resolver.getTriangles(), colors));
     return scene;
 }

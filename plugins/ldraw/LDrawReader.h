@@ -27,8 +27,8 @@ public:
     const std::vector<std::string>& getWarnings() const { return _warnings; }
 
 private:
-    osg::ref_ptr<osg::Node> createScene(const LDrawBricks& bricks, const LDrawResolver& resolver,
-                                        const LDrawColors& colors) const;
+    osg::ref_ptr<osg::Node> createScene(const LDrawBricks& bricks, const LDrawDocument& document,
+                                        const LDrawResolver& resolver, const LDrawColors& colors) const;
     std::string addSurfaces(const std::vector<LDrawPart>& parts, LDrawResolver& resolver);
     void addWarnings(const LDrawBricks& bricks, const LDrawResolver& resolver);
 

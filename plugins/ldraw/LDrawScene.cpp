@@ -102,7 +102,10 @@ bool createModel(const LegoNode& node, LDrawScene& scene, std::string& error)
         return false;
     }
     const LegoSettings settings = node.getSettings();
-    LDrawModel model{nullptr, osgDB::getSimpleFileName(node.getName()), settings.toString(), nullptr, nullptr};
+    LDrawModel model;
+    model.name = osgDB::getSimpleFileName(node.getName());
+    model.header = ModelHeader::find(node);
+    model.settings = settings.toString();
     error = findObstacle(*bricks, name);
     if (!error.empty()) return false;
     model.palette = readPalette(settings, !bricks->getParts().empty(), scene);

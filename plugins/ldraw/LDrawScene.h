@@ -2,6 +2,7 @@
 
 #include "LDrawTransform.h"
 
+#include <common/ModelHeader.h>
 #include <osgLego/BrickModel.h>
 #include <osgLego/BuildingPlan.h>
 #include <osgLego/Palette.h>
@@ -23,7 +24,8 @@ struct LDrawModel
     static constexpr std::size_t MOST_CHECKED = 5000;
 
     osg::ref_ptr<const BrickModel> bricks; //!< joined to parts
-    std::string title;                     //!< the node's name; may be empty
+    std::string name;                      //!< the node's; may be empty
+    ModelHeader header;                    //!< the texts that the node has
     std::string settings;
     osg::ref_ptr<const Palette> palette;   //!< null if any colour was allowed
     osg::ref_ptr<const BuildingPlan> plan; //!< of all parts; that of the node, or one made for it

@@ -27,11 +27,11 @@ std::string toLine(std::string text)
     return text;
 }
 
-/** The title of a file. The words before it prevent any text from being a command such as NOFILE. */
+/** The title of a file. */
 std::string toTitle(const std::string& text)
 {
     constexpr std::size_t LONGEST = 200; // readers limit lines
-    std::string title = "Model: " + toLine(text);
+    std::string title = std::string(LDrawDocument::TITLE_PREFIX) + " " + toLine(text);
     if (title.size() <= LONGEST) return title;
     std::size_t end = LONGEST;
     while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) // inside a character of UTF-8
@@ -82,7 +82,7 @@ std::vector<PartKey> keysOf(const std::vector<LDrawPart>& parts)
 
 } // namespace
 
-LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName, LDrawHeader header) :
+LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName, ModelHeader header) :
     _scene(scene), _header(std::move(header)), _stem(toLine(osgDB::getStrippedName(fileName))),
     _extension(osgDB::getLowerCaseFileExtension(fileName))
 {
@@ -98,7 +98,7 @@ void LDrawWriter::write(std::ostream& stream) const
     if (_extension != "mpd")
     {
         const LDrawModel& first = _scene.models.front();
-        writeHeader(stream, _stem + "." + _extension, titleOf(first), first);
+        writeHeader(stream, _stem + "." + _extension, first);
         for (const LDrawPlacement& placement : _scene.placements)
             LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
         return;
@@ -114,12 +114,12 @@ void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, cons
 {
     LDrawSteps steps(model, stem);
     stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
-    writeHeader(stream, stem + ".ldr", titleOf(model), model);
+    writeHeader(stream, stem + ".ldr", model);
     steps.writeMain(stream);
     for (const std::uint32_t submodel : steps.getSubmodels())
     {
         stream << "0 FILE " << steps.getName(submodel) << LDRAW_END_OF_LINE;
-        writeHeader(stream, steps.getName(submodel), titleOf(model) + ", " + steps.getName(submodel), model);
+        writeHeader(stream, steps.getName(submodel), model, steps.getName(submodel));
         steps.writeSubmodel(stream, submodel);
     }
 }
@@ -128,7 +128,7 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 {
     const std::string main = _stem + ".ldr";
     stream << "0 FILE " << main << LDRAW_END_OF_LINE;
-    writeHeader(stream, main, titleOf(_scene.models.front()), _scene.models.front());
+    writeHeader(stream, main, _scene.models.front());
     for (const LDrawPlacement& placement : _scene.placements)
         writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform,
                        nameOf(placement.model) + ".ldr");
@@ -137,21 +137,26 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
         writeModel(stream, _scene.models[model], nameOf(model));
 }
 
-std::string LDrawWriter::titleOf(const LDrawModel& model) const
+ModelHeader LDrawWriter::headerOf(const LDrawModel& model) const
 {
-    if (!_header.title.empty()) return _header.title;
-    return toReadableName(model.title.empty() ? _stem + "." + _extension : model.title);
+    ModelHeader header = _header;
+    header.complete(model.header);
+    header.complete({toReadableName(model.name.empty() ? _stem + "." + _extension : model.name),
+                     std::string(LDrawDocument::DEFAULT_AUTHOR),
+                     {}});
+    return header;
 }
 
-void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const std::string& title,
-                              const LDrawModel& model) const
+void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model,
+                              const std::string& submodel) const
 {
-    stream << "0 " << toTitle(title) << LDRAW_END_OF_LINE;
+    const ModelHeader header = headerOf(model);
+    stream << "0 " << toTitle(header.title + (submodel.empty() ? "" : ", " + submodel)) << LDRAW_END_OF_LINE;
     stream << "0 Name: " << name << LDRAW_END_OF_LINE;
-    stream << "0 Author: " << toLine(_header.author) << LDRAW_END_OF_LINE;
+    stream << "0 Author: " << toLine(header.author) << LDRAW_END_OF_LINE;
     stream << "0 !LDRAW_ORG Model" << LDRAW_END_OF_LINE;
     // Only the author of a model can grant rights, or refuse them.
-    if (!_header.license.empty()) stream << "0 !LICENSE " << toLine(_header.license) << LDRAW_END_OF_LINE;
+    if (!header.license.empty()) stream << "0 !LICENSE " << toLine(header.license) << LDRAW_END_OF_LINE;
     stream << "0 // Settings of osgLego: " << toLine(model.settings) << LDRAW_END_OF_LINE << LDRAW_END_OF_LINE;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "LDrawHeader.h"
 #include "LDrawScene.h"
+
+#include <common/ModelHeader.h>
 
 #include <ostream>
 #include <string>
@@ -16,8 +17,9 @@ class LDrawWriter
 public:
     /** @param scene must outlive this object.
      * @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
-     * submodels of a building plan are separate files, and so are models if there are several. */
-    LDrawWriter(const LDrawScene& scene, const std::string& fileName, LDrawHeader header = {});
+     * submodels of a building plan are separate files, and so are models if there are several.
+     * @param header comes before the texts that models have. */
+    LDrawWriter(const LDrawScene& scene, const std::string& fileName, ModelHeader header = {});
 
     void write(std::ostream& stream) const;
 
@@ -28,13 +30,13 @@ public:
 private:
     void writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const;
     void writeMainOfMany(std::ostream& stream) const;
-    void writeHeader(std::ostream& stream, const std::string& name, const std::string& title,
-                     const LDrawModel& model) const;
-    std::string titleOf(const LDrawModel& model) const;
+    void writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model,
+                     const std::string& submodel = {}) const;
+    ModelHeader headerOf(const LDrawModel& model) const;
     std::string nameOf(std::size_t model) const;
 
     const LDrawScene& _scene;
-    LDrawHeader _header;
+    ModelHeader _header;
     std::string _stem;
     std::string _extension;
 };

@@ -1,3 +1,4 @@
+#include "LDrawHeader.h"
 #include "LDrawReader.h"
 #include "LDrawText.h"
 #include "LDrawWriter.h"
@@ -24,7 +25,7 @@ namespace osgLego
  *     osgviewer bunny.ldr
  *
  * Streams are written as .ldr, unless the option's plugin data STREAM_FILENAME gives them another name, with its
- * extension. LDrawHeader describes options for the title, the author and the licence of written files.
+ * extension. readLDrawHeader() describes options for the title, the author and the licence of written files.
  *
  * The environment variable LDRAWDIR may name the folder of LDraw's part library, from which other parts are read. */
 class ReaderWriterLDraw : public osgDB::ReaderWriter
@@ -156,7 +157,7 @@ private:
             {
                 std::string error;
                 return LDrawScene::create(node, scene, error)
-                           ? write(LDrawWriter(scene, name, LDrawHeader::read(options)))
+                           ? write(LDrawWriter(scene, name, readLDrawHeader(options)))
                            : error;
             });
         if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);

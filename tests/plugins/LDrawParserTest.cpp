@@ -36,6 +36,33 @@ TEST(LDrawParser, ReadsPlaceAxesColourAndNameOfAPart)
     EXPECT_EQ(reference.transform * glm::dvec3(1, 2, 3), glm::dvec3(13, -22, 29));
 }
 
+TEST(LDrawParser, TheFirstLineOfTheMainModelIsItsTitle)
+{
+    for (const char* text : {"0 My Car\n0 Author: Ann Lee\n0 !LICENSE CC0\n",
+                             "0 FILE car.ldr\n0 My Car\n0 Author: Ann Lee\n0 !LICENSE CC0\n",
+                             "\n0  Model: My Car \r\n0 Name: car.ldr\r\n0 Author:  Ann Lee\r\n0 !LICENSE CC0\r\n"})
+    {
+        const ModelHeader header =
+            parse(text + std::string(BRICK) + "\n0 FILE b.ldr\n0 Wheel\n0 Author: Bob\n").getHeader();
+        EXPECT_EQ(header.title, "My Car") << text;
+        EXPECT_EQ(header.author, "Ann Lee") << text;
+        EXPECT_EQ(header.license, "CC0") << text;
+    }
+}
+
+TEST(LDrawParser, CommandsAndWhatProgramsWriteAreNoTitlesOrAuthors)
+{
+    for (const char* text : {"0 STEP\n0 My Car\n", "0 !LEOCAD MODEL NAME x\n", "0 // A car\n", "0 Name: car.ldr\n",
+                             "0 Untitled Model\n", "0 Author: osgLego\n", "0\n"})
+    {
+        const ModelHeader header = parse(text + std::string(BRICK)).getHeader();
+        EXPECT_EQ(header.title + header.author + header.license, "") << text;
+    }
+    const ModelHeader late = parse(std::string(BRICK) + "\n0 My Car\n0 Author: Ann Lee\n0 !LICENSE CC0\n").getHeader();
+    EXPECT_EQ(late.title + late.author + late.license, "");
+    EXPECT_EQ(parse("0 " + std::string(1000, 'x') + "\n").getHeader().title, "");
+}
+
 TEST(LDrawParser, AcceptsByteOrderMarksCarriageReturnsTabsAndEmptyLines)
 {
     const LDrawDocument document =

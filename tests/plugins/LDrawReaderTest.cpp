@@ -75,6 +75,17 @@ TEST_F(LDrawReaderTest, BricksInBothDirectionsCoverTheirCellsInAGridInMillimetre
               (std::vector{expectedPart({0, 1, 0}, {4, 2, 1}, 4), expectedPart({1, 0, 1}, {2, 3, 1}, 1)}));
 }
 
+TEST_F(LDrawReaderTest, TheBricksHaveTheTextsOfTheHeader)
+{
+    const osg::ref_ptr<osg::Node> node =
+        readNode("0 My Car\n0 Author: Ann Lee\n0 !LICENSE CC0\n1 4 0 0 0" + ALONG_X + "3001.dat\n");
+    ASSERT_TRUE(node);
+    const ModelHeader header = ModelHeader::find(*node->asGroup()->getChild(0));
+    EXPECT_EQ(header.title, "My Car");
+    EXPECT_EQ(header.author, "Ann Lee");
+    EXPECT_EQ(header.license, "CC0");
+}
+
 TEST_F(LDrawReaderTest, OnePlateMakesAGridOfPlates)
 {
     const auto model = read("1 4 0 -24 0" + ALONG_X + "3005.dat\n1 14 0 -32 0" + ALONG_X + "3024.dat\n");

@@ -112,7 +112,7 @@ TEST(LDrawWriter, TheHeaderHasALicenceOnlyIfOneIsGiven)
     const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
     const WrittenLDraw written = writeLDraw(*node);
     EXPECT_EQ(written.text.find("LICENSE"), std::string::npos);
-    LDrawHeader header;
+    ModelHeader header;
     header.title = "my_car";
     header.author = "Ann\nSmith";
     header.license = "Licensed under CC BY 4.0 : see CAreadme.txt";
@@ -120,6 +120,19 @@ TEST(LDrawWriter, TheHeaderHasALicenceOnlyIfOneIsGiven)
     LDrawWriter(written.scene, "a.ldr", header).write(stream);
     for (const char* line : {"0 Model: my_car\r\n", "0 Author: Ann Smith\r\n",
                              "0 !LICENSE Licensed under CC BY 4.0 : see CAreadme.txt\r\n"})
+        EXPECT_NE(stream.str().find(line), std::string::npos) << stream.str();
+}
+
+TEST(LDrawWriter, KeepsTheTextsOfTheFileThatWasReadUnlessOthersAreGiven)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 1)});
+    ModelHeader{"My car", "Ann Lee", "CC0"}.store(*node);
+    const WrittenLDraw written = writeLDraw(*node, "a.mpd");
+    for (const char* line : {"0 Model: My car\r\n", "0 Author: Ann Lee\r\n", "0 !LICENSE CC0\r\n"})
+        EXPECT_NE(written.text.find(line), std::string::npos) << written.text;
+    std::ostringstream stream;
+    LDrawWriter(written.scene, "a.mpd", {"", "Bob", ""}).write(stream);
+    for (const char* line : {"0 Model: My car\r\n", "0 Author: Bob\r\n", "0 !LICENSE CC0\r\n"})
         EXPECT_NE(stream.str().find(line), std::string::npos) << stream.str();
 }
 
