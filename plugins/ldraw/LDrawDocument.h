@@ -56,6 +56,7 @@ public:
     static constexpr std::int32_t EDGE_COLOR = 24;
     static constexpr std::size_t LONGEST_LINE = 65536;
     static constexpr double LARGEST_NUMBER = 1e7;
+    static constexpr std::size_t LONGEST_TITLE = 200; //!< of the whole line, in bytes: readers limit lines
     /** Before the titles that LDrawWriter writes: no text after it is a command such as NOFILE. */
     static constexpr std::string_view TITLE_PREFIX = "Model:";
     static constexpr std::string_view DEFAULT_AUTHOR = "osgLego"; //!< of written models without another one

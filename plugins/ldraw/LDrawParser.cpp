@@ -1,5 +1,7 @@
 #include "LDrawParser.h"
 
+#include "LDrawText.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -44,10 +46,7 @@ bool readWhole(std::string_view word, Number& number, Format... format)
 std::string quoted(std::string_view word)
 {
     constexpr std::size_t LONGEST = 40;
-    std::string text(word.substr(0, LONGEST));
-    std::replace_if(
-        text.begin(), text.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, '?');
-    return "'" + text + (word.size() > LONGEST ? "...'" : "'");
+    return "'" + replaceControlCharacters(word.substr(0, LONGEST), '?') + (word.size() > LONGEST ? "...'" : "'");
 }
 
 std::string badNumber(std::string_view word)
@@ -78,17 +77,14 @@ std::string readColor(std::string_view& text, std::int32_t& color)
     return quoted(word) + " is not a colour; expected a code, or 0x2 and six hexadecimal digits";
 }
 
-/** A text of the header, without control characters. */
+/** A text of the header. */
 std::string toText(std::string_view text)
 {
-    std::string result(trimmed(text));
-    std::replace_if(
-        result.begin(), result.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
-    return result;
+    return replaceControlCharacters(trimmed(text), ' ');
 }
 
 /** The title in the first line of a model; empty if that is a command, or the placeholder of an editor. */
-std::string toTitle(std::string_view line)
+std::string findTitle(std::string_view line)
 {
     constexpr std::array COMMANDS{"BFC",   "CLEAR",   "FILE", "NOFILE", "PAUSE",
                                   "PRINT", "ROTSTEP", "SAVE", "STEP",   "WRITE"};
@@ -97,7 +93,8 @@ std::string toTitle(std::string_view line)
     if (word == LDrawDocument::TITLE_PREFIX) return toText(rest);
     const bool isCommand = word.starts_with('!') || word.starts_with("//") || word.ends_with(':') ||
                            std::find(COMMANDS.begin(), COMMANDS.end(), word) != COMMANDS.end();
-    return isCommand || word == "Untitled" || word == "untitled" ? std::string() : toText(line);
+    const std::string name = LDrawDocument::normalizeName(line);
+    return isCommand || name == "untitled" || name == "untitled model" ? std::string() : toText(line);
 }
 
 } // namespace
@@ -170,13 +167,12 @@ void LDrawParser::readCommand(std::string_view rest)
  * @param isTitle whether it is the first one. */
 void LDrawParser::readHeader(std::string_view line, bool isTitle)
 {
-    constexpr std::size_t LONGEST = 200;
     const LDrawFile& main = _document._files.front();
-    if (line.size() > LONGEST || !main.references.empty() || !main.triangles.empty()) return;
+    if (line.size() > LDrawDocument::LONGEST_TITLE || !main.references.empty() || !main.triangles.empty()) return;
     ModelHeader& header = _document._header;
     std::string_view rest = line;
     const std::string_view word = takeWord(rest);
-    if (isTitle) header.title = toTitle(line);
+    if (isTitle) header.title = findTitle(line);
     if (word == "Author:" && header.author.empty() && trimmed(rest) != LDrawDocument::DEFAULT_AUTHOR)
         header.author = toText(rest);
     if (word == "!LICENSE" && header.license.empty()) header.license = toText(rest);

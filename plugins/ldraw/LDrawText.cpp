@@ -2,6 +2,7 @@
 
 #include <common/ReadableFile.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -55,6 +56,15 @@ std::optional<std::string> readText(std::istream& stream, std::string& error, st
     if (stream.eof()) return text;
     error = "its content can't be read";
     return std::nullopt;
+}
+
+std::string replaceControlCharacters(std::string_view text, char replacement)
+{
+    std::string result(text);
+    std::replace_if(
+        result.begin(), result.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; },
+        replacement);
+    return result;
 }
 
 } // namespace osgLego

@@ -4,6 +4,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace osgLego
 {
@@ -18,5 +19,8 @@ std::optional<std::string> readText(const std::string& path, std::string& error)
 /** The rest of a stream. @return nothing, with the reason in `error`, if it can't be read or has more than `largest`
  * bytes. */
 std::optional<std::string> readText(std::istream& stream, std::string& error, std::uintmax_t largest = LARGEST_TEXT);
+
+/** A text for one line, in which another character replaces control characters. */
+std::string replaceControlCharacters(std::string_view text, char replacement);
 
 } // namespace osgLego

@@ -4,6 +4,7 @@
 #include "LDrawFrame.h"
 #include "LDrawParser.h"
 #include "LDrawSteps.h"
+#include "LDrawText.h"
 
 #include <common/ReadableName.h>
 
@@ -20,20 +21,17 @@ namespace
 {
 
 /** A text for one line of a header. */
-std::string toLine(std::string text)
+std::string toLine(const std::string& text)
 {
-    std::replace_if(
-        text.begin(), text.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
-    return text;
+    return replaceControlCharacters(text, ' ');
 }
 
 /** The title of a file. */
 std::string toTitle(const std::string& text)
 {
-    constexpr std::size_t LONGEST = 200; // readers limit lines
     std::string title = std::string(LDrawDocument::TITLE_PREFIX) + " " + toLine(text);
-    if (title.size() <= LONGEST) return title;
-    std::size_t end = LONGEST;
+    if (title.size() <= LDrawDocument::LONGEST_TITLE) return title;
+    std::size_t end = LDrawDocument::LONGEST_TITLE;
     while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) // inside a character of UTF-8
         --end;
     return title.substr(0, end);
