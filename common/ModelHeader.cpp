@@ -37,4 +37,10 @@ void ModelHeader::complete(const ModelHeader& other)
         if ((this->*text).empty()) this->*text = other.*text;
 }
 
+void ModelHeader::keepEqual(const ModelHeader& other)
+{
+    for (const auto& [name, text] : TEXTS)
+        if (this->*text != other.*text) (this->*text).clear();
+}
+
 } // namespace osgLego

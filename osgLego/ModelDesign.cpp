@@ -28,7 +28,7 @@ std::string describeHeld(const DesignCandidate& candidate)
     return candidate.plan ? std::to_string(candidate.plan->getNumFalling()) : "-";
 }
 
-/** Parts of the largest submodel and how deep submodels are nested, such as `95x2`; `-` without a plan. */
+/** Parts of the largest submodel and how deep submodels are nested, such as `95x2`, or `none`; `-` without a plan. */
 std::string describeSubmodels(const DesignCandidate& candidate)
 {
     if (!candidate.plan) return "-";
@@ -118,7 +118,7 @@ std::string explainStability(const DesignCandidate& best)
 constexpr const char* LEGEND = R"(surface: distance of the bricks from the mesh, in percent of its longest side
 colour: difference between mesh and bricks there, in CIEDE2000; the colour error above is that of parts and cells
 unlikeness: surface, and a tenth of colour
-submodel: parts of the largest, and how deep submodels are nested, where building was planned
+submodel: parts of the largest, and how deep submodels are nested, or none, where building was planned
 hold: steps after which something has to be held, where building was planned
 The first model is the chosen one.
 )";

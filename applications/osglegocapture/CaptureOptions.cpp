@@ -279,12 +279,15 @@ void addBooklet(CLI::App& app, CaptureOptions& options)
                    "For --instructions: write only these steps, for example 1-50")
         ->type_name("FIRST-LAST");
     app.add_option("--title", options.title,
-                   "For --instructions and --build: the title of the booklet and of its model in LDraw's format (the "
-                   "name of MESH)")
+                   "For --instructions and --build: the title of the booklet and of its model in LDraw's format (that "
+                   "of a MESH in this format, or its name)")
         ->type_name("TEXT");
-    app.add_option("--author", options.author, "For --instructions and --build: the author of both")->type_name("TEXT");
+    app.add_option("--author", options.author,
+                   "For --instructions and --build: the author of both (that of a MESH in LDraw's format)")
+        ->type_name("TEXT");
     app.add_option("--license", options.license,
-                   "For --instructions and --build: the text after !LICENSE in the model (no such line)")
+                   "For --instructions and --build: the text after !LICENSE in the model (that of a MESH in LDraw's "
+                   "format, or no such line)")
         ->type_name("TEXT");
     app.add_flag("--yes", options.isBookletConfirmed,
                  "For --instructions and --build: write all steps of more than 2,000 parts");

@@ -85,9 +85,9 @@ struct CaptureOptions
     std::string instructions; //!< the folder for a booklet; empty: none
     /** The steps in the booklet, from 1 on: the first and the last; unset: all. */
     std::optional<std::pair<std::size_t, std::size_t>> bookletSteps;
-    std::string title;                     //!< of the booklet and its model; empty: the readable name of the mesh
-    std::string author;                    //!< likewise; empty: none
-    std::string license;                   //!< of the booklet's model in LDraw's format; empty: none
+    std::string title;                     //!< of the booklet and its model; empty: BookletOptions has the default
+    std::string author;                    //!< likewise
+    std::string license;                   //!< of the booklet's model in LDraw's format; likewise
     bool isBookletConfirmed = false;       //!< whether a very large booklet is confirmed
     std::string build;                     //!< the folder for a model with all that belongs to it; empty: none
     std::optional<std::size_t> buildParts; //!< the most parts of that model; unset: a length, or the default

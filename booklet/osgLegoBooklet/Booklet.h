@@ -40,9 +40,11 @@ struct BookletOptions
     /** Of the booklet and its model. Empty: the node's user value "title", as nodes read from LDraw's files have;
      * without it, the readable name of the file, such as "Small Tower". */
     std::string title;
-    std::string author; //!< likewise; empty: the user value "author", or none on the cover, and osgLego in the model
-    std::string
-        license; //!< of the model in LDraw's format, after !LICENSE; empty: the user value "license", or no line
+    /** Likewise. Empty: the user value "author"; without it, there is none on the cover, and osgLego in the model. */
+    std::string author;
+    /** Of the model in LDraw's format, the text after !LICENSE. Empty: the user value "license"; without it, no line.
+     */
+    std::string license;
     /** Whether the files that readers can save from the page, the model and the parts lists, are written beside it,
      * too.
      */
@@ -84,7 +86,7 @@ OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::st
  * instructions in words, as a text file. docs/instructions.md describes both.
  *
  * The names of the files that readers can save from it follow from the name of its file, and so does the title unless
- * one is given.
+ * one is given or the node has one.
  * The file is written atomically, and its folder is created if only the folder is missing; if the function fails, an
  * older file is unchanged and a new folder is removed.
  *

@@ -44,8 +44,8 @@ struct LDrawColorDefinition
     std::array<std::uint8_t, 3> color{}; //!< red, green, blue
 };
 
-/** The content of a .ldr, .mpd or .dat file: the lines that place parts or have surfaces. Lines of edges, steps and
- * comments are ignored.
+/** The content of a .ldr, .mpd or .dat file: the lines that place parts or have surfaces. Also the title,
+ * the author and the licence; lines of edges, steps and other comments are ignored.
  *
  * A plain value without GL; every function may be called from any thread.
  */
@@ -56,7 +56,6 @@ public:
     static constexpr std::int32_t EDGE_COLOR = 24;
     static constexpr std::size_t LONGEST_LINE = 65536;
     static constexpr double LARGEST_NUMBER = 1e7;
-    static constexpr std::size_t LONGEST_TITLE = 200; //!< of the whole line, in bytes: readers limit lines
     /** Before the titles that LDrawWriter writes: no text after it is a command such as NOFILE. */
     static constexpr std::string_view TITLE_PREFIX = "Model:";
     static constexpr std::string_view DEFAULT_AUTHOR = "osgLego"; //!< of written models without another one
@@ -75,7 +74,8 @@ public:
     /** The normalized name of a reference. */
     const std::string& getName(const LDrawReference& reference) const { return _names[reference.name]; }
     const std::vector<LDrawColorDefinition>& getColors() const { return _colors; }
-    /** The texts at the beginning of the main model. */
+    /** The texts before the first part of the main model, without those that programs write if nobody has chosen any.
+     * No licence if a submodel has another one. */
     const ModelHeader& getHeader() const { return _header; }
 
 private:

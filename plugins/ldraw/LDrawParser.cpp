@@ -80,21 +80,28 @@ std::string readColor(std::string_view& text, std::int32_t& color)
 /** A text of the header. */
 std::string toText(std::string_view text)
 {
-    return replaceControlCharacters(trimmed(text), ' ');
+    return toUtf8(trimmed(replaceControlCharacters(text, ' ')));
 }
 
 /** The title in the first line of a model; empty if that is a command, or the placeholder of an editor. */
 std::string findTitle(std::string_view line)
 {
-    constexpr std::array COMMANDS{"BFC",   "CLEAR",   "FILE", "NOFILE", "PAUSE",
-                                  "PRINT", "ROTSTEP", "SAVE", "STEP",   "WRITE"};
+    constexpr std::array COMMANDS{"Author:", "BFC",   "CLEAR",   "FILE", "Name:", "NOFILE",
+                                  "PAUSE",   "PRINT", "ROTSTEP", "SAVE", "STEP",  "WRITE"};
     std::string_view rest = line;
     const std::string_view word = takeWord(rest);
     if (word == LDrawDocument::TITLE_PREFIX) return toText(rest);
-    const bool isCommand = word.starts_with('!') || word.starts_with("//") || word.ends_with(':') ||
+    const bool isCommand = word.starts_with('!') || word.starts_with("//") ||
                            std::find(COMMANDS.begin(), COMMANDS.end(), word) != COMMANDS.end();
     const std::string name = LDrawDocument::normalizeName(line);
     return isCommand || name == "untitled" || name == "untitled model" ? std::string() : toText(line);
+}
+
+/** The author in the header of a model; empty if it is only the program that wrote it. */
+std::string findAuthor(std::string_view text)
+{
+    std::string author = toText(text);
+    return author == LDrawDocument::DEFAULT_AUTHOR || author == "MLCad" ? std::string() : author;
 }
 
 } // namespace
@@ -139,7 +146,7 @@ std::string LDrawParser::readLine(std::string_view line)
 std::string LDrawParser::readLineOfType(char type, std::string_view rest)
 {
     const bool isTitle = std::exchange(_isTitleNext, false);
-    if (type == '0' && _file == 0) readHeader(trimmed(rest), isTitle);
+    if (type == '0' && _isInFile) readHeader(trimmed(rest), isTitle);
     if (type == '0') readCommand(rest);
     if (!_isInFile) return {};
     switch (type)
@@ -163,18 +170,20 @@ void LDrawParser::readCommand(std::string_view rest)
     if (command == "!COLOUR") readColorDefinition(rest);
 }
 
-/** Read a line that may be one of those at the beginning of the main model.
- * @param isTitle whether it is the first one. */
+/** Read a line that may be one of those at the beginning of a model.
+ * @param isTitle whether it is the first one of the main model. */
 void LDrawParser::readHeader(std::string_view line, bool isTitle)
 {
-    const LDrawFile& main = _document._files.front();
-    if (line.size() > LDrawDocument::LONGEST_TITLE || !main.references.empty() || !main.triangles.empty()) return;
+    const LDrawFile& file = _document._files[_file];
+    if (!file.references.empty() || !file.triangles.empty()) return;
     ModelHeader& header = _document._header;
     std::string_view rest = line;
     const std::string_view word = takeWord(rest);
+    // The licence of one file is not that of all if another one has another.
+    if (_file > 0 && word == "!LICENSE" && toText(rest) != header.license) header.license.clear();
+    if (_file > 0) return;
     if (isTitle) header.title = findTitle(line);
-    if (word == "Author:" && header.author.empty() && trimmed(rest) != LDrawDocument::DEFAULT_AUTHOR)
-        header.author = toText(rest);
+    if (word == "Author:" && header.author.empty()) header.author = findAuthor(rest);
     if (word == "!LICENSE" && header.license.empty()) header.license = toText(rest);
 }
 

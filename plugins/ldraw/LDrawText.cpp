@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 #include <vector>
+
+#include <boost/nowide/utf/utf.hpp>
 
 namespace osgLego
 {
@@ -56,6 +59,20 @@ std::optional<std::string> readText(std::istream& stream, std::string& error, st
     if (stream.eof()) return text;
     error = "its content can't be read";
     return std::nullopt;
+}
+
+std::string toUtf8(std::string_view text)
+{
+    using Utf8 = boost::nowide::utf::utf_traits<char>;
+    bool isUtf8 = true;
+    const char* const end = text.data() + text.size();
+    for (const char* place = text.data(); isUtf8 && place != end;)
+        isUtf8 = boost::nowide::utf::is_valid_codepoint(Utf8::decode(place, end));
+    if (isUtf8) return std::string(text);
+    std::string result;
+    for (const char letter : text)
+        Utf8::encode(static_cast<unsigned char>(letter), std::back_inserter(result));
+    return result;
 }
 
 std::string replaceControlCharacters(std::string_view text, char replacement)

@@ -20,6 +20,9 @@ std::optional<std::string> readText(const std::string& path, std::string& error)
  * bytes. */
 std::optional<std::string> readText(std::istream& stream, std::string& error, std::uintmax_t largest = LARGEST_TEXT);
 
+/** A text of a file as UTF-8: unchanged if it is, or else from Latin-1. */
+std::string toUtf8(std::string_view text);
+
 /** A text for one line, in which another character replaces control characters. */
 std::string replaceControlCharacters(std::string_view text, char replacement);
 

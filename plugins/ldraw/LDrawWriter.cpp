@@ -29,9 +29,10 @@ std::string toLine(const std::string& text)
 /** The title of a file. */
 std::string toTitle(const std::string& text)
 {
+    constexpr std::size_t LONGEST = 200; // readers limit lines
     std::string title = std::string(LDrawDocument::TITLE_PREFIX) + " " + toLine(text);
-    if (title.size() <= LDrawDocument::LONGEST_TITLE) return title;
-    std::size_t end = LDrawDocument::LONGEST_TITLE;
+    if (title.size() <= LONGEST) return title;
+    std::size_t end = LONGEST;
     while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) // inside a character of UTF-8
         --end;
     return title.substr(0, end);
@@ -95,8 +96,7 @@ void LDrawWriter::write(std::ostream& stream) const
 {
     if (_extension != "mpd")
     {
-        const LDrawModel& first = _scene.models.front();
-        writeHeader(stream, _stem + "." + _extension, first);
+        writeHeader(stream, _stem + "." + _extension, createHeader(), _scene.models.front().settings);
         for (const LDrawPlacement& placement : _scene.placements)
             LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
         return;
@@ -111,13 +111,18 @@ void LDrawWriter::write(std::ostream& stream) const
 void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const
 {
     LDrawSteps steps(model, stem);
+    ModelHeader header = _header;
+    header.complete(model.header);
+    complete(header, model.name);
     stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
-    writeHeader(stream, stem + ".ldr", model);
+    writeHeader(stream, stem + ".ldr", header, model.settings);
     steps.writeMain(stream);
+    const std::string title = header.title;
     for (const std::uint32_t submodel : steps.getSubmodels())
     {
         stream << "0 FILE " << steps.getName(submodel) << LDRAW_END_OF_LINE;
-        writeHeader(stream, steps.getName(submodel), model, steps.getName(submodel));
+        header.title = title + ", " + steps.getName(submodel);
+        writeHeader(stream, steps.getName(submodel), header, model.settings);
         steps.writeSubmodel(stream, submodel);
     }
 }
@@ -126,7 +131,7 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 {
     const std::string main = _stem + ".ldr";
     stream << "0 FILE " << main << LDRAW_END_OF_LINE;
-    writeHeader(stream, main, _scene.models.front());
+    writeHeader(stream, main, createHeader(), _scene.models.front().settings);
     for (const LDrawPlacement& placement : _scene.placements)
         writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform,
                        nameOf(placement.model) + ".ldr");
@@ -135,27 +140,37 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
         writeModel(stream, _scene.models[model], nameOf(model));
 }
 
-ModelHeader LDrawWriter::headerOf(const LDrawModel& model) const
+/** The header of a file with all models: of their texts, those that they share. */
+ModelHeader LDrawWriter::createHeader() const
 {
+    ModelHeader shared = _scene.models.front().header;
+    for (const LDrawModel& model : _scene.models)
+        shared.keepEqual(model.header);
     ModelHeader header = _header;
-    header.complete(model.header);
-    header.complete({toReadableName(model.name.empty() ? _stem + "." + _extension : model.name),
-                     std::string(LDrawDocument::DEFAULT_AUTHOR),
-                     {}});
+    header.complete(shared);
+    complete(header, _scene.models.size() == 1 ? _scene.models.front().name : std::string());
     return header;
 }
 
-void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model,
-                              const std::string& submodel) const
+/** Complete a header by what the file has if nobody gives a title and an author.
+ * @param name of the model; empty: that of the file. */
+void LDrawWriter::complete(ModelHeader& header, const std::string& name) const
 {
-    const ModelHeader header = headerOf(model);
-    stream << "0 " << toTitle(header.title + (submodel.empty() ? "" : ", " + submodel)) << LDRAW_END_OF_LINE;
+    header.complete({toReadableName(name.empty() ? _stem + "." + _extension : name),
+                     std::string(LDrawDocument::DEFAULT_AUTHOR),
+                     {}});
+}
+
+void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const ModelHeader& header,
+                              const std::string& settings) const
+{
+    stream << "0 " << toTitle(header.title) << LDRAW_END_OF_LINE;
     stream << "0 Name: " << name << LDRAW_END_OF_LINE;
     stream << "0 Author: " << toLine(header.author) << LDRAW_END_OF_LINE;
     stream << "0 !LDRAW_ORG Model" << LDRAW_END_OF_LINE;
     // Only the author of a model can grant rights, or refuse them.
     if (!header.license.empty()) stream << "0 !LICENSE " << toLine(header.license) << LDRAW_END_OF_LINE;
-    stream << "0 // Settings of osgLego: " << toLine(model.settings) << LDRAW_END_OF_LINE << LDRAW_END_OF_LINE;
+    stream << "0 // Settings of osgLego: " << toLine(settings) << LDRAW_END_OF_LINE << LDRAW_END_OF_LINE;
 }
 
 std::string LDrawWriter::check(std::string_view text) const

@@ -18,7 +18,7 @@ public:
     /** @param scene must outlive this object.
      * @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
      * submodels of a building plan are separate files, and so are models if there are several.
-     * @param header comes before the texts that models have. */
+     * @param header its texts replace those of the models. */
     LDrawWriter(const LDrawScene& scene, const std::string& fileName, ModelHeader header = {});
 
     void write(std::ostream& stream) const;
@@ -30,9 +30,10 @@ public:
 private:
     void writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const;
     void writeMainOfMany(std::ostream& stream) const;
-    void writeHeader(std::ostream& stream, const std::string& name, const LDrawModel& model,
-                     const std::string& submodel = {}) const;
-    ModelHeader headerOf(const LDrawModel& model) const;
+    void writeHeader(std::ostream& stream, const std::string& name, const ModelHeader& header,
+                     const std::string& settings) const;
+    ModelHeader createHeader() const;
+    void complete(ModelHeader& header, const std::string& name) const;
     std::string nameOf(std::size_t model) const;
 
     const LDrawScene& _scene;

@@ -35,9 +35,11 @@ public:
     {
         supportsExtension("ldr", "A model of LDraw");
         supportsExtension("mpd", "A model of LDraw with submodels");
-        supportsOption("title=\"TEXT\"", "The title of written files, instead of the model's name");
-        supportsOption("author=\"TEXT\"", "The author of written files (osgLego)");
-        supportsOption("license=\"TEXT\"", "The text after !LICENSE in written files; there is no such line otherwise");
+        supportsOption("title=\"TEXT\"",
+                       "The title of written files (that of the file that was read, or the model's name)");
+        supportsOption("author=\"TEXT\"", "The author of written files (that of the file that was read, or osgLego)");
+        supportsOption("license=\"TEXT\"",
+                       "The text after !LICENSE in written files (that of the file that was read, or no such line)");
     }
 
     const char* className() const override { return "LDraw reader and writer"; }

@@ -236,6 +236,38 @@ TEST(LDrawWriter, MpdHasOneSubmodelForANodeInTwoPlaces)
     EXPECT_NE(written.text.find("0 FILE pair-1.ldr\r\n"), std::string::npos);
 }
 
+TEST(LDrawWriter, AFileOfSeveralModelsHasTheTextsThatAllOfThemShare)
+{
+    const auto ofAnn = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
+    const auto ofBob = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});
+    ofAnn->setName("old_car.ldr");
+    ModelHeader{"Old car", "Ann", "CC0"}.store(*ofAnn);
+    ModelHeader{"New car", "Bob", "CC0"}.store(*ofBob);
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(ofAnn);
+    const osg::ref_ptr<osg::MatrixTransform> transform =
+        new osg::MatrixTransform(osg::Matrixd::translate(5.0, 0.0, 0.0));
+    transform->addChild(ofBob);
+    group->addChild(transform);
+    for (const char* name : {"both.mpd", "both.ldr"})
+    {
+        std::string error;
+        const std::optional<LDrawDocument> document = LDrawParser::parse(writeLDraw(*group, name).text, error);
+        ASSERT_TRUE(document) << error;
+        EXPECT_EQ(document->getHeader().title, "Both");
+        EXPECT_EQ(document->getHeader().author, "");
+        EXPECT_EQ(document->getHeader().license, "CC0");
+    }
+    ModelHeader{"", "", "All rights reserved"}.store(*ofBob);
+    EXPECT_EQ(writeLDraw(*group, "both.ldr").text.find("!LICENSE"), std::string::npos);
+    const std::string text = writeLDraw(*group, "both.mpd").text;
+    for (const char* line :
+         {"0 Author: Ann\r\n", "0 Author: Bob\r\n", "0 !LICENSE CC0\r\n", "0 !LICENSE All rights reserved\r\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+    std::string error;
+    EXPECT_EQ(LDrawParser::parse(text, error)->getHeader().license, "");
+}
+
 TEST(LDrawWriter, LdrHasThePartsOfAllPlacesAndInclinedNodesKeepTheirMatrix)
 {
     const auto node = createNode({2, 1, 1}, {makePart({0, 0, 0}, {2, 1, 1}, 4)});

@@ -208,6 +208,16 @@ TEST(ModelDesign, AModelWhosePartsAreMostlyInOneSubmodelIsNotCalledEasyToBuild)
     EXPECT_NE(describe(6).find("and are easy to build"), std::string::npos);
     EXPECT_EQ(describe(7).find("and are easy to build"), std::string::npos);
     EXPECT_NE(describe(7).find("most parts are in one submodel"), std::string::npos);
+    EXPECT_NE(describe(7).find(" 7x1 "), std::string::npos) << describe(7);
+}
+
+TEST(ModelDesign, TheListSaysWhichModelsHaveNoSubmodelsAndWhichNoPlan)
+{
+    DesignCandidate planned;
+    planned.plan = BuildingPlan::create(0, {}, {});
+    const std::string text = ModelDesign{{planned, DesignCandidate()}}.toString();
+    EXPECT_NE(text.find(" none    0 "), std::string::npos) << text;
+    EXPECT_NE(text.find(" -    - "), std::string::npos) << text;
 }
 
 TEST(ModelDesigner, AModelThatFallsIsSupported)
