@@ -44,8 +44,8 @@ struct LDrawColorDefinition
     std::array<std::uint8_t, 3> color{}; //!< red, green, blue
 };
 
-/** The content of a .ldr, .mpd or .dat file: the lines that place parts or have surfaces. Also the title,
- * the author and the licence; lines of edges, steps and other comments are ignored.
+/** The content of a .ldr, .mpd or .dat file: the lines that place parts or have surfaces, and the title, the
+ * author and the licence. Lines of edges, steps and other comments are ignored.
  *
  * A plain value without GL; every function may be called from any thread.
  */

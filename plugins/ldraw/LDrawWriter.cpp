@@ -96,7 +96,7 @@ void LDrawWriter::write(std::ostream& stream) const
 {
     if (_extension != "mpd")
     {
-        writeHeader(stream, _stem + "." + _extension, createHeader(), _scene.models.front().settings);
+        writeHeader(stream, _stem + "." + _extension, createSharedHeader(), _scene.models.front().settings);
         for (const LDrawPlacement& placement : _scene.placements)
             LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
         return;
@@ -111,9 +111,7 @@ void LDrawWriter::write(std::ostream& stream) const
 void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const
 {
     LDrawSteps steps(model, stem);
-    ModelHeader header = _header;
-    header.complete(model.header);
-    complete(header, model.name);
+    ModelHeader header = createHeader(model.header, model.name);
     stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
     writeHeader(stream, stem + ".ldr", header, model.settings);
     steps.writeMain(stream);
@@ -131,7 +129,7 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 {
     const std::string main = _stem + ".ldr";
     stream << "0 FILE " << main << LDRAW_END_OF_LINE;
-    writeHeader(stream, main, createHeader(), _scene.models.front().settings);
+    writeHeader(stream, main, createSharedHeader(), _scene.models.front().settings);
     for (const LDrawPlacement& placement : _scene.placements)
         writeReference(stream, std::to_string(LDrawDocument::MAIN_COLOR), placement.transform,
                        nameOf(placement.model) + ".ldr");
@@ -141,24 +139,26 @@ void LDrawWriter::writeMainOfMany(std::ostream& stream) const
 }
 
 /** The header of a file with all models: of their texts, those that they share. */
-ModelHeader LDrawWriter::createHeader() const
+ModelHeader LDrawWriter::createSharedHeader() const
 {
-    ModelHeader shared = _scene.models.front().header;
+    const LDrawModel& first = _scene.models.front();
+    ModelHeader shared = first.header;
     for (const LDrawModel& model : _scene.models)
         shared.keepEqual(model.header);
-    ModelHeader header = _header;
-    header.complete(shared);
-    complete(header, _scene.models.size() == 1 ? _scene.models.front().name : std::string());
-    return header;
+    return createHeader(shared, _scene.models.size() == 1 ? first.name : std::string());
 }
 
-/** Complete a header by what the file has if nobody gives a title and an author.
- * @param name of the model; empty: that of the file. */
-void LDrawWriter::complete(ModelHeader& header, const std::string& name) const
+/** The header of a file.
+ * @param texts those of models, which the given ones replace.
+ * @param name of the model, for the title; empty: that of the file. */
+ModelHeader LDrawWriter::createHeader(const ModelHeader& texts, const std::string& name) const
 {
+    ModelHeader header = _header;
+    header.complete(texts);
     header.complete({toReadableName(name.empty() ? _stem + "." + _extension : name),
                      std::string(LDrawDocument::DEFAULT_AUTHOR),
                      {}});
+    return header;
 }
 
 void LDrawWriter::writeHeader(std::ostream& stream, const std::string& name, const ModelHeader& header,

@@ -32,8 +32,8 @@ private:
     void writeMainOfMany(std::ostream& stream) const;
     void writeHeader(std::ostream& stream, const std::string& name, const ModelHeader& header,
                      const std::string& settings) const;
-    ModelHeader createHeader() const;
-    void complete(ModelHeader& header, const std::string& name) const;
+    ModelHeader createSharedHeader() const;
+    ModelHeader createHeader(const ModelHeader& texts, const std::string& name) const;
     std::string nameOf(std::size_t model) const;
 
     const LDrawScene& _scene;
