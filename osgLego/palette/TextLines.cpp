@@ -7,21 +7,6 @@
 namespace osgLego
 {
 
-namespace
-{
-
-/** The text in quotation marks, shortened, without control characters. */
-std::string quoted(std::string_view text)
-{
-    constexpr std::size_t LONGEST = 40;
-    std::string result(text.substr(0, LONGEST));
-    std::replace_if(
-        result.begin(), result.end(), [](unsigned char character) { return character < ' ' || character > '~'; }, '?');
-    return "'" + result + (text.size() > LONGEST ? "...'" : "'");
-}
-
-} // namespace
-
 TextLines::TextLines(std::string_view text) : _rest(text)
 {
     constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
@@ -40,7 +25,7 @@ bool TextLines::next()
 
 std::string TextLines::expected(const std::string& wanted, std::string_view found) const
 {
-    return "line " + std::to_string(_number) + ": expected " + wanted + ", found " + quoted(found);
+    return "line " + std::to_string(_number) + ": expected " + wanted + ", found " + quoteForMessage(found);
 }
 
 } // namespace osgLego

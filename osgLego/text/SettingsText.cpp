@@ -66,6 +66,15 @@ std::string_view trimmed(std::string_view text)
     return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
 }
 
+std::string quoteForMessage(std::string_view text)
+{
+    constexpr std::size_t LONGEST = 40;
+    std::string result(text.substr(0, LONGEST));
+    std::replace_if(
+        result.begin(), result.end(), [](unsigned char character) { return character < ' ' || character > '~'; }, '?');
+    return "'" + result + (text.size() > LONGEST ? "...'" : "'");
+}
+
 std::string badValue(std::string_view key, std::string_view value, std::string_view expected)
 {
     return "bad value '" + std::string(value) + "' for " + std::string(key) + "; expected " + std::string(expected);

@@ -37,6 +37,10 @@ bool isWholeNumber(std::string_view text);
 /** A text without spaces, tabs and line ends at both ends. */
 std::string_view trimmed(std::string_view text);
 
+/** A text of a file for a message: in quotation marks, shortened, and without characters that a terminal may not show.
+ */
+std::string quoteForMessage(std::string_view text);
+
 /** The error message for a bad value, in one sentence. @param expected the valid values, such as `y or z`. */
 std::string badValue(std::string_view key, std::string_view value, std::string_view expected);
 

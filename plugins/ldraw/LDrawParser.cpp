@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include <osgLego/text/SettingsText.h>
+
 namespace osgLego
 {
 
@@ -27,13 +29,6 @@ std::string_view takeWord(std::string_view& text)
     return word;
 }
 
-std::string_view trimmed(std::string_view text)
-{
-    const auto begin = text.find_first_not_of(SPACE);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(SPACE) - begin + 1);
-}
-
 template <typename Number, typename... Format>
 bool readWhole(std::string_view word, Number& number, Format... format)
 {
@@ -42,17 +37,10 @@ bool readWhole(std::string_view word, Number& number, Format... format)
     return error == std::errc() && stop == end && !word.empty();
 }
 
-/** A word for a message: short, and without control characters. */
-std::string quoted(std::string_view word)
-{
-    constexpr std::size_t LONGEST = 40;
-    return "'" + replaceControlCharacters(word.substr(0, LONGEST), '?') + (word.size() > LONGEST ? "...'" : "'");
-}
-
 std::string badNumber(std::string_view word)
 {
     if (word.empty()) return "it ends too early; expected more numbers";
-    return quoted(word) + " is not a coordinate; expected a number from -1e+07 to 1e+07";
+    return quoteForMessage(word) + " is not a coordinate; expected a number from -1e+07 to 1e+07";
 }
 
 std::string readNumbers(std::string_view& text, std::span<double> numbers)
@@ -74,7 +62,7 @@ std::string readColor(std::string_view& text, std::int32_t& color)
     const std::size_t prefix = word.starts_with("0x") || word.starts_with("0X") ? 2 : word.starts_with('#') ? 1 : 0;
     const bool isRead = prefix > 0 ? readWhole(word.substr(prefix), color, HEXADECIMAL) : readWhole(word, color);
     if (isRead && color >= 0) return {};
-    return quoted(word) + " is not a colour; expected a code, or 0x2 and six hexadecimal digits";
+    return quoteForMessage(word) + " is not a colour; expected a code, or 0x2 and six hexadecimal digits";
 }
 
 /** A text of the header. */
@@ -140,7 +128,7 @@ std::string LDrawParser::readLine(std::string_view line)
     const std::string_view type = takeWord(line);
     if (type.empty()) return {};
     if (type.size() == 1 && type.front() >= '0' && type.front() <= '5') return readLineOfType(type.front(), line);
-    return "it begins with " + quoted(type) + "; expected a type of line, 0 to 5, as in files of LDraw";
+    return "it begins with " + quoteForMessage(type) + "; expected a type of line, 0 to 5, as in files of LDraw";
 }
 
 std::string LDrawParser::readLineOfType(char type, std::string_view rest)
