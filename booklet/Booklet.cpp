@@ -208,7 +208,7 @@ void BookletWriter::write(const std::string& fileName, osg::GraphicsContext& con
     BookletWords writer(model, _options.view);
     writer.setSteps(facts.firstStep, facts.endStep);
     writer.write(words, facts.title);
-    facts.downloads = createDownloads(name, model.getPartsList(), *planned, header);
+    facts.downloads = createDownloads(name, model, *planned, header);
     checkCancellation();
     BookletPictures pictures(model, renderer, _options.view);
     facts.downloads.push_back({"Instructions in words", name + ".txt", "text/plain;charset=utf-8", words.str()});

@@ -15,13 +15,14 @@ namespace
 {
 
 /** The model in LDraw's format, with its steps and submodels. */
-std::string createMpd(const LegoNode& lego, const std::string& fileName, const ModelHeader& header)
+std::string createMpd(const LegoNode& lego, const std::string& fileName, const ModelHeader& header, bool isOnPlate)
 {
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
     options->setPluginStringData("STREAM_FILENAME", fileName); // as OSG's own plugins name streams
     options->setPluginStringData("TITLE", header.title);
     options->setPluginStringData("AUTHOR", header.author);
     options->setPluginStringData("LICENSE", header.license);
+    if (isOnPlate) options->setPluginStringData("BASE", "plate");
     std::ostringstream stream;
     const osgDB::ReaderWriter::WriteResult result = findLDrawWriter().writeNode(lego, stream, options);
     if (!result.success()) throw BookletFailure(BookletError::Reason::BAD_MODEL, result.message());
@@ -40,16 +41,17 @@ osgDB::ReaderWriter& findLDrawWriter()
     return *writer;
 }
 
-std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
+std::vector<BookletDownload> createDownloads(const std::string& name, const BookletModel& model, const LegoNode& lego,
                                              const ModelHeader& header)
 {
     std::ostringstream wanted;
-    list.writeWantedList(wanted);
+    model.getPartsList().writeWantedList(wanted);
     std::ostringstream table;
-    list.writeCsv(table);
+    model.getPartsList().writeCsv(table);
     return {{"Wanted list (BrickLink)", name + ".xml", "application/xml", wanted.str()},
             {"Parts list (CSV)", name + ".csv", "text/csv", table.str()},
-            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw", createMpd(lego, name + ".mpd", header)}};
+            {"Model (LDraw)", name + ".mpd", "application/x-multi-part-ldraw",
+             createMpd(lego, name + ".mpd", header, model.getBasePlate().has_value())}};
 }
 
 } // namespace osgLego

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "BookletModel.h"
 #include "BookletPage.h"
 
 #include <common/ModelHeader.h>
-#include <common/PartsList.h>
 #include <osgLego/LegoNode.h>
 
 #include <string>
@@ -22,7 +22,7 @@ osgDB::ReaderWriter& findLDrawWriter();
  * @param name of the files, without an extension.
  * @param lego with stored bricks and their building plan.
  * @param header of the model in LDraw's format. */
-std::vector<BookletDownload> createDownloads(const std::string& name, const PartsList& list, const LegoNode& lego,
+std::vector<BookletDownload> createDownloads(const std::string& name, const BookletModel& model, const LegoNode& lego,
                                              const ModelHeader& header);
 
 } // namespace osgLego

@@ -90,6 +90,11 @@ void BasePlate::choose(const glm::ivec2& footprint)
     }
 }
 
+bool BasePlate::isNumber(std::string_view number)
+{
+    return std::any_of(SIZES.begin(), SIZES.end(), [number](const PlateSize& plate) { return number == plate.number; });
+}
+
 std::string BasePlate::getName(const std::string& sign) const
 {
     return "Base plate " + std::to_string(std::min(_size.x, _size.y)) + sign +

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 #include <osg/ref_ptr>
@@ -27,6 +28,9 @@ public:
     /** @param model with at least one part. */
     explicit BasePlate(const BrickModel& model);
 
+    /** Whether a number of LDraw is that of a base plate of any size. */
+    static bool isNumber(std::string_view number);
+
     /** Such as "Base plate 16 x 32". @param sign of multiplication, with the spaces around it. */
     std::string getName(const std::string& sign = " x ") const;
     /** The number of LDraw and BrickLink, such as "3857". */
@@ -37,6 +41,10 @@ public:
     /** How many of its studs are to the left of the model, and how many in front of it. */
     const glm::ivec2& getMargin() const { return _margin; }
 
+    /** One plate, in studs along x and the other horizontal axis. */
+    const glm::ivec2& getPlateSize() const { return _size; }
+    /** The number of plates along x and the other horizontal axis. */
+    const glm::ivec2& getCounts() const { return _counts; }
     /** All plates together, in studs along x and the other horizontal axis. */
     glm::ivec2 getSize() const { return _size * _counts; }
 

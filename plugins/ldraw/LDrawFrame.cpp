@@ -8,6 +8,18 @@
 namespace osgLego
 {
 
+namespace
+{
+
+/** The axes of a part, whose long side lies along x. @param size in studs, along x and y. */
+glm::dmat3 toAxes(const glm::ivec2& size)
+{
+    if (size.x >= size.y) return glm::dmat3(1.0);
+    return {{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
+}
+
+} // namespace
+
 LDrawFrame::LDrawFrame(const BrickModel& model) :
     _model(model), _grid(model.getGrid()), _plates(getCellPlates(model.getGrid())),
     _lowest(std::numeric_limits<int>::max()), _end(std::numeric_limits<int>::min())
@@ -52,9 +64,22 @@ LDrawTransform LDrawFrame::getTransform(const Part& part) const
     LDrawTransform transform;
     // The origin of a part is the centre of its top face.
     transform.place = toPlace(glm::dvec3(box.place) + size * glm::dvec3(0.5, 0.5, 1.0));
-    // The long side of a part lies along x.
-    if (box.size.x < box.size.y) transform.axes = {{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
+    transform.axes = toAxes(box.size);
     return transform;
+}
+
+std::vector<LDrawTransform> LDrawFrame::getTransforms(const BasePlate& plates) const
+{
+    const glm::dvec2 size(plates.getPlateSize());
+    const glm::dvec2 margin(plates.getMargin());
+    std::vector<LDrawTransform> transforms;
+    for (int row = 0; row < plates.getCounts().y; ++row)
+        for (int column = 0; column < plates.getCounts().x; ++column)
+        {
+            const glm::dvec2 middle = (glm::dvec2(column, row) + 0.5) * size - margin;
+            transforms.push_back({toAxes(plates.getPlateSize()), toPlace({middle, 0.0})});
+        }
+    return transforms;
 }
 
 glm::dvec3 LDrawFrame::getBottomCenter(std::span<const std::uint32_t> parts) const

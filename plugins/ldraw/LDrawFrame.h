@@ -2,9 +2,11 @@
 
 #include "LDrawLattice.h"
 
+#include <common/BasePlate.h>
 #include <osgLego/BrickModel.h>
 
 #include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -23,6 +25,8 @@ public:
     LatticeBox toBox(const Part& part) const;
     /** A part of the model in its place. */
     LDrawTransform getTransform(const Part& part) const;
+    /** The plates below the model, each in its place. */
+    std::vector<LDrawTransform> getTransforms(const BasePlate& plates) const;
     /** The centre of the lowest layer of some parts. @param parts at least one index into BrickModel::getParts(). */
     glm::dvec3 getBottomCenter(std::span<const std::uint32_t> parts) const;
     /** From these coordinates, in LDU, to those of the model's grid. */

@@ -3,9 +3,11 @@
 #include "LDrawGeometry.h"
 #include "LDrawParser.h"
 
+#include <common/BasePlate.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
+#include <string_view>
 #include <utility>
 
 namespace osgLego
@@ -16,12 +18,20 @@ namespace
 
 using Counts = std::map<std::string, std::size_t>;
 
+constexpr std::string_view DATA_FILE = ".dat";
+
 Counts countByName(const std::vector<LDrawPart>& parts)
 {
     Counts counts;
     for (const LDrawPart& part : parts)
-        ++counts[std::string(part.type->number) + ".dat"];
+        ++counts[std::string(part.type->number).append(DATA_FILE)];
     return counts;
+}
+
+bool isBasePlate(const Counts::value_type& entry)
+{
+    const std::string_view name = entry.first;
+    return name.ends_with(DATA_FILE) && BasePlate::isNumber(name.substr(0, name.size() - DATA_FILE.size()));
 }
 
 std::string textOf(const Counts::value_type& entry)
@@ -114,8 +124,11 @@ void LDrawReader::addWarnings(const LDrawBricks& bricks, const LDrawResolver& re
         _warnings.push_back("these parts overlap others and are left out: " + join(countByName(bricks.overlapping)));
     for (const std::string& why : _library.getErrors())
         _warnings.push_back(why);
-    if (!resolver.getMissing().empty())
-        _warnings.push_back("these parts are not known and are left out: " + join(resolver.getMissing()) +
+    Counts unknown = resolver.getMissing();
+    if (std::erase_if(unknown, isBasePlate) > 0)
+        _warnings.emplace_back("base plates are left out, since models stand on them without containing them");
+    if (!unknown.empty())
+        _warnings.push_back("these parts are not known and are left out: " + join(unknown) +
                             (_library.hasParts() ? "" : "; LDRAWDIR may name the folder of a part library"));
     if (!bricks.unknownColors.empty())
         _warnings.push_back("these colours are not known and are shown in grey: " + join(bricks.unknownColors));

@@ -54,8 +54,8 @@ void writeReference(std::ostream& stream, const std::string& color, const LDrawT
     stream << line << name << LDRAW_END_OF_LINE;
 }
 
-LDrawSteps::LDrawSteps(const LDrawModel& model, std::string stem) :
-    _model(model), _stem(std::move(stem)), _frame(*model.bricks)
+LDrawSteps::LDrawSteps(const LDrawModel& model, std::string stem, bool isOnPlate) :
+    _model(model), _stem(std::move(stem)), _isOnPlate(isOnPlate), _frame(*model.bricks)
 {
     const std::vector<Submodel>& submodels = model.plan->getSubmodels();
     _depths.assign(submodels.size(), 0);
@@ -102,6 +102,7 @@ std::string LDrawSteps::getName(std::uint32_t submodel) const
 
 void LDrawSteps::writeParts(std::ostream& stream, const LDrawTransform& transform)
 {
+    writeBasePlate(stream, transform);
     std::size_t numWritten = 0;
     const std::vector<BuildingStep>& steps = _model.plan->getSteps();
     for (std::size_t index = 0; index < steps.size(); ++index)
@@ -114,12 +115,22 @@ void LDrawSteps::writeParts(std::ostream& stream, const LDrawTransform& transfor
 
 void LDrawSteps::writeMain(std::ostream& stream)
 {
+    writeBasePlate(stream, {});
     writeSteps(stream, _model.plan->getSteps(), glm::dvec3(0.0));
 }
 
 void LDrawSteps::writeSubmodel(std::ostream& stream, std::uint32_t submodel)
 {
     writeSteps(stream, _model.plan->getSubmodels()[submodel].steps, _origins[submodel]);
+}
+
+void LDrawSteps::writeBasePlate(std::ostream& stream, const LDrawTransform& transform) const
+{
+    if (!_isOnPlate) return;
+    const BasePlate plates(*_model.bricks);
+    const std::string color = std::to_string(plates.createRow().color.code);
+    for (const LDrawTransform& place : _frame.getTransforms(plates))
+        writeReference(stream, color, transform * place, plates.getNumber() + ".dat");
 }
 
 void LDrawSteps::writeSteps(std::ostream& stream, const std::vector<BuildingStep>& steps, const glm::dvec3& origin)

@@ -25,8 +25,9 @@ public:
     static constexpr std::size_t DEEPEST = 32;
 
     /** @param model with a plan; it must outlive this object.
-     * @param stem the name of the model's file without its extension, from which the names of submodels are made. */
-    LDrawSteps(const LDrawModel& model, std::string stem);
+     * @param stem the name of the model's file without its extension, from which the names of submodels are made.
+     * @param isOnPlate whether the first step begins with a base plate. */
+    LDrawSteps(const LDrawModel& model, std::string stem, bool isOnPlate = false);
 
     /** Write all steps with every part in its final place.
      * @param transform from the coordinates of the model to those of the file. */
@@ -52,6 +53,7 @@ private:
     bool isFile(std::uint32_t submodel) const { return _depths[submodel] <= DEEPEST; }
     std::size_t findDepth(std::uint32_t submodel);
     void findOrigins();
+    void writeBasePlate(std::ostream& stream, const LDrawTransform& transform) const;
     void writeSteps(std::ostream& stream, const std::vector<BuildingStep>& steps, const glm::dvec3& origin);
     void writeContent(std::ostream& stream, const BuildingStep& step, const glm::dvec3& origin);
     void writePart(std::ostream& stream, std::uint32_t index, const LDrawTransform& transform);
@@ -59,6 +61,7 @@ private:
 
     const LDrawModel& _model;
     std::string _stem;
+    bool _isOnPlate;
     LDrawFrame _frame;
     View _view;
     std::vector<std::size_t> _depths; // for each submodel, 1 without others in it; 0 until it is found

@@ -81,8 +81,8 @@ std::vector<PartKey> keysOf(const std::vector<LDrawPart>& parts)
 
 } // namespace
 
-LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName, ModelHeader header) :
-    _scene(scene), _header(std::move(header)), _stem(toLine(osgDB::getStrippedName(fileName))),
+LDrawWriter::LDrawWriter(const LDrawScene& scene, const std::string& fileName, LDrawWriteOptions options) :
+    _scene(scene), _options(std::move(options)), _stem(toLine(osgDB::getStrippedName(fileName))),
     _extension(osgDB::getLowerCaseFileExtension(fileName))
 {
 }
@@ -98,7 +98,8 @@ void LDrawWriter::write(std::ostream& stream) const
     {
         writeHeader(stream, _stem + "." + _extension, createSharedHeader(), _scene.models.front().settings);
         for (const LDrawPlacement& placement : _scene.placements)
-            LDrawSteps(_scene.models[placement.model], _stem).writeParts(stream, placement.transform);
+            LDrawSteps(_scene.models[placement.model], _stem, _options.isOnPlate)
+                .writeParts(stream, placement.transform);
         return;
     }
     if (_scene.placements.size() == 1)
@@ -110,7 +111,7 @@ void LDrawWriter::write(std::ostream& stream) const
 /** Write the file of a model and those of its submodels. */
 void LDrawWriter::writeModel(std::ostream& stream, const LDrawModel& model, const std::string& stem) const
 {
-    LDrawSteps steps(model, stem);
+    LDrawSteps steps(model, stem, _options.isOnPlate);
     ModelHeader header = createHeader(model.header, model.name);
     stream << "0 FILE " << stem << ".ldr" << LDRAW_END_OF_LINE;
     writeHeader(stream, stem + ".ldr", header, model.settings);
@@ -153,7 +154,7 @@ ModelHeader LDrawWriter::createSharedHeader() const
  * @param name of the model, for the title; empty: that of the file. */
 ModelHeader LDrawWriter::createHeader(const ModelHeader& texts, const std::string& name) const
 {
-    ModelHeader header = _header;
+    ModelHeader header = _options.header;
     header.complete(texts);
     header.complete({toReadableName(name.empty() ? _stem + "." + _extension : name),
                      std::string(LDrawDocument::DEFAULT_AUTHOR),
@@ -195,7 +196,21 @@ std::string LDrawWriter::check(std::string_view text) const
             part.transform = inverse * part.transform;
         if (keysOf(parts) != expected) return "the file, read back, has other parts than the model";
     }
-    return rest.empty() ? std::string() : "the file, read back, has more parts than the model";
+    if (!rest.empty()) return "the file, read back, has more parts than the model";
+    return resolver.getMissing() == countBasePlates() ? std::string() : "the file, read back, has other base plates";
+}
+
+/** The number of base plates by the names of their files. */
+std::map<std::string, std::size_t> LDrawWriter::countBasePlates() const
+{
+    std::map<std::string, std::size_t> counts;
+    if (!_options.isOnPlate) return counts;
+    for (const LDrawPlacement& placement : _scene.placements)
+    {
+        const BasePlate plates(*_scene.models[placement.model].bricks);
+        counts[plates.getNumber() + ".dat"] += plates.getQuantity();
+    }
+    return counts;
 }
 
 } // namespace osgLego

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "LDrawScene.h"
+#include "LDrawWriteOptions.h"
 
-#include <common/ModelHeader.h>
-
+#include <cstddef>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -17,9 +18,8 @@ class LDrawWriter
 public:
     /** @param scene must outlive this object.
      * @param fileName with the extension ldr, a file in which every part is in its final place, or mpd, in which the
-     * submodels of a building plan are separate files, and so are models if there are several.
-     * @param header its texts replace those of the models. */
-    LDrawWriter(const LDrawScene& scene, const std::string& fileName, ModelHeader header = {});
+     * submodels of a building plan are separate files, and so are models if there are several. */
+    LDrawWriter(const LDrawScene& scene, const std::string& fileName, LDrawWriteOptions options = {});
 
     void write(std::ostream& stream) const;
 
@@ -34,10 +34,11 @@ private:
                      const std::string& settings) const;
     ModelHeader createSharedHeader() const;
     ModelHeader createHeader(const ModelHeader& texts, const std::string& name) const;
+    std::map<std::string, std::size_t> countBasePlates() const;
     std::string nameOf(std::size_t model) const;
 
     const LDrawScene& _scene;
-    ModelHeader _header;
+    LDrawWriteOptions _options;
     std::string _stem;
     std::string _extension;
 };

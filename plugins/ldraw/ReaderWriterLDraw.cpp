@@ -1,4 +1,3 @@
-#include "LDrawHeader.h"
 #include "LDrawReader.h"
 #include "LDrawText.h"
 #include "LDrawWriter.h"
@@ -25,7 +24,7 @@ namespace osgLego
  *     osgviewer bunny.ldr
  *
  * Streams are written as .ldr, unless the option's plugin data STREAM_FILENAME gives them another name, with its
- * extension. readLDrawHeader() describes options for the title, the author and the licence of written files.
+ * extension. LDrawWriteOptions::read() describes options for written files.
  *
  * The environment variable LDRAWDIR may name the folder of LDraw's part library, from which other parts are read. */
 class ReaderWriterLDraw : public osgDB::ReaderWriter
@@ -40,6 +39,7 @@ public:
         supportsOption("author=\"TEXT\"", "The author of written files (that of the file that was read, or osgLego)");
         supportsOption("license=\"TEXT\"",
                        "The text after !LICENSE in written files (that of the file that was read, or no such line)");
+        supportsOption("base=plate", "Have models in written files stand on a base plate");
     }
 
     const char* className() const override { return "LDraw reader and writer"; }
@@ -159,7 +159,7 @@ private:
             {
                 std::string error;
                 return LDrawScene::create(node, scene, error)
-                           ? write(LDrawWriter(scene, name, readLDrawHeader(options)))
+                           ? write(LDrawWriter(scene, name, LDrawWriteOptions::read(options)))
                            : error;
             });
         if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);

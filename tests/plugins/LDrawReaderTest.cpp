@@ -225,6 +225,15 @@ TEST_F(LDrawReaderTest, DirectColoursHaveNoCodeAndUnknownCodesAreGrey)
     EXPECT_EQ(_warnings, (std::vector<std::string>{"these colours are not known and are shown in grey: 9999"}));
 }
 
+TEST_F(LDrawReaderTest, BasePlatesAreNoPartsOfModels)
+{
+    const auto model = read("1 2 0 0 0" + ALONG_X + "3811.dat\n1 4 0 0 0" + ALONG_X + "3005.dat\n");
+    ASSERT_TRUE(model) << _error;
+    EXPECT_EQ(model->getParts().size(), 1u);
+    EXPECT_EQ(_warnings, (std::vector<std::string>{"base plates are left out, since models stand on them without "
+                                                   "containing them"}));
+}
+
 TEST_F(LDrawReaderTest, UnknownPartsAreNamedOnceAndLeftOut)
 {
     const auto model = read("1 4 0 0 0" + ALONG_X + "3005.dat\n1 4 0 0 0" + ALONG_X + "4070.dat\n1 4 0 0 0" + ALONG_X +

@@ -150,6 +150,50 @@ TEST(LDrawWriterSteps, SeveralNodesOfAnMpdHaveSubmodelsOfTheirOwn)
     EXPECT_NE(written.text.find("0 FILE a-2-sub-1.ldr\r\n"), std::string::npos);
 }
 
+/** The lines of the base plate below parts in two corners of a model. @param footprint in cells. */
+Lines placePlates(const glm::ivec2& footprint, UpAxis up = UpAxis::Z)
+{
+    const std::size_t across = up == UpAxis::Z ? 1 : 2;
+    glm::ivec3 dimensions(footprint.x, 1, 1);
+    dimensions[static_cast<int>(across)] = footprint.y;
+    Part corner = makePart({0, 0, 0}, {1, 1, 1}, 1);
+    corner.cell[0] = static_cast<std::uint16_t>(footprint.x - 1);
+    corner.cell[across] = static_cast<std::uint16_t>(footprint.y - 1);
+    const auto node = createNode(dimensions, {makePart({0, 0, 0}, {1, 1, 1}, 1), corner}, 1.2, up);
+    Lines plates;
+    for (const std::string& line : writeLDraw(*node, "a.ldr", {{}, true}).getReferences())
+        if (line.starts_with("1 2 ")) plates.push_back(line);
+    return plates;
+}
+
+TEST(LDrawWriterSteps, ABasePlateLiesBelowTheMiddleOfTheModel)
+{
+    // 2 of 16 studs are to the left of 11, and 2 of 8 before 3.
+    EXPECT_EQ(placePlates({11, 3}), Lines{"1 2 10 0 10 1 0 0 0 1 0 0 0 1 3865.dat"});
+    EXPECT_EQ(placePlates({3, 11}), Lines{"1 2 10 0 10 0 0 1 0 1 0 -1 0 0 3865.dat"});
+    EXPECT_EQ(placePlates({11, 3}, UpAxis::Y), Lines{"1 2 10 0 -10 1 0 0 0 1 0 0 0 1 3865.dat"})
+        << "rows are counted from the other end";
+}
+
+TEST(LDrawWriterSteps, SeveralBasePlatesLieBesideEachOther)
+{
+    EXPECT_EQ(placePlates({60, 50}),
+              (Lines{"1 2 -320 0 -320 1 0 0 0 1 0 0 0 1 3811.dat", "1 2 320 0 -320 1 0 0 0 1 0 0 0 1 3811.dat",
+                     "1 2 -320 0 320 1 0 0 0 1 0 0 0 1 3811.dat", "1 2 320 0 320 1 0 0 0 1 0 0 0 1 3811.dat"}));
+}
+
+TEST(LDrawWriterSteps, ABasePlateBeginsTheFirstStepOfEachModelInAnMpd)
+{
+    const auto node = createColumn();
+    node->setBuildingPlan(BuildingPlan::create(4, {{{0, 1}, {}}, {{}, {0}}}, {{{{{2, 3}, {}}}}}));
+    const LDrawWriteOptions onPlate{{}, true};
+    EXPECT_EQ(summarize(writeLDraw(*node, "a.mpd", onPlate).text), "/ppp|1|/pp|");
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(node);
+    group->addChild(createColumn());
+    EXPECT_EQ(summarize(writeLDraw(*group, "a.mpd", onPlate).text), "/pp|/ppp|1|/pp|/ppppp|");
+}
+
 } // namespace
 
 } // namespace osgLego::test

@@ -117,7 +117,7 @@ TEST(LDrawWriter, TheHeaderHasALicenceOnlyIfOneIsGiven)
     header.author = "Ann\nSmith";
     header.license = "Licensed under CC BY 4.0 : see CAreadme.txt";
     std::ostringstream stream;
-    LDrawWriter(written.scene, "a.ldr", header).write(stream);
+    LDrawWriter(written.scene, "a.ldr", {header, false}).write(stream);
     for (const char* line : {"0 Model: my_car\r\n", "0 Author: Ann Smith\r\n",
                              "0 !LICENSE Licensed under CC BY 4.0 : see CAreadme.txt\r\n"})
         EXPECT_NE(stream.str().find(line), std::string::npos) << stream.str();

@@ -31,13 +31,13 @@ std::vector<std::string> WrittenLDraw::getLines(char type) const
     return lines;
 }
 
-WrittenLDraw writeLDraw(const osg::Node& node, const std::string& name)
+WrittenLDraw writeLDraw(const osg::Node& node, const std::string& name, const LDrawWriteOptions& options)
 {
     WrittenLDraw written;
     std::string error;
     EXPECT_TRUE(LDrawScene::create(node, written.scene, error)) << error;
     std::ostringstream stream;
-    const LDrawWriter writer(written.scene, name);
+    const LDrawWriter writer(written.scene, name, options);
     writer.write(stream);
     written.text = stream.str();
     EXPECT_EQ(writer.check(written.text), "");

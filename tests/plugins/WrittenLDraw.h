@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ldraw/LDrawScene.h>
+#include <ldraw/LDrawWriteOptions.h>
 #include <osgLego/LegoNode.h>
 
 #include <array>
@@ -32,6 +33,7 @@ struct WrittenLDraw
 };
 
 /** Write a node to a file that LDrawWriter::check() accepts. */
-WrittenLDraw writeLDraw(const osg::Node& node, const std::string& name = "a.ldr");
+WrittenLDraw writeLDraw(const osg::Node& node, const std::string& name = "a.ldr",
+                        const LDrawWriteOptions& options = {});
 
 } // namespace osgLego::test

@@ -1,4 +1,4 @@
-#include "LDrawHeader.h"
+#include "LDrawWriteOptions.h"
 
 #include <string_view>
 
@@ -30,11 +30,12 @@ std::string findText(const osgDB::Options& options, const std::string& name, con
 
 } // namespace
 
-ModelHeader readLDrawHeader(const osgDB::Options* options)
+LDrawWriteOptions LDrawWriteOptions::read(const osgDB::Options* options)
 {
     if (!options) return {};
-    return {findText(*options, "TITLE", "title"), findText(*options, "AUTHOR", "author"),
-            findText(*options, "LICENSE", "license")};
+    return {{findText(*options, "TITLE", "title"), findText(*options, "AUTHOR", "author"),
+             findText(*options, "LICENSE", "license")},
+            findText(*options, "BASE", "base") == "plate"};
 }
 
 } // namespace osgLego

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <common/ModelHeader.h>
+
+#include <osgDB/Options>
+
+namespace osgLego
+{
+
+/** The choices of who writes a file. */
+struct LDrawWriteOptions
+{
+    ModelHeader header;     //!< its texts replace those of the models
+    bool isOnPlate = false; //!< whether each model stands on a base plate
+
+    /** A program sets them as plugin data of osgDB::Options, TITLE, AUTHOR, LICENSE and BASE, which is "plate", and a
+     * command line in the string of options: osgconv -O 'author="Ann Smith" base=plate'.
+     * @param options may be null. */
+    static LDrawWriteOptions read(const osgDB::Options* options);
+};
+
+} // namespace osgLego
