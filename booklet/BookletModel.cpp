@@ -17,12 +17,14 @@ namespace osgLego
 namespace
 {
 
-/** A letter for a submodel: A to Z, then AA, AB and so on. */
+/** A letter for a submodel: A to Z, then AA, AB and so on, without I and O, which look like digits beside those of
+ * steps. */
 std::string letterOf(std::size_t index)
 {
+    constexpr std::string_view LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ";
     std::string letters;
-    for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26)
-        letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
+    for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / LETTERS.size())
+        letters.insert(letters.begin(), LETTERS[(rest - 1) % LETTERS.size()]);
     return letters;
 }
 

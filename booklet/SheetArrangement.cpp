@@ -11,12 +11,13 @@ namespace osgLego
 namespace
 {
 
-constexpr double SMALL_PITCH = 1.5;     // millimetres; smaller studs need wider columns
-constexpr double LARGE_PITCH = 3.0;     // likewise; larger studs are no better
-constexpr double BIGGEST_PITCH = 8.0;   // likewise, true to life
-constexpr double USUAL_HEAD = 40.0;     // blocks with more above their pictures have smaller ones
-constexpr std::size_t MOST_BLOCKS = 40; // of a sheet
-constexpr double LEAST_FILLING = 0.53;  // of a sheet that is half full; heights are estimates
+constexpr double SMALL_PITCH = 1.5;            // millimetres; smaller studs need wider columns
+constexpr double LARGE_PITCH = 3.0;            // likewise; larger studs are no better
+constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
+constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
+constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet
+constexpr double COST_OF_COLUMN_PARTING = 0.3; // of a heading from the column of its block, as a square of a free share
+constexpr double LEAST_FILLING = 0.53;         // of a sheet that is half full; heights are estimates
 
 } // namespace
 
@@ -114,13 +115,16 @@ void SheetArrangement::extendPlans(const Part& start, std::vector<Plan>& plans) 
 {
     const std::size_t first = start.first;
     const double capacity = getCapacity(start) + BLOCK_SPACE;
-    std::vector<double> heights;
+    std::vector<SheetFilling::Block> fillers;
     // The first block that begins beyond the last column does not matter.
-    for (double sum = 0.0; first + heights.size() < _blocks.size() && heights.size() < MOST_BLOCKS &&
+    for (double sum = 0.0; first + fillers.size() < _blocks.size() && fillers.size() < MOST_BLOCKS &&
                            sum <= static_cast<double>(start.numColumns) * capacity;
-         sum += heights.back())
-        heights.push_back(getHeight(_blocks[first + heights.size()], start));
-    const SheetFilling filling(heights, start.numColumns, capacity);
+         sum += fillers.back().height)
+    {
+        const SheetBlock& block = _blocks[first + fillers.size()];
+        fillers.push_back({getHeight(block, start), block.isHeading ? COST_OF_COLUMN_PARTING : 0.0});
+    }
+    const SheetFilling filling(fillers, start.numColumns, capacity);
     for (std::size_t number = 1; number <= filling.getMostBlocks(); ++number)
     {
         if (filling.getCost(number) >= SheetFilling::IMPOSSIBLE || getFoot(first, number) != start.foot) continue;
@@ -143,7 +147,7 @@ double SheetArrangement::rate(Part& part) const
     constexpr double COST_OF_EMPTINESS = 10.0; // of a sheet that is not half full
     constexpr double COST_OF_CHANGE = 0.1;     // of the usual number of columns
     constexpr double COST_OF_GROWTH = 1.0;     // of the scale of a sheet
-    constexpr double COST_OF_PARTING = 0.05;   // of a heading from its block
+    constexpr double COST_OF_PARTING = 3.0;    // of a heading from the sheet of its block
     double cost = rateReduction(part);
     enlarge(part);
     if (part.growth > 1.0) cost += COST_OF_GROWTH;

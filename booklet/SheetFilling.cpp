@@ -5,19 +5,19 @@
 namespace osgLego
 {
 
-SheetFilling::SheetFilling(std::span<const double> heights, std::size_t numColumns, double capacity) :
+SheetFilling::SheetFilling(std::span<const Block> blocks, std::size_t numColumns, double capacity) :
     _costs(numColumns + 1), _firsts(numColumns + 1)
 {
     constexpr double TOLERANCE = 1e-9;
     _costs[0] = {0.0};
     for (std::size_t column = 1; column <= numColumns; ++column)
-        for (std::size_t first = 0; first < std::min(_costs[column - 1].size(), heights.size()); ++first)
+        for (std::size_t first = 0; first < std::min(_costs[column - 1].size(), blocks.size()); ++first)
         {
             if (_costs[column - 1][first] >= IMPOSSIBLE) continue;
             double height = 0.0;
-            for (std::size_t end = first + 1; end <= heights.size(); ++end)
+            for (std::size_t end = first + 1; end <= blocks.size(); ++end)
             {
-                height += heights[end - 1];
+                height += blocks[end - 1].height;
                 const double free = (capacity - height) / capacity;
                 if (free < -TOLERANCE) break;
                 if (end >= _costs[column].size())
@@ -25,7 +25,7 @@ SheetFilling::SheetFilling(std::span<const double> heights, std::size_t numColum
                     _costs[column].resize(end + 1, IMPOSSIBLE);
                     _firsts[column].resize(end + 1, 0);
                 }
-                const double cost = _costs[column - 1][first] + free * free;
+                const double cost = _costs[column - 1][first] + free * free + blocks[end - 1].endCost;
                 if (cost >= _costs[column][end]) continue;
                 _costs[column][end] = cost;
                 _firsts[column][end] = first;

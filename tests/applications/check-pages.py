@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks the pages of a printed booklet: each has content beyond its upper half, apart from the line that counts its parts,
-and none has content in its margins.
+and none has content below that line or in its margins.
 
 Usage: check-pages.py FILE.pdf
 Needs pdftoppm of poppler-utils. Prints one line per failure, and "N pages".
@@ -45,6 +45,8 @@ def main():
             share = find_lowest(rows)
             if number > FIRST_OF_STEPS and share < 0.5:
                 failures.append(f"page {number} is filled to {100 * share:.0f} % only")
+            if number > FIRST_OF_STEPS and min(rows[len(rows) - BOTTOM - 1]) < WHITE:
+                failures.append(f"page {number} has content below its last line")
             if any(min(row[:SIDE - 2] + row[len(row) - SIDE + 2:]) < WHITE for row in rows):
                 failures.append(f"page {number} has content in its margins")
     for failure in failures:

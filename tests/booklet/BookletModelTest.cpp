@@ -160,14 +160,16 @@ TEST_F(BookletModelTest, NamesSubmodelsAfterZWithTwoLetters)
     const BookletModel model(*bricks, *BuildingPlan::create(COUNT, std::move(steps), std::move(submodels)), {});
     const auto letterOf = [&model](std::size_t submodel) { return model.getChapters()[submodel + 1].letter; };
     EXPECT_EQ(letterOf(0), "A");
-    EXPECT_EQ(letterOf(25), "Z");
-    EXPECT_EQ(letterOf(26), "AA");
-    EXPECT_EQ(letterOf(27), "AB");
-    EXPECT_EQ(letterOf(26 + 25), "AZ");
-    EXPECT_EQ(letterOf(26 + 26), "BA");
-    EXPECT_EQ(letterOf(26 + 26 * 26 - 1), "ZZ");
-    EXPECT_EQ(letterOf(26 + 26 * 26), "AAA");
-    EXPECT_EQ(model.getChapters()[27].steps[0].name, "AA1");
+    EXPECT_EQ(letterOf(8), "J") << "I looks like a digit";
+    EXPECT_EQ(letterOf(13), "P");
+    EXPECT_EQ(letterOf(23), "Z");
+    EXPECT_EQ(letterOf(24), "AA");
+    EXPECT_EQ(letterOf(25), "AB");
+    EXPECT_EQ(letterOf(24 + 23), "AZ");
+    EXPECT_EQ(letterOf(24 + 24), "BA");
+    EXPECT_EQ(letterOf(24 + 24 * 24 - 1), "ZZ");
+    EXPECT_EQ(letterOf(24 + 24 * 24), "AAA");
+    EXPECT_EQ(model.getChapters()[25].steps[0].name, "AA1");
 }
 
 TEST_F(BookletModelTest, MarksStepsWhoseViewChanges)

@@ -222,7 +222,7 @@ TEST(SheetArrangementTest, NoPictureIsLargerThanTheModel)
 TEST(SheetArrangementTest, ABlockThatIsHigherThanASheetHasASmallerPicture)
 {
     std::vector<SheetBlock> blocks(4, createBlock(11.0, {30.0, 20.0}));
-    blocks[1].heads = {150.0, 150.0, 150.0};
+    blocks[1].heads.fill(SheetArrangement::HEIGHT - SheetArrangement::PICTURE_SPACE - SheetArrangement::LEAST_PICTURE);
     const SheetArrangement arrangement(blocks, 0.0);
     for (const Sheet& sheet : arrangement.getSheets())
         for (const SheetColumn& column : sheet.columns)
@@ -279,6 +279,27 @@ TEST(SheetArrangementTest, AHeadingIsOnTheSheetOfItsBlock)
     const std::size_t usual = findSizeOfFirst();
     blocks[usual - 1].isHeading = true;
     EXPECT_EQ(findSizeOfFirst(), usual == 4 ? 3u : 4u);
+}
+
+TEST(SheetArrangementTest, AHeadingIsOnTheSheetOfItsBlockEvenIfThatNeedsAnotherSheet)
+{
+    // Two sheets of three blocks, or three of two with larger pictures, if the third one is a heading.
+    std::vector<SheetBlock> blocks(6, createBlock(20.0, {60.0, 18.0}));
+    EXPECT_EQ(SheetArrangement(blocks, 0.0, 1).getSheets().size(), 2u);
+    blocks[2].isHeading = true;
+    EXPECT_EQ(SheetArrangement(blocks, 0.0, 1).getSheets().size(), 3u);
+}
+
+TEST(SheetArrangementTest, AHeadingIsInTheColumnOfItsBlock)
+{
+    // Two columns of three blocks, or of two and four, if the third one is a heading.
+    std::vector<SheetBlock> blocks(6, createBlock(36.0, {}));
+    for (SheetBlock& block : blocks)
+        block.heads[0] = SheetFilling::IMPOSSIBLE;
+    ASSERT_EQ(SheetArrangement(blocks, 0.0, 2).getSheets().front().columns.front().size(), 3u);
+    blocks[2].isHeading = true;
+    const std::size_t size = SheetArrangement(blocks, 0.0, 2).getSheets().front().columns.front().size();
+    EXPECT_TRUE(size == 2 || size == 4) << size;
 }
 
 } // namespace osgLego
