@@ -12,8 +12,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double SHOWN_TILT = 0.05; // degrees; less is printed as 0.0
-
 std::string countParts(std::size_t count)
 {
     return std::to_string(count) + (count == 1 ? " part is" : " parts are");
@@ -62,10 +60,6 @@ std::string StabilityReport::toString() const
         const bool isMore = least >= MOST_TILT || (isTiltBound && least == leastTilt);
         text << "; it stands on a base that is tilted by " << std::fixed << std::setprecision(1) << least << " degrees"
              << (isMore ? ", or more" : ", but not more");
-        // The weights change so little that forces can balance them again, except torques about a single stud.
-        if (least < SHOWN_TILT && safe && !isTiltBound && tippingAngle.value_or(MOST_TILT) >= SHOWN_TILT)
-            text << ", probably since parts that one stud holds beside their centre would turn about it; the friction "
-                    "that prevents this is not computed";
     }
     if (!unknown.empty())
         text << "; " << countParts(unknown.size()) << " in a piece whose forces can't be computed precisely enough";

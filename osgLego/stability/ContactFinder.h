@@ -27,11 +27,12 @@ struct Contact
 
     enum Kind : std::uint8_t
     {
-        SIDE_X,     //!< `upper` is beside `lower`, towards +x
-        SIDE_Y,     //!< `upper` is beside `lower`, towards +y
-        TABLE,      //!< `upper` is on a smooth table, and `lower` is BASE
-        STUDS,      //!< `upper` is on studs of `lower`
-        ROUGH_TABLE //!< as TABLE, but with friction
+        SIDE_X,      //!< `upper` is beside `lower`, towards +x
+        SIDE_Y,      //!< `upper` is beside `lower`, towards +y
+        TABLE,       //!< `upper` is on a smooth table, and `lower` is BASE
+        STUDS,       //!< `upper` is on studs of `lower`
+        ROUGH_TABLE, //!< as TABLE, but with friction
+        ROUGH_STUDS  //!< as STUDS, but with friction against turning about a single one
     };
 
     std::uint32_t lower = BASE;

@@ -109,11 +109,12 @@ void EquilibriumProgram::addWeights(std::span<const PartBox> boxes, std::span<co
 void EquilibriumProgram::addForces(std::span<const PartBox> boxes, const Contact& contact,
                                    const Eigen::Vector3d& halfSize, const Eigen::Vector3d& place)
 {
-    if (contact.kind == Contact::STUDS)
+    if (contact.kind == Contact::STUDS || contact.kind == Contact::ROUGH_STUDS)
     {
         const Eigen::Vector3d upper = findCenter(boxes[contact.upper]) - place;
         const glm::ivec3 size = boxes[contact.upper].high - boxes[contact.upper].low;
-        addStuds(findStudPoints({halfSize.x(), halfSize.y()}, {upper.x(), upper.y()}, {size.x, size.y}), halfSize);
+        addStuds(findStudPoints({halfSize.x(), halfSize.y()}, {upper.x(), upper.y()}, {size.x, size.y}), halfSize,
+                 contact.kind == Contact::ROUGH_STUDS);
     }
     else if (contact.kind == Contact::ROUGH_TABLE)
         addFriction(halfSize);
@@ -121,7 +122,8 @@ void EquilibriumProgram::addForces(std::span<const PartBox> boxes, const Contact
         addPressure(contact.kind, halfSize);
 }
 
-void EquilibriumProgram::addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize)
+void EquilibriumProgram::addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize,
+                                  bool areRough)
 {
     for (const Eigen::Vector2d& point : findHull(points))
         addForce(createWrench({point.x(), point.y(), 0.0}, Eigen::Vector3d::UnitZ()), PRESSURE);
@@ -130,7 +132,11 @@ void EquilibriumProgram::addStuds(const std::vector<Eigen::Vector2d>& points, co
     // Studs press from within in all directions, which allows any horizontal force and, with a second stud, any torque.
     addForce(Wrench::Unit(0), FREE);
     addForce(Wrench::Unit(1), FREE);
-    if (halfSize.head<2>().maxCoeff() > 0.5) addForce(Wrench::Unit(5), FREE);
+    if (halfSize.head<2>().maxCoeff() > 0.5)
+        addForce(Wrench::Unit(5), FREE);
+    else if (areRough)
+        for (const double lever : {TURNING_LEVER, -TURNING_LEVER})
+            addForce(lever * Wrench::Unit(5), DRAG);
 }
 
 void EquilibriumProgram::addPressure(int axis, const Eigen::Vector3d& halfSize)

@@ -28,6 +28,9 @@ public:
     static constexpr double NEWTONS_PER_GRAM = 9.8e-3;
     /** The greatest friction on a rough table, as a share of the pressure: nothing slides below 63 degrees. */
     static constexpr double FRICTION = 2.0;
+    /** The lever, in pitches, of the friction that holds a part against turning about a single rough stud. It is that
+     * of one contact point, up to the limit of drags. */
+    static constexpr double TURNING_LEVER = 0.25;
 
     enum Kind : std::uint8_t
     {
@@ -86,7 +89,7 @@ private:
                     std::span<const std::uint32_t> bodies);
     void addForces(std::span<const PartBox> boxes, const Contact& contact, const Eigen::Vector3d& halfSize,
                    const Eigen::Vector3d& place);
-    void addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize);
+    void addStuds(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& halfSize, bool areRough);
     void addPressure(int axis, const Eigen::Vector3d& halfSize);
     void addFriction(const Eigen::Vector3d& halfSize);
     void addForce(const Wrench& wrench, Kind kind);

@@ -143,7 +143,10 @@ public:
         std::vector<Component> components = findComponents(parts);
         for (Component& component : components)
             for (Contact& contact : component.contacts)
-                if (contact.kind == Contact::TABLE) contact.kind = Contact::ROUGH_TABLE;
+                if (contact.kind == Contact::TABLE)
+                    contact.kind = Contact::ROUGH_TABLE;
+                else if (contact.kind == Contact::STUDS)
+                    contact.kind = Contact::ROUGH_STUDS;
         std::vector<std::optional<ComponentTilt>> tilts(DIRECTIONS.size() * components.size());
         tbb::parallel_for(std::size_t(0), tilts.size(),
                           [&](std::size_t index)

@@ -40,7 +40,8 @@ public:
     /** The arguments must outlive this object.
      * @param boxes those of all parts of the model.
      * @param parts indices into `boxes`, in ascending order, which stand without a tilt.
-     * @param contacts between these parts, and of them with the base: a rough table, or studs.
+     * @param contacts between these parts, and of them with the base: a rough table, or studs; rough
+     * studs hold parts that would turn about a single one.
      * @param isCancelled may be empty. */
     TiltSolver(std::span<const PartBox> boxes, std::span<const std::uint32_t> parts, std::span<const Contact> contacts,
                const std::function<bool()>& isCancelled) :

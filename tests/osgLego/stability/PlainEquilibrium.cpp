@@ -131,7 +131,8 @@ std::vector<glm::dvec2> findPoints(const glm::dvec2& size, const glm::dvec2& cen
     return {{0.0, 0.25 * out.y}, {0.125, -0.125 * out.y}, {-0.125, -0.125 * out.y}};
 }
 
-void addStud(Program& program, int upper, int lower, const glm::dvec3& stud, const Box& part)
+/** @param isRough whether the friction of one contact point holds against turning. */
+void addStud(Program& program, int upper, int lower, const glm::dvec3& stud, const Box& part, bool isRough)
 {
     const glm::dvec3 size = part.high - part.low;
     const glm::dvec3 center = 0.5 * (part.low + part.high) - stud;
@@ -144,10 +145,12 @@ void addStud(Program& program, int upper, int lower, const glm::dvec3& stud, con
     for (const glm::dvec3& side :
          {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)})
         program.addForce(upper, lower, stud, side);
+    for (const double side : {1.0, -1.0})
+        if (isRough) program.addForce(upper, lower, stud + glm::dvec3(0.25, 0.0, 0.0), {0.0, side, 0.0}, true);
 }
 
 /** Add the forces between two parts, if they touch and the second one is above or beyond the first. */
-void addContact(Program& program, const std::vector<Box>& boxes, int lower, int upper)
+void addContact(Program& program, const std::vector<Box>& boxes, int lower, int upper, bool isRough)
 {
     const Box& a = boxes[static_cast<std::size_t>(lower)];
     const Box& b = boxes[static_cast<std::size_t>(upper)];
@@ -162,7 +165,7 @@ void addContact(Program& program, const std::vector<Box>& boxes, int lower, int 
         {
             for (double y = low.y + 0.5; y < high.y; y += 1.0)
                 for (double x = low.x + 0.5; x < high.x; x += 1.0)
-                    addStud(program, upper, lower, {x, y, b.low.z}, b);
+                    addStud(program, upper, lower, {x, y, b.low.z}, b, isRough);
             continue;
         }
         for (int corner = 0; corner < 4; ++corner)
@@ -177,14 +180,14 @@ void addContact(Program& program, const std::vector<Box>& boxes, int lower, int 
     }
 }
 
-/** @param isRough whether a table holds sideways. */
+/** @param isRough whether a table holds sideways, and studs against turning. */
 void addBase(Program& program, const Box& box, int index, BuildingBase base, bool isRough)
 {
     if (base == BuildingBase::PLATE)
     {
         for (double y = box.low.y + 0.5; y < box.high.y; y += 1.0)
             for (double x = box.low.x + 0.5; x < box.high.x; x += 1.0)
-                addStud(program, index, -1, {x, y, box.low.z}, box);
+                addStud(program, index, -1, {x, y, box.low.z}, box, isRough);
         return;
     }
     for (const double x : {box.low.x, box.high.x})
@@ -215,7 +218,7 @@ std::optional<double> minimizeTension(const BrickModel& model, BuildingBase base
         const Box& box = boxes[static_cast<std::size_t>(upper)];
         if (box.low.z < bottom + 1e-9) addBase(program, box, upper, base, isRough);
         for (int lower = 0; lower < static_cast<int>(boxes.size()); ++lower)
-            if (lower != upper) addContact(program, boxes, lower, upper);
+            if (lower != upper) addContact(program, boxes, lower, upper, isRough);
     }
     return program.minimizeTension(gravity);
 }

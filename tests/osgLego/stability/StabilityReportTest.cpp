@@ -67,30 +67,6 @@ TEST(StabilityReport, AModelHoldsNoLargerTiltThanThatAtWhichItTips)
     EXPECT_NE(report.toString().find("tilted by 18.0 degrees, or more"), std::string::npos);
 }
 
-TEST(StabilityReport, ExplainsWhyAModelThatStandsSafelyHoldsNoTilt)
-{
-    StabilityReport report;
-    report.tiltAngles = {0.0, 12.0, 12.0, 12.0};
-    EXPECT_EQ(report.toString(),
-              "the model stands safely, with a margin of 100 %; it stands on a base that is tilted by "
-              "0.0 degrees, but not more, probably since parts that one stud holds beside their centre would "
-              "turn about it; the friction that prevents this is not computed");
-    report.tiltAngles = {0.1, 12.0, 12.0, 12.0};
-    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
-    // Joints may have no strength left, or the tilt may be a bound.
-    report.tiltAngles = {0.0, 12.0, 12.0, 12.0};
-    report.safe = false;
-    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
-    report.safe = true;
-    report.isTiltBound = true;
-    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
-    report.isTiltBound = false;
-    // Or it tips over, which friction does not prevent.
-    report.tiltAngles = {0.0, 12.0, 12.0, 12.0};
-    report.tippingAngle = 0.0;
-    EXPECT_EQ(report.toString().find("friction"), std::string::npos);
-}
-
 TEST(StabilityReport, MarksAMarginThatIsABound)
 {
     StabilityReport report;

@@ -1,6 +1,7 @@
 #include "BrickTowers.h"
 #include "PlainEquilibrium.h"
 
+#include <osgLego/PartType.h>
 #include <osgLego/Stability.h>
 
 #include <algorithm>
@@ -57,14 +58,20 @@ TEST(TiltSolver, ColumnsTipOverOnATable)
     EXPECT_LT((*thin.tiltAngles)[0], 2.0);
 }
 
-TEST(TiltSolver, APartThatOneStudHoldsBesideItsCentreTurnsAtAnyTilt)
+TEST(TiltSolver, FrictionHoldsAPartBesideItsCentreOnOneStudUntilItTurns)
 {
     const osg::ref_ptr<const BrickModel> model = createPartModel(
         {createBrick({20, 20, 0}, 2, 2), createBrick({20, 20, 1}, 1, 1), createBrick({20, 20, 2}, 3, 1)});
-    const StabilityReport report = computeTilted(*model, BuildingBase::PLATE);
-    EXPECT_TRUE(report.safe);
-    EXPECT_NEAR((*report.tiltAngles)[2], 0.0, 1e-6);
-    EXPECT_NE(report.toString().find("would turn about it"), std::string::npos);
+    EXPECT_NEAR((*computeTilted(*model, BuildingBase::PLATE).tiltAngles)[2], StabilityReport::MOST_TILT, 1e-4);
+    // A load of 50 g on its middle, one pitch from the stud, has the torque weight * sine about the stud, which the
+    // drag of one contact point holds at a quarter of the pitch.
+    constexpr double GRAMS = 50.0;
+    const double weight = 9.8e-3 * (GRAMS + findPartType(model->getParts()[2], model->getGrid())->mass);
+    const double angle = std::asin(0.25 * StabilityReport::CAPACITY / weight) * 180.0 / std::numbers::pi;
+    const StabilityReport loaded = computeTilted(*model, BuildingBase::PLATE, {{2, GRAMS}});
+    EXPECT_TRUE(loaded.safe);
+    EXPECT_NEAR((*loaded.tiltAngles)[2], angle, 1e-3);
+    EXPECT_NEAR((*loaded.tiltAngles)[3], angle, 1e-3);
 }
 
 TEST(TiltSolver, JointsBreakBeforeColumnsOnAPlateTipOver)
