@@ -209,9 +209,9 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                       stream << "warning: " << defect << '\n';
                   stream << report;
               });
-    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     std::error_code ignored;
-    if (!unprinted.empty()) std::filesystem::remove(files.get(".pdf"), ignored); // that of an earlier model
+    std::filesystem::remove(files.get(".pdf"), ignored); // that of an earlier model, which printing may not replace
+    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     progress.clear();
 
     fmt::print("{}\n", report);
