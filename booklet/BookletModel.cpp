@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <glm/common.hpp>

@@ -16,7 +16,7 @@ constexpr double LARGE_PITCH = 3.0;            // likewise; larger studs are no 
 constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
 constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
 constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet
-constexpr double COST_OF_COLUMN_PARTING = 0.3; // of a heading from the column of its block, as a square of a free share
+constexpr double COST_OF_COLUMN_PARTING = 0.3; // of a heading from its block: that of a column that is free by 55 %
 constexpr double LEAST_FILLING = 0.53;         // of a sheet that is half full; heights are estimates
 
 } // namespace

@@ -60,7 +60,7 @@ class SheetArrangement
 {
 public:
     static constexpr double WIDTH = 128.0;        //!< of a sheet
-    static constexpr double HEIGHT = 176.5;       //!< likewise, above a last line
+    static constexpr double HEIGHT = 176.5;       //!< likewise, for blocks: below half a millimetre, above a last line
     static constexpr double COLUMN_SPACE = 6.0;   //!< between columns
     static constexpr double BLOCK_SPACE = 5.0;    //!< between blocks at least
     static constexpr double PICTURE_SPACE = 2.0;  //!< above a picture

@@ -25,7 +25,8 @@ SheetFilling::SheetFilling(std::span<const Block> blocks, std::size_t numColumns
                     _costs[column].resize(end + 1, IMPOSSIBLE);
                     _firsts[column].resize(end + 1, 0);
                 }
-                const double cost = _costs[column - 1][first] + free * free + blocks[end - 1].endCost;
+                const double cost =
+                    _costs[column - 1][first] + free * free + (column < numColumns ? blocks[end - 1].endCost : 0.0);
                 if (cost >= _costs[column][end]) continue;
                 _costs[column][end] = cost;
                 _firsts[column][end] = first;

@@ -22,7 +22,8 @@ public:
     struct Block
     {
         double height = 0.0;
-        double endCost = 0.0; //!< of ending a column behind it, as a square of a free share
+        double endCost =
+            0.0; //!< of ending a column other than the last one behind it: that of a free share of it, squared
     };
 
     /** @param numColumns each of which gets a block.

@@ -28,7 +28,6 @@ constexpr std::array<PlateSize, 6> SIZES{
     {{8, 16, "3865"}, {16, 16, "3867"}, {16, 24, "3334"}, {16, 32, "3857"}, {32, 32, "3811"}, {48, 48, "4186"}}};
 
 constexpr std::array<std::uint8_t, 3> GREEN{0x23, 0x78, 0x41};
-constexpr std::int32_t GREEN_CODE = 2;      // LDraw
 constexpr std::int32_t GREEN_BRICKLINK = 6; // BrickLink
 constexpr double THICKNESS = 0.2;           // pitches
 
@@ -111,7 +110,7 @@ PartsList::Extra BasePlate::createRow() const
     PartsList::Extra row;
     row.number = _number;
     row.name = getName();
-    row.color.code = GREEN_CODE;
+    row.color.code = COLOR_CODE;
     row.color.name = "Green";
     row.color.brickLink = GREEN_BRICKLINK;
     row.quantity = getQuantity();
@@ -132,7 +131,7 @@ osg::ref_ptr<const BrickModel> BasePlate::createModel(bool isFaded) const
             part.size[static_cast<std::size_t>(3 - up)] = static_cast<std::uint8_t>(_size.y);
             part.size[static_cast<std::size_t>(up)] = 1;
             part.color = isFaded ? fade(GREEN) : GREEN;
-            part.colorCode = GREEN_CODE;
+            part.colorCode = COLOR_CODE;
         }
     return BrickModel::createOfParts(_grid, std::move(parts));
 }

@@ -25,6 +25,8 @@ namespace osgLego
 class BasePlate
 {
 public:
+    static constexpr std::int32_t COLOR_CODE = 2; //!< of LDraw; green
+
     /** @param model with at least one part. */
     explicit BasePlate(const BrickModel& model);
 

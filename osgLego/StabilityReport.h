@@ -75,9 +75,10 @@ struct OSGLEGO_EXPORT StabilityReport
         2.0; //!< degrees; a model that tips over at less falls if somebody bumps the table
     static constexpr double MOST_TILT = 45.0; //!< the greatest of `tiltAngles`
     /** The angles in degrees, from 0 to MOST_TILT, by which the base can be tilted towards +x, -x, +y and -y of the
-     * ground, so that this side descends, before the model falls: because a piece tips over, or because joints break.
-     * Nothing slides. y is the grid's axis beside x that is not the up axis. 0 if parts fall; unset if
-     * StabilityOptions::findsTilt is not set, for no parts, and if they are unknown. */
+     * ground, so that this side descends, before the model falls: because a piece tips over, joints break, or a part
+     * turns about a single stud, whose friction holds up to CAPACITY at a quarter of the pitch. Nothing slides. y is
+     * the grid's axis beside x that is not the up axis. 0 if parts fall; unset if StabilityOptions::findsTilt is not
+     * set, for no parts, and if they are unknown. */
     std::optional<std::array<double, 4>> tiltAngles;
     /** Whether a true angle may be larger, as for isMarginBound. */
     bool isTiltBound = false;

@@ -210,7 +210,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                   stream << report;
               });
     std::error_code ignored;
-    std::filesystem::remove(files.get(".pdf"), ignored); // that of an earlier model, which printing may not replace
+    std::filesystem::remove(files.get(".pdf"), ignored); // else it remains if printing fails or is cancelled
     const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     progress.clear();
 

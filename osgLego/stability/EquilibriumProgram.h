@@ -28,8 +28,8 @@ public:
     static constexpr double NEWTONS_PER_GRAM = 9.8e-3;
     /** The greatest friction on a rough table, as a share of the pressure: nothing slides below 63 degrees. */
     static constexpr double FRICTION = 2.0;
-    /** The lever, in pitches, of the friction that holds a part against turning about a single rough stud. It is that
-     * of one contact point, up to the limit of drags. */
+    /** The lever, in pitches, of the friction that holds a part against turning about a single rough stud. The
+     * friction is that of one contact point, up to the limit of drags. */
     static constexpr double TURNING_LEVER = 0.25;
 
     enum Kind : std::uint8_t

@@ -37,7 +37,8 @@ bool isWholeNumber(std::string_view text);
 /** A text without spaces, tabs and line ends at both ends. */
 std::string_view trimmed(std::string_view text);
 
-/** A text of a file for a message: in quotation marks, shortened, and without characters that a terminal may not show.
+/** A text of a file for a message, which unlike a setting the user may not have typed: in quotation marks, shortened,
+ * and without characters that a terminal may not show.
  */
 std::string quoteForMessage(std::string_view text);
 

@@ -16,6 +16,8 @@ namespace osgLego
 class LDrawLibrary
 {
 public:
+    /** Without any files. */
+    LDrawLibrary() = default;
     /** @param modelFolder the folder of the document; empty: the current one.
      * @param libraryFolder that of the library, with the folders parts, p and models in it; empty if there is none. */
     LDrawLibrary(const std::string& modelFolder, const std::string& libraryFolder);

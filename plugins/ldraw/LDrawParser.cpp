@@ -2,13 +2,13 @@
 
 #include "LDrawText.h"
 
+#include <osgLego/text/SettingsText.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <span>
 #include <utility>
-
-#include <osgLego/text/SettingsText.h>
 
 namespace osgLego
 {
@@ -68,7 +68,7 @@ std::string readColor(std::string_view& text, std::int32_t& color)
 /** A text of the header. */
 std::string toText(std::string_view text)
 {
-    return toUtf8(trimmed(replaceControlCharacters(text, ' ')));
+    return toUtf8(trimmed(replaceControlCharacters(text)));
 }
 
 /** The title in the first line of a model; empty if that is a command, or the placeholder of an editor. */

@@ -2,12 +2,12 @@
 
 #include "LDrawGeometry.h"
 #include "LDrawParser.h"
+#include "LDrawText.h"
 
 #include <common/BasePlate.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
-#include <string_view>
 #include <utility>
 
 namespace osgLego
@@ -18,20 +18,17 @@ namespace
 
 using Counts = std::map<std::string, std::size_t>;
 
-constexpr std::string_view DATA_FILE = ".dat";
-
 Counts countByName(const std::vector<LDrawPart>& parts)
 {
     Counts counts;
     for (const LDrawPart& part : parts)
-        ++counts[std::string(part.type->number).append(DATA_FILE)];
+        ++counts[toPartFile(part.type->number)];
     return counts;
 }
 
 bool isBasePlate(const Counts::value_type& entry)
 {
-    const std::string_view name = entry.first;
-    return name.ends_with(DATA_FILE) && BasePlate::isNumber(name.substr(0, name.size() - DATA_FILE.size()));
+    return BasePlate::isNumber(toPartNumber(entry.first));
 }
 
 std::string textOf(const Counts::value_type& entry)

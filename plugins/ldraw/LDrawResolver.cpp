@@ -1,5 +1,7 @@
 #include "LDrawResolver.h"
 
+#include "LDrawText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -14,7 +16,6 @@ namespace
 /** The type of a part with a normalized name; null if it is not one of the known types. */
 const PartType* findTypeOf(const std::string& name)
 {
-    constexpr std::string_view EXTENSION = ".dat";
     static const std::unordered_map<std::string_view, const PartType*> types = []
     {
         std::unordered_map<std::string_view, const PartType*> result;
@@ -22,8 +23,7 @@ const PartType* findTypeOf(const std::string& name)
             result[type.number] = &type;
         return result;
     }();
-    if (!name.ends_with(EXTENSION)) return nullptr;
-    const auto found = types.find(std::string_view(name).substr(0, name.size() - EXTENSION.size()));
+    const auto found = types.find(toPartNumber(name));
     return found == types.end() ? nullptr : found->second;
 }
 
@@ -61,7 +61,7 @@ std::string LDrawResolver::resolve()
 
 std::string LDrawResolver::addSurfaces(const LDrawPart& part, bool& isFound)
 {
-    const LDrawDocument* document = _library.find(std::string(part.type->number) + ".dat");
+    const LDrawDocument* document = _library.find(toPartFile(part.type->number));
     isFound = document != nullptr;
     return document ? visit({*document, document->getMain(), part.transform, part.color}) : std::string();
 }

@@ -1,6 +1,9 @@
 #include "LDrawSteps.h"
 
 #include "LDrawColors.h"
+#include "LDrawText.h"
+
+#include <common/BasePlate.h>
 
 #include <algorithm>
 #include <charconv>
@@ -128,9 +131,9 @@ void LDrawSteps::writeBasePlate(std::ostream& stream, const LDrawTransform& tran
 {
     if (!_isOnPlate) return;
     const BasePlate plates(*_model.bricks);
-    const std::string color = std::to_string(plates.createRow().color.code);
+    const std::string color = std::to_string(BasePlate::COLOR_CODE);
     for (const LDrawTransform& place : _frame.getTransforms(plates))
-        writeReference(stream, color, transform * place, plates.getNumber() + ".dat");
+        writeReference(stream, color, transform * place, toPartFile(plates.getNumber()));
 }
 
 void LDrawSteps::writeSteps(std::ostream& stream, const std::vector<BuildingStep>& steps, const glm::dvec3& origin)
@@ -162,8 +165,7 @@ void LDrawSteps::writePart(std::ostream& stream, std::uint32_t index, const LDra
 {
     const Part& part = _model.bricks->getParts()[index];
     const PartType* type = findPartType(part, _model.bricks->getGrid());
-    writeReference(stream, formatColor(part), transform * _frame.getTransform(part),
-                   std::string(type->number) + ".dat");
+    writeReference(stream, formatColor(part), transform * _frame.getTransform(part), toPartFile(type->number));
 }
 
 void LDrawSteps::endStep(std::ostream& stream, const BuildingStep& step)

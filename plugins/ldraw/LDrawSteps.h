@@ -26,7 +26,7 @@ public:
 
     /** @param model with a plan; it must outlive this object.
      * @param stem the name of the model's file without its extension, from which the names of submodels are made.
-     * @param isOnPlate whether the first step begins with a base plate. */
+     * @param isOnPlate whether the first step begins with the base plates. */
     LDrawSteps(const LDrawModel& model, std::string stem, bool isOnPlate = false);
 
     /** Write all steps with every part in its final place.

@@ -19,6 +19,8 @@ namespace
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view PART_EXTENSION = ".dat";
+
 /** Check a file without opening it. @return an error message; empty if it can be read. */
 std::string findObstacle(const std::string& path)
 {
@@ -75,13 +77,22 @@ std::string toUtf8(std::string_view text)
     return result;
 }
 
-std::string replaceControlCharacters(std::string_view text, char replacement)
+std::string replaceControlCharacters(std::string_view text)
 {
     std::string result(text);
     std::replace_if(
-        result.begin(), result.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; },
-        replacement);
+        result.begin(), result.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
     return result;
+}
+
+std::string toPartFile(std::string_view number)
+{
+    return std::string(number).append(PART_EXTENSION);
+}
+
+std::string_view toPartNumber(std::string_view file)
+{
+    return file.ends_with(PART_EXTENSION) ? file.substr(0, file.size() - PART_EXTENSION.size()) : std::string_view();
 }
 
 } // namespace osgLego

@@ -23,7 +23,12 @@ std::optional<std::string> readText(std::istream& stream, std::string& error, st
 /** A text of a file as UTF-8: unchanged if it is, or else from Latin-1. */
 std::string toUtf8(std::string_view text);
 
-/** A text for one line, in which another character replaces control characters. */
-std::string replaceControlCharacters(std::string_view text, char replacement);
+/** A text for one line, in which spaces replace control characters. */
+std::string replaceControlCharacters(std::string_view text);
+
+/** The name of a part's file, such as 3001.dat. @param number of LDraw. */
+std::string toPartFile(std::string_view number);
+/** The number of the part that a normalized name of a file has; empty if it is not that of a part. */
+std::string_view toPartNumber(std::string_view file);
 
 } // namespace osgLego

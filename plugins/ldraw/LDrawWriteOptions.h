@@ -2,6 +2,9 @@
 
 #include <common/ModelHeader.h>
 
+#include <optional>
+#include <string>
+
 #include <osgDB/Options>
 
 namespace osgLego
@@ -15,8 +18,8 @@ struct LDrawWriteOptions
 
     /** A program sets them as plugin data of osgDB::Options, TITLE, AUTHOR, LICENSE and BASE, which is "plate", and a
      * command line in the string of options: osgconv -O 'author="Ann Smith" base=plate'.
-     * @param options may be null. */
-    static LDrawWriteOptions read(const osgDB::Options* options);
+     * @param options may be null. @return nothing, with one sentence in `error`, if there is another base. */
+    static std::optional<LDrawWriteOptions> read(const osgDB::Options* options, std::string& error);
 };
 
 } // namespace osgLego

@@ -6,6 +6,7 @@
 #include "LDrawSteps.h"
 #include "LDrawText.h"
 
+#include <common/BasePlate.h>
 #include <common/ReadableName.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace
 /** A text for one line of a header. */
 std::string toLine(const std::string& text)
 {
-    return replaceControlCharacters(text, ' ');
+    return replaceControlCharacters(text);
 }
 
 /** The title of a file. */
@@ -179,7 +180,7 @@ std::string LDrawWriter::check(std::string_view text) const
     std::string error;
     const std::optional<LDrawDocument> document = LDrawParser::parse(text, error);
     if (!document) return error;
-    LDrawLibrary library({}, {});
+    LDrawLibrary library; // a file in the current folder would replace a base plate
     LDrawResolver resolver(*document, library);
     error = resolver.resolve();
     if (!error.empty()) return error;
@@ -208,7 +209,7 @@ std::map<std::string, std::size_t> LDrawWriter::countBasePlates() const
     for (const LDrawPlacement& placement : _scene.placements)
     {
         const BasePlate plates(*_scene.models[placement.model].bricks);
-        counts[plates.getNumber() + ".dat"] += plates.getQuantity();
+        counts[toPartFile(plates.getNumber())] += plates.getQuantity();
     }
     return counts;
 }

@@ -158,9 +158,8 @@ private:
             [&]
             {
                 std::string error;
-                return LDrawScene::create(node, scene, error)
-                           ? write(LDrawWriter(scene, name, LDrawWriteOptions::read(options)))
-                           : error;
+                const std::optional<LDrawWriteOptions> read = LDrawWriteOptions::read(options, error);
+                return read && LDrawScene::create(node, scene, error) ? write(LDrawWriter(scene, name, *read)) : error;
             });
         if (!why.empty()) return WriteResult("osgLego: can't write '" + name + "': " + why);
         warn(name, scene.warnings);

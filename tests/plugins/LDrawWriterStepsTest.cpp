@@ -1,10 +1,12 @@
 #include "WrittenLDraw.h"
 
+#include <ldraw/LDrawWriter.h>
 #include <osgLego/BuildingPlanner.h>
 
 #include <sstream>
 
 #include <gtest/gtest.h>
+#include <osg/MatrixTransform>
 
 namespace osgLego::test
 {
@@ -180,6 +182,35 @@ TEST(LDrawWriterSteps, SeveralBasePlatesLieBesideEachOther)
     EXPECT_EQ(placePlates({60, 50}),
               (Lines{"1 2 -320 0 -320 1 0 0 0 1 0 0 0 1 3811.dat", "1 2 320 0 -320 1 0 0 0 1 0 0 0 1 3811.dat",
                      "1 2 -320 0 320 1 0 0 0 1 0 0 0 1 3811.dat", "1 2 320 0 320 1 0 0 0 1 0 0 0 1 3811.dat"}));
+}
+
+TEST(LDrawWriterSteps, BasePlatesMoveAndTurnWithTheirModels)
+{
+    // One brick, and one that is 40 studs to the right and turned by a quarter, on plates of 8 x 16.
+    const auto node = createNode({4, 2, 1}, {makePart({0, 0, 0}, {4, 2, 1}, 1)});
+    osg::ref_ptr<osg::MatrixTransform> turned =
+        new osg::MatrixTransform(osg::Matrix::rotate(osg::PI_2, osg::Z_AXIS) * osg::Matrix::translate(40.0, 0.0, 0.0));
+    turned->addChild(node);
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(node);
+    group->addChild(turned);
+    const Lines lines = writeLDraw(*group, "a.ldr", {{}, true}).getReferences();
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[0], "1 2 0 0 0 1 0 0 0 1 0 0 0 1 3865.dat");
+    // The centre of the model, at 2 and 1 studs, turns to -1 and 2.
+    EXPECT_EQ(lines[2], "1 2 740 0 20 0 0 -1 0 1 0 1 0 0 3865.dat");
+    EXPECT_EQ(lines[3], "1 1 740 -24 20 0 0 -1 0 1 0 1 0 0 3001.dat");
+}
+
+TEST(LDrawWriterSteps, CheckNoticesBasePlatesThatAreMissingAndTooMany)
+{
+    const auto node = createColumn();
+    const WrittenLDraw without = writeLDraw(*node, "a.ldr");
+    const WrittenLDraw with = writeLDraw(*node, "a.ldr", {{}, true});
+    const LDrawWriter writer(with.scene, "a.ldr", {{}, true});
+    EXPECT_EQ(writer.check(with.text), "");
+    EXPECT_EQ(writer.check(without.text), "the file, read back, has other base plates");
+    EXPECT_EQ(LDrawWriter(with.scene, "a.ldr").check(with.text), "the file, read back, has other base plates");
 }
 
 TEST(LDrawWriterSteps, ABasePlateBeginsTheFirstStepOfEachModelInAnMpd)
