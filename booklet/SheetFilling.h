@@ -22,8 +22,8 @@ public:
     struct Block
     {
         double height = 0.0;
-        double endCost =
-            0.0; //!< of ending a column other than the last one behind it: that of a free share of it, squared
+        /** The cost of ending a column behind it, unless that is the last column: the square of a free share. */
+        double endCost = 0.0;
     };
 
     /** @param numColumns each of which gets a block.

@@ -59,6 +59,17 @@ TEST_F(LDrawFile, PartsSurviveInFilesOfEveryName)
     EXPECT_EQ(countFiles(), 4u) << "no temporary file is left";
 }
 
+TEST_F(LDrawFile, FilesOfBasePlatesInTheCurrentFolderAreNotThoseOfTheModel)
+{
+    const std::filesystem::path former = std::filesystem::current_path();
+    std::filesystem::current_path(_folder);
+    std::ofstream("3865.dat") << "0 Base plate\n";
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("base=plate");
+    EXPECT_TRUE(osgDB::writeNodeFile(*createModel(), pathOf("a.ldr"), options));
+    std::filesystem::current_path(former);
+    EXPECT_NE(contentsOf(pathOf("a.ldr")).find(" 3865.dat"), std::string::npos);
+}
+
 TEST_F(LDrawFile, AModelThatCannotBeWrittenLeavesTheOldFile)
 {
     ASSERT_TRUE(osgDB::writeNodeFile(*createModel(), pathOf("a.ldr")));
