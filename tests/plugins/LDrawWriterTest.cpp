@@ -131,7 +131,7 @@ TEST(LDrawWriter, KeepsTheTextsOfTheFileThatWasReadUnlessOthersAreGiven)
     for (const char* line : {"0 Model: My car\r\n", "0 Author: Ann Lee\r\n", "0 !LICENSE CC0\r\n"})
         EXPECT_NE(written.text.find(line), std::string::npos) << written.text;
     std::ostringstream stream;
-    LDrawWriter(written.scene, "a.mpd", {"", "Bob", ""}).write(stream);
+    LDrawWriter(written.scene, "a.mpd", {{"", "Bob", ""}, false}).write(stream);
     for (const char* line : {"0 Model: My car\r\n", "0 Author: Bob\r\n", "0 !LICENSE CC0\r\n"})
         EXPECT_NE(stream.str().find(line), std::string::npos) << stream.str();
 }
