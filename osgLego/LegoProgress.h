@@ -17,7 +17,7 @@ struct alignas(8) LegoProgress
     };
 
     Stage stage = Stage::IDLE;
-    float fraction = 0.0f; //!< of the stage, 0 to 1; 0 in all stages but PARTS and CONNECTION
+    float fraction = 0.0f; //!< of the stage, 0 to 1; 0 in the stages IDLE and CELLS
 };
 
 } // namespace osgLego

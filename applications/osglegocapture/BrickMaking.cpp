@@ -21,7 +21,7 @@ void show(const LegoProgress& progress, const ProgressBar& bar)
     case LegoProgress::Stage::CONNECTION:
         return bar.show(progress.fraction, "joining pieces");
     case LegoProgress::Stage::SUPPORT:
-        return bar.show("supporting the model");
+        return bar.show(progress.fraction, "supporting the model");
     case LegoProgress::Stage::IDLE:
     case LegoProgress::Stage::CELLS:
         bar.show("making bricks");

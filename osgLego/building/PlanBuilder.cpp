@@ -18,6 +18,9 @@ namespace
 
 // Larger models are shown from one direction: the search for hidden parts would take longer than planning.
 constexpr std::size_t MOST_VIEWED = 20'000;
+// PartialStability::getNumHard() at which another attempt is given up. Those that help hardly have any; others take
+// minutes until parts fall.
+constexpr std::size_t MOST_HARD = 1000;
 
 /** The most parts of submodels in a sequence within which others are, or of parts that are joined in one hand. */
 std::size_t getMostParts(std::size_t depth)
@@ -213,8 +216,11 @@ std::vector<AssemblyStep> PlanBuilder::assemble(const PartList& parts, const Set
     StepViews views(graph.getBoxes(), getCellHeight(), _options.view, !setting.isUpsideDown);
     StepBuilder builder(
         graph, findFalling,
-        [this, &setting](std::size_t numPlaced, bool stands)
-        { return proceed(setting.depth > 0 ? 0 : numPlaced, stands); },
+        [&](std::size_t numPlaced, bool stands)
+        {
+            _isGivenUp = _isGivenUp || (_isTryingAgain && stability.getNumHard() > MOST_HARD);
+            return proceed(setting.depth > 0 ? 0 : numPlaced, stands);
+        },
         parts.size() <= MOST_VIEWED ? &views : nullptr, mostParts);
     std::vector<AssemblyStep> steps = builder.build();
     if (_isCancelled || _isGivenUp)

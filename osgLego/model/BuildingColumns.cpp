@@ -2,14 +2,19 @@
 
 #include <osgLego/BuildingPlanner.h>
 #include <osgLego/layout/LayoutModel.h>
+#include <osgLego/model/CellExposure.h>
 #include <osgLego/model/LayerColumns.h>
 #include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/LayoutStanding.h>
 #include <osgLego/model/StepColumns.h>
+#include <osgLego/model/SupportColumns.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace osgLego
@@ -25,12 +30,19 @@ struct ColumnLimits
     double mostAdded;
 };
 
-// In the order of attempts. If only small groups are left out, there are more columns.
+// In the order of attempts.
 constexpr std::array<ColumnLimits, 6> ATTEMPTS{{{60, 0.1}, {150, 0.1}, {30, 0.1}, {10, 0.1}, {60, 0.2}, {10, 0.2}}};
 
 // The greatest share of cells of columns, and the rounds in which StepColumns adds some: each changes the steps.
 constexpr double MOST_ADDED = 0.2;
 constexpr int MOST_ROUNDS = 3;
+// The most attempts to do without some columns: each may take a plan.
+constexpr int MOST_PRUNINGS = 20;
+
+// The fractions of progress after the first plan, after columns below layers, and after those below steps.
+constexpr double PLANNED = 0.2;
+constexpr double BELOW_LAYERS = 0.6;
+constexpr double BELOW_STEPS = 0.7;
 
 /** The largest number of cells of a layout with columns. @param mostAdded their share. */
 std::size_t getMostCells(const SupportedLayout& layout, double mostAdded)
@@ -44,6 +56,40 @@ bool keepsSubmodelLimits(const BuildingPlan& plan)
            plan.getDeepestSubmodel() <= BuildingPlan::DEEPEST_SUBMODEL;
 }
 
+/** Whether submodels of a plan are no larger, and nested no deeper, than those of another one or than the limits. */
+bool hasSubmodelsAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
+{
+    return plan.getLargestSubmodel() <= std::max(BuildingPlan::MOST_SUBMODEL_PARTS, other.getLargestSubmodel()) &&
+           plan.getDeepestSubmodel() <= std::max(BuildingPlan::DEEPEST_SUBMODEL, other.getDeepestSubmodel());
+}
+
+/** Whether a plan exceeds no limit by more than another one. */
+bool isAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
+{
+    return hasSubmodelsAsEasy(plan, other) &&
+           plan.getNumFalling() <= std::max(BuildingPlan::MOST_FALLING_STEPS, other.getNumFalling());
+}
+
+/** Columns in the order of how much of them is seen, most first. */
+std::vector<SupportColumn> sortByExposure(std::span<const SupportColumn> columns, const LayoutProblem& problem)
+{
+    const CellExposure exposure(problem);
+    std::vector<std::pair<double, SupportColumn>> sorted;
+    for (const SupportColumn& column : columns)
+    {
+        double sum = 0.0;
+        for (int z = 0; z < column.height; ++z)
+            sum += exposure.get(column.place + glm::ivec3(0, 0, z));
+        sorted.emplace_back(column.width * sum, column);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& column, const auto& other) { return column.first > other.first; });
+    std::vector<SupportColumn> result;
+    for (const auto& [sum, column] : sorted)
+        result.push_back(column);
+    return result;
+}
+
 } // namespace
 
 bool BuildingColumns::run()
@@ -51,15 +97,19 @@ bool BuildingColumns::run()
     if (_layout.parts.size() > MOST_PARTS) return true;
     if (!plan(_layout, _planned)) return false;
     const SupportedLayout original = _layout;
+    report(PLANNED);
     if (!addBelowLayers(original)) return false;
+    report(BELOW_LAYERS);
     for (int round = 0; round < MOST_ROUNDS && _planned.plan->getNumFalling() > BuildingPlan::MOST_FALLING_STEPS;
          ++round)
     {
-        const std::size_t numColumns = _layout.numColumns;
+        const std::size_t numColumns = _layout.columns.size();
         if (!addBelowSteps(getMostCells(original, MOST_ADDED))) return false;
-        if (_layout.numColumns == numColumns) break;
+        if (_layout.columns.size() == numColumns) break;
     }
-    _layout.numBuildingColumns = _layout.numColumns - original.numColumns;
+    report(BELOW_STEPS);
+    if (!removeUnneeded(original.columns.size())) return false;
+    _layout.numBuildingColumns = _layout.columns.size() - original.columns.size();
     _layout.largestSubmodel = _planned.plan->getLargestSubmodel();
     _layout.deepestSubmodel = _planned.plan->getDeepestSubmodel();
     _layout.numFallingSteps = _planned.plan->getNumFalling();
@@ -72,16 +122,24 @@ bool BuildingColumns::run()
 bool BuildingColumns::addBelowLayers(const SupportedLayout& original)
 {
     std::map<std::size_t, LayerColumns> attempts; // by the parts of groups that are left out
+    double done = PLANNED;
+    std::map<double, std::size_t> tooMany; // by the share of cells: the parts of groups with which columns had more
     for (const ColumnLimits& limits : ATTEMPTS)
     {
         if (keepsSubmodelLimits(*_planned.plan)) return true;
+        // If smaller groups are left out, there are more columns.
+        if (const auto found = tooMany.find(limits.mostAdded);
+            found != tooMany.end() && limits.mostHanging < found->second)
+            continue;
         LayerColumns& columns =
             attempts.try_emplace(limits.mostHanging, original, limits.mostHanging, _isCancelled).first->second;
-        const std::size_t numColumns = columns.getLayout().numColumns;
+        const std::size_t numColumns = columns.getLayout().columns.size();
         const bool isDone = columns.run(getMostCells(original, limits.mostAdded));
         if (isCancelled()) return false;
-        const bool hasChanged = columns.getLayout().numColumns > numColumns;
+        if (!isDone) tooMany[limits.mostAdded] = limits.mostHanging;
+        const bool hasChanged = columns.getLayout().columns.size() > numColumns;
         if (isDone && hasChanged && !replaceIfBetter(columns.getLayout())) return false;
+        report(done += (BELOW_LAYERS - PLANNED) / static_cast<double>(ATTEMPTS.size()));
     }
     return true;
 }
@@ -91,6 +149,7 @@ bool BuildingColumns::plan(const SupportedLayout& layout, Planned& planned) cons
 {
     PlanningOptions options;
     options.isCancelled = _isCancelled;
+    if (!_planned.plan) options.progress = [this](double fraction) { report(PLANNED * fraction); };
     planned.model = _createModel(layout.parts);
     planned.plan = planBuilding(*planned.model, options);
     return planned.plan.valid();
@@ -106,7 +165,7 @@ bool BuildingColumns::addBelowSteps(std::size_t mostCells)
         if (!plan.getSteps()[step].stands) numsPlaced.push_back(plan.getNumPlaced(step));
     StepColumns columns(_layout, findRanks(), _isCancelled);
     if (!columns.run(numsPlaced, mostCells)) return false;
-    return columns.getLayout().numColumns == _layout.numColumns || replaceIfBetter(columns.getLayout());
+    return columns.getLayout().columns.size() == _layout.columns.size() || replaceIfBetter(columns.getLayout());
 }
 
 /** The ranks of the parts of the layout in the plan. */
@@ -121,16 +180,77 @@ std::vector<std::uint32_t> BuildingColumns::findRanks() const
 /** Replace the layout by one with other columns, if that is easier to build. @return false if it was cancelled. */
 bool BuildingColumns::replaceIfBetter(const SupportedLayout& other)
 {
-    if (LayoutPieces(other.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
-    const std::optional<StabilityReport> report = computeStanding(other.problem, other.parts, _isCancelled);
-    if (!report) return false;
-    if (!report->stands) return true;
-    Planned changed;
-    if (!plan(other, changed)) return false;
-    if (!changed.plan->exceedsLimitsLessThan(*_planned.plan)) return true;
+    std::optional<Planned> changed;
+    if (!findPlanIfStanding(other, changed)) return false;
+    if (!changed || !changed->plan->exceedsLimitsLessThan(*_planned.plan)) return true;
     _layout = other;
-    _planned = changed;
+    _planned = *changed;
     return true;
+}
+
+/** Plan another layout, if it stands in no more pieces. @return false if it was cancelled. */
+bool BuildingColumns::findPlanIfStanding(const SupportedLayout& layout, std::optional<Planned>& planned) const
+{
+    if (LayoutPieces(layout.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
+    const std::optional<StabilityReport> standing = computeStanding(layout.problem, layout.parts, _isCancelled);
+    if (!standing) return false;
+    return !standing->stands || plan(layout, planned.emplace());
+}
+
+/** Remove columns that make the model no easier to build, those that are seen most first: halves of all, quarters, and
+ * single ones.
+ * @param numNeeded those without which it falls, which come first. @return false if it was cancelled. */
+bool BuildingColumns::removeUnneeded(std::size_t numNeeded)
+{
+    std::vector<SupportColumn> columns =
+        sortByExposure(std::span<const SupportColumn>(_layout.columns).subspan(numNeeded), _layout.problem);
+    const std::size_t half = (columns.size() + 1) / 2;
+    int numAttempts = 0;
+    for (const std::size_t size : std::set<std::size_t, std::greater<>>{half, (half + 1) / 2, 1})
+        for (std::size_t first = 0; first < columns.size() && numAttempts < MOST_PRUNINGS; ++numAttempts)
+        {
+            const std::size_t count = std::min(size, columns.size() - first);
+            if (count == columns.size()) break; // without any, the model was harder to build
+            bool isRemoved = false;
+            if (!removeIfUnneeded(std::span(columns).subspan(first, count), isRemoved)) return false;
+            const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(first);
+            if (isRemoved)
+                columns.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+            else
+                first += count;
+            report(BELOW_STEPS + (1.0 - BELOW_STEPS) * numAttempts / MOST_PRUNINGS);
+        }
+    return true;
+}
+
+/** Remove columns together, if that makes the model no harder to build. @return false if it was cancelled. */
+bool BuildingColumns::removeIfUnneeded(std::span<const SupportColumn> columns, bool& isRemoved)
+{
+    const SupportedLayout other = removeColumns(_layout, columns);
+    // Plans without checks of stability, which take far longer, seldom have larger submodels.
+    if (!isAsEasyWithoutChecks(other)) return !isCancelled();
+    std::optional<Planned> changed;
+    if (!findPlanIfStanding(other, changed)) return false;
+    if (!changed || !isAsEasy(*changed->plan, *_planned.plan)) return true;
+    _layout = other;
+    _planned = *changed;
+    isRemoved = true;
+    return true;
+}
+
+/** Whether submodels are as easy if parts need not stand after the steps. */
+bool BuildingColumns::isAsEasyWithoutChecks(const SupportedLayout& layout) const
+{
+    PlanningOptions options;
+    options.isCancelled = _isCancelled;
+    options.checksStability = false;
+    const osg::ref_ptr<const BuildingPlan> plan = planBuilding(*_createModel(layout.parts), options);
+    return plan && hasSubmodelsAsEasy(*plan, *_planned.plan);
+}
+
+void BuildingColumns::report(double fraction) const
+{
+    if (_progress) _progress(fraction);
 }
 
 } // namespace osgLego

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,16 +22,17 @@ namespace osgLego
  *
  * LayerColumns proposes columns, with several sizes of submodels, and then StepColumns some below what still falls. The
  * building plan on a table judges them: columns are added only if it then exceeds the limits of BuildingPlan less, and
- * if there are no more pieces.
+ * if there are no more pieces. In the end, columns without which it exceeds no limit more are removed, those that are
+ * seen most first.
  *
  * Usage:
  *
  *     BuildingColumns columns(layout, [&](const LaidParts& parts) { return createModel(parts, grid, colors); },
- *                             isCancelled);
+ *                             isCancelled, progress);
  *     if (!columns.run()) ... // cancelled
  *
- * The layout and `isCancelled` must exist as long as this object. One thread, which uses all threads that oneTBB gives
- * it. */
+ * The arguments but `createModel` must exist as long as this object. One thread, which uses all threads that oneTBB
+ * gives it. */
 class BuildingColumns
 {
 public:
@@ -39,8 +42,11 @@ public:
     /** Makes the model that is built; the plan depends on its axes. */
     using CreateModel = std::function<osg::ref_ptr<const BrickModel>(const LaidParts& parts)>;
 
-    BuildingColumns(SupportedLayout& layout, CreateModel createModel, const std::function<bool()>& isCancelled) :
-        _layout(layout), _createModel(std::move(createModel)), _isCancelled(isCancelled)
+    /** @param isCancelled and progress may be empty. The latter is called with the fraction done, 0 to 1. */
+    BuildingColumns(SupportedLayout& layout, CreateModel createModel, const std::function<bool()>& isCancelled,
+                    const std::function<void(double)>& progress) :
+        _layout(layout),
+        _createModel(std::move(createModel)), _isCancelled(isCancelled), _progress(progress)
     {
     }
 
@@ -56,15 +62,21 @@ private:
     };
 
     bool plan(const SupportedLayout& layout, Planned& planned) const;
+    bool isAsEasyWithoutChecks(const SupportedLayout& layout) const;
     bool addBelowLayers(const SupportedLayout& original);
     bool addBelowSteps(std::size_t mostCells);
+    bool removeUnneeded(std::size_t numNeeded);
+    bool removeIfUnneeded(std::span<const SupportColumn> columns, bool& isRemoved);
     std::vector<std::uint32_t> findRanks() const;
     bool replaceIfBetter(const SupportedLayout& other);
+    bool findPlanIfStanding(const SupportedLayout& layout, std::optional<Planned>& planned) const;
+    void report(double fraction) const;
     bool isCancelled() const { return _isCancelled && _isCancelled(); }
 
     SupportedLayout& _layout;
     CreateModel _createModel;
     const std::function<bool()>& _isCancelled;
+    const std::function<void(double)>& _progress;
     Planned _planned; //!< of the layout
 };
 

@@ -171,20 +171,43 @@ bool connect(const LayoutOptions& options, const RecoloringCosts& costs, const B
     return true;
 }
 
+/** A function that reports progress as a part of other work; empty if that is.
+ * @param report is kept as a reference. @param first and last the fractions of the other work before and after this
+ * part. */
+std::function<void(double)> reportPart(const std::function<void(double)>& report, double first, double last)
+{
+    if (!report) return {};
+    return [&report, first, last](double fraction) { report(first + (last - first) * fraction); };
+}
+
+/** A function that leaves out reports of no progress; empty if `report` is. */
+std::function<void(double)> reportIncreases(std::function<void(double)> report)
+{
+    if (!report) return {};
+    return [report = std::move(report), last = -1.0](double fraction) mutable
+    {
+        if (fraction > last) report(last = fraction);
+    };
+}
+
 /** Change a layout whose pieces were joined so that it stands, and is easy to build. @return false if it was cancelled.
  */
 bool support(const LayoutOptions& options, const BuildingColumns::CreateModel& createModel, const BrickGrid& grid,
              Layout& layout, LayoutStatistics& statistics)
 {
+    constexpr double STANDING = 0.4; // the fraction of progress after which the model stands
     SupportedLayout supported{std::move(layout.problem), std::move(layout.parts)};
-    if (!SupportBuilder(options).build(supported)) return false;
-    if (supported.stands && !BuildingColumns(supported, createModel, options.isCancelled).run()) return false;
+    LayoutOptions standing = options;
+    standing.progress = reportPart(options.progress, 0.0, STANDING);
+    if (!SupportBuilder(standing).build(supported)) return false;
+    const std::function<void(double)> progress = reportPart(options.progress, STANDING, 1.0);
+    if (supported.stands && !BuildingColumns(supported, createModel, options.isCancelled, progress).run()) return false;
     layout.problem = std::move(supported.problem);
     layout.parts = std::move(supported.parts);
     statistics.support = {.stands = supported.stands,
                           .isLaidAgain = supported.isLaidAgain,
                           .numHiddenCells = supported.numHiddenCells,
-                          .numColumns = supported.numColumns,
+                          .numColumns = supported.columns.size(),
                           .numColumnParts = supported.numColumnParts,
                           .numPropped = supported.numPropped,
                           .numBuildingColumns = supported.numBuildingColumns,
@@ -309,7 +332,8 @@ osg::ref_ptr<const BrickModel> ModelBuilder::lay(const FilledCells& cells, const
     stopwatch.lap();
     if (_settings.parts.support)
     {
-        if (_progress) _progress({LegoProgress::Stage::SUPPORT});
+        options.progress = reportIncreases(reportStage(LegoProgress::Stage::SUPPORT));
+        if (options.progress) options.progress(0.0);
         const auto createBare = [&](const LaidParts& parts) { return createModel(parts, grid, colors); };
         if (!support(options, createBare, grid, *layout, statistics)) return nullptr;
         statistics.support->milliseconds = stopwatch.lap();

@@ -31,6 +31,9 @@ constexpr int BOND = 4; // the factor of the costs of stacked seams
 constexpr std::size_t MOST_WEAK_PARTS = 256;
 /** The difference of the seeds of two attempts. */
 constexpr std::uint32_t SEED_STEP = 0x9e3779b9u;
+/** The fractions of progress after laying parts again, and after adding hidden cells. */
+constexpr double LAID_AGAIN = 0.6;
+constexpr double THICKENED = 0.8;
 
 /** The falling parts, and those of the weakest joint. */
 std::vector<std::uint32_t> findWeakParts(const StabilityReport& report)
@@ -72,7 +75,7 @@ LaidParts removeNear(const LaidParts& parts, const std::vector<std::uint32_t>& w
  * @param pieces those without columns, the largest first. */
 std::size_t countPropped(const LayoutPieces& pieces, const SupportedLayout& layout)
 {
-    if (layout.numColumns == 0) return 0;
+    if (layout.columns.empty()) return 0;
     const LayoutPieces joined(layout.parts);
     const int ground = layout.problem.cells.front().place[2];
     const std::uint32_t main = joined.find(pieces.getCells(0).front());
@@ -94,9 +97,9 @@ bool SupportBuilder::build(SupportedLayout& layout)
     const std::optional<StabilityReport> report = computeStanding(layout.problem, layout.parts, _options.isCancelled);
     if (!report) return false;
     _report = *report;
-    _options.progress = nullptr;
     if (!_report.stands && !layAgain(layout)) return false;
     if (!_report.stands && !thicken(layout)) return false;
+    reportProgress(THICKENED);
     const LayoutPieces pieces(layout.parts);
     if (!_report.stands && !ColumnSearch(layout, _report, _options.isCancelled).run()) return false;
     layout.numPropped = countPropped(pieces, layout);
@@ -110,6 +113,7 @@ bool SupportBuilder::layAgain(SupportedLayout& layout)
     const int numAttempts = NUM_ATTEMPTS[layout.parts.size() < LARGE_MODEL ? 0 : 1];
     for (int attempt = 0; attempt < numAttempts && !_report.stands; ++attempt)
     {
+        reportProgress(LAID_AGAIN * attempt / numAttempts);
         const LaidParts kept = removeNear(layout.parts, findWeakParts(_report), (attempt + 1) * REACH);
         LayoutOptions options = _options;
         options.bond = BOND;
@@ -128,6 +132,7 @@ bool SupportBuilder::thicken(SupportedLayout& layout)
     const int numAttempts = NUM_THICKENINGS[layout.parts.size() < LARGE_MODEL ? 0 : 1];
     for (int attempt = 0; attempt < numAttempts && !_report.stands; ++attempt)
     {
+        reportProgress(LAID_AGAIN + (THICKENED - LAID_AGAIN) * attempt / numAttempts);
         const std::vector<std::uint32_t> weak = findWeakParts(_report);
         const std::vector<LayoutCell> added = findHiddenCells(layout.problem, layout.parts, weak, attempt + 1);
         if (added.empty()) continue;
@@ -143,6 +148,11 @@ bool SupportBuilder::thicken(SupportedLayout& layout)
         if (other.parts.empty() || !keepIfBetter(layout, std::move(other))) return false;
     }
     return true;
+}
+
+void SupportBuilder::reportProgress(double fraction) const
+{
+    if (_progress) _progress(fraction);
 }
 
 /** Replace a layout by another one if that is more stable and has no more pieces. @return false if it was cancelled. */

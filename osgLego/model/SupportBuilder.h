@@ -4,6 +4,9 @@
 #include <osgLego/model/SupportedLayout.h>
 #include <osgLego/search/LayoutOptions.h>
 
+#include <functional>
+#include <utility>
+
 namespace osgLego
 {
 
@@ -22,7 +25,11 @@ namespace osgLego
 class SupportBuilder
 {
 public:
-    explicit SupportBuilder(const LayoutOptions& options) : _options(options) {}
+    /** @param options whose `progress` is called with the fraction done of the support. */
+    explicit SupportBuilder(const LayoutOptions& options) : _options(options)
+    {
+        std::swap(_progress, _options.progress);
+    }
 
     /** @return false if it was cancelled. */
     bool build(SupportedLayout& layout);
@@ -30,9 +37,11 @@ public:
 private:
     bool layAgain(SupportedLayout& layout);
     bool thicken(SupportedLayout& layout);
+    void reportProgress(double fraction) const;
     bool keepIfBetter(SupportedLayout& layout, SupportedLayout&& other);
 
     LayoutOptions _options;
+    std::function<void(double)> _progress;
     StabilityReport _report; //!< of the present layout
 };
 

@@ -65,9 +65,29 @@ SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<Supp
         result.parts.insert(result.parts.end(), parts.begin(), parts.end());
         result.numColumnParts += parts.size();
     }
-    result.numColumns += columns.size();
+    result.columns.insert(result.columns.end(), columns.begin(), columns.end());
     std::sort(result.parts.begin(), result.parts.end(), isPlacedBefore<LaidPart>);
     std::sort(result.problem.cells.begin(), result.problem.cells.end(), isPlacedBefore<LayoutCell>);
+    return result;
+}
+
+SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const SupportColumn> columns)
+{
+    SupportedLayout result = layout;
+    const auto isRemoved = [columns](const auto& element)
+    {
+        const glm::ivec3 cell(element.place[0], element.place[1], element.place[2]);
+        return std::any_of(columns.begin(), columns.end(),
+                           [&cell](const SupportColumn& column) { return column.contains(cell); });
+    };
+    std::erase_if(result.problem.cells, isRemoved);
+    result.numColumnParts -= std::erase_if(result.parts, isRemoved);
+    std::erase_if(result.columns,
+                  [columns](const SupportColumn& column)
+                  {
+                      return std::any_of(columns.begin(), columns.end(),
+                                         [&column](const SupportColumn& other) { return other.place == column.place; });
+                  });
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -13,20 +14,14 @@
 namespace osgLego
 {
 
-/** A column of parts below a model. */
-struct SupportColumn
-{
-    glm::ivec3 place{0}; //!< its lowest cell
-    int width = 1;       //!< of its square, in cells
-    int height = 0;      //!< in cells
-    std::uint16_t color = 0;
-};
-
 /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
 
 /** A layout with more columns. */
 SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<SupportColumn>& columns);
+
+/** A layout without some of its columns. */
+SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const SupportColumn> columns);
 
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
  *

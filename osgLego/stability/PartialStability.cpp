@@ -222,6 +222,7 @@ std::optional<PartialStability::PartList> PartialStability::findAllFalling(const
     if (!_analysis) createAnalysis();
     const PartList placed = toAnalysis(listPlaced(isPlaced));
     _numSolved += placed.size();
+    _numHard += placed.size();
     const std::optional<StabilityReport> report = _analysis->solve(placed);
     if (!report || (!report->stands && !report->falls())) return std::nullopt;
     if (!report->falling.empty()) _bodies = _analysis->getBodies();

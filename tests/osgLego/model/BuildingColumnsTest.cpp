@@ -4,6 +4,7 @@
 #include <osgLego/model/BuildingColumns.h>
 #include <osgLego/model/LayoutPieces.h>
 #include <osgLego/model/LayoutStanding.h>
+#include <osgLego/model/SupportColumns.h>
 
 #include <algorithm>
 #include <atomic>
@@ -83,7 +84,7 @@ bool addColumnsTo(SupportedLayout& layout, const std::function<bool()>& isCancel
         grid.dimensions = {size.x, size.z, size.y};
         return createModel(parts, grid, {PaletteColor()});
     };
-    return BuildingColumns(layout, create, isCancelled).run();
+    return BuildingColumns(layout, create, isCancelled, {}).run();
 }
 
 /** Add columns to bridges, and expect them to keep the limits then. @param mostAdded cells of columns. */
@@ -97,7 +98,7 @@ void expectEasyWithColumns(SupportedLayout& layout, std::size_t mostAdded)
     EXPECT_EQ(LayoutPieces(layout.parts).getCount(), numPieces);
     EXPECT_LE(layout.problem.cells.size(), numCells + mostAdded);
     EXPECT_GT(layout.numBuildingColumns, 0u);
-    EXPECT_EQ(layout.numBuildingColumns, layout.numColumns);
+    EXPECT_EQ(layout.numBuildingColumns, layout.columns.size());
     const osg::ref_ptr<const BuildingPlan> after = plan(layout);
     EXPECT_TRUE(after->keepsLimits());
     EXPECT_EQ(layout.largestSubmodel, after->getLargestSubmodel());
@@ -142,6 +143,19 @@ TEST(BuildingColumns, CarryWhatHasToBeHeld)
     expectEasyWithColumns(layout, layout.problem.cells.size() / 5);
 }
 
+TEST(BuildingColumns, AreOnlyThoseWithoutWhichTheModelIsHarderToBuild)
+{
+    SupportedLayout layout = createBridges(32);
+    ASSERT_TRUE(addColumnsTo(layout, NEVER));
+    ASSERT_GT(layout.columns.size(), 0u);
+    ASSERT_TRUE(plan(layout)->keepsLimits());
+    for (const SupportColumn& column : layout.columns)
+    {
+        const SupportedLayout fewer = removeColumns(layout, {&column, 1});
+        EXPECT_FALSE(plan(fewer)->keepsLimits()) << column.place.x << ',' << column.place.y;
+    }
+}
+
 TEST(BuildingColumns, AreNotAddedToASmallModel)
 {
     SupportedLayout layout = createBridges(12);
@@ -149,7 +163,7 @@ TEST(BuildingColumns, AreNotAddedToASmallModel)
     const LaidParts parts = layout.parts;
     ASSERT_TRUE(addColumnsTo(layout, NEVER));
     EXPECT_EQ(layout.parts, parts);
-    EXPECT_EQ(layout.numColumns, 0u);
+    EXPECT_EQ(layout.columns.size(), 0u);
     EXPECT_EQ(layout.numBuildingColumns, 0u);
     EXPECT_GT(layout.largestSubmodel, 0u);
 }

@@ -47,7 +47,7 @@ TEST(LayerColumns, CarryPartsThatFallWhenTheirLayerIsBuilt)
     EXPECT_TRUE(columns.run(getMostCells(layout)));
     const SupportedLayout& changed = columns.getLayout();
     EXPECT_EQ(findLayoutError(changed.problem, changed.parts), "");
-    EXPECT_EQ(changed.numColumns, 1u);
+    EXPECT_EQ(changed.columns.size(), 1u);
     EXPECT_EQ(changed.numColumnParts, 2u);
     for (int layer = 0; layer < 5; ++layer)
     {
@@ -89,7 +89,7 @@ TEST(LayerColumns, AreNotNeededWhereAllLayersStand)
     LayerColumns columns(layout, 0, NEVER);
     EXPECT_TRUE(columns.run(getMostCells(layout)));
     EXPECT_EQ(columns.getLayout().parts, layout.parts);
-    EXPECT_EQ(columns.getLayout().numColumns, 0u);
+    EXPECT_EQ(columns.getLayout().columns.size(), 0u);
 }
 
 TEST(LayerColumns, StopWhenTheyAreCancelled)

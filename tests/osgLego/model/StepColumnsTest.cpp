@@ -54,7 +54,7 @@ TEST(StepColumns, CarryPartsThatFallAfterAStep)
     EXPECT_TRUE(columns.run({WITH_LOWER_BEAM}, ANY));
     const SupportedLayout& changed = columns.getLayout();
     EXPECT_EQ(findLayoutError(changed.problem, changed.parts), "");
-    EXPECT_EQ(changed.numColumns, 1u);
+    EXPECT_EQ(changed.columns.size(), 1u);
     EXPECT_TRUE(computeStanding(changed.problem, selectPlaced(changed, WITH_LOWER_BEAM), {})->stands);
     EXPECT_TRUE(computeStanding(changed.problem, changed.parts, {})->stands);
 }

@@ -1,3 +1,4 @@
+#include <osgLego/layout/LayoutCheck.h>
 #include <osgLego/model/SupportColumns.h>
 
 #include <Layouts.h>
@@ -45,6 +46,24 @@ TEST(SupportColumns, HaveTheColourOfThePartThatTheyHold)
     ASSERT_FALSE(columns.empty());
     for (const SupportColumn& column : columns)
         EXPECT_EQ(column.color, 1);
+}
+
+TEST(SupportColumns, LeaveTheOtherPartsAndColumnsWhenTheyAreRemoved)
+{
+    const SupportedLayout bare{drawProblem({{"a.......", "........"}, {"aaaaaaaa", "aaaaaaaa"}}),
+                               {{{0, 0, 0}}, {{0, 0, 1}, {8, 2, 1}}}};
+    const SupportColumn left{{3, 0, 0}, 1, 1};
+    const SupportColumn right{{6, 0, 0}, 2, 1};
+    const SupportedLayout both = addColumns(bare, {left, right});
+    ASSERT_EQ(findLayoutError(both.problem, both.parts), "");
+    const SupportedLayout one = removeColumns(both, {&left, 1});
+    EXPECT_EQ(findLayoutError(one.problem, one.parts), "");
+    EXPECT_EQ(one.parts, addColumns(bare, {right}).parts);
+    EXPECT_EQ(one.problem.cells.size(), bare.problem.cells.size() + 4);
+    EXPECT_EQ(one.numColumnParts, 1u);
+    ASSERT_EQ(one.columns.size(), 1u);
+    EXPECT_EQ(one.columns.front().place, right.place);
+    EXPECT_EQ(removeColumns(both, both.columns).parts, bare.parts);
 }
 
 TEST(SupportColumns, StandOnPartsBelow)
