@@ -60,11 +60,13 @@ PlanBuilder::PlanBuilder(const BrickModel& model, const PlanningOptions& options
 {
 }
 
-osg::ref_ptr<const BuildingPlan> PlanBuilder::build()
+osg::ref_ptr<const BuildingPlan> PlanBuilder::build(std::size_t mostFalling)
 {
+    _mostFalling = mostFalling;
     const std::vector<PartList> pieces = findPieces();
     if (pieces.empty()) return BuildingPlan::create(0, {});
     std::vector<BuildingStep> steps = planSequence(pieces.front(), {0, false, false, _options.base});
+    if (_isGivenUp) return nullptr;
     const std::size_t numHeldSteps = steps.size();
     for (const PartList& piece : std::span(pieces).subspan(1))
     {
@@ -280,6 +282,7 @@ bool PlanBuilder::proceed(std::size_t numPlaced, bool stands)
     _isCancelled = _isCancelled || (_options.isCancelled && _options.isCancelled());
     if (!stands && _numFallsLeft == 0) _isGivenUp = true;
     if (!stands && _numFallsLeft != ANY && !_isGivenUp) --_numFallsLeft;
+    if (!stands && numPlaced > 0 && !_isTryingAgain && ++_numFalling > _mostFalling) _isGivenUp = true;
     if (_options.progress && numPlaced > 0)
     {
         const double share = static_cast<double>(numPlaced) / static_cast<double>(_boxes.size());

@@ -29,12 +29,14 @@ public:
     /** The arguments must outlive this object. */
     PlanBuilder(const BrickModel& model, const PlanningOptions& options);
 
-    osg::ref_ptr<const BuildingPlan> build();
+    static constexpr std::size_t ANY = std::numeric_limits<std::size_t>::max();
+
+    /** @param mostFalling steps of the model after which parts may fall, not counting those of submodels.
+     * @return null if it was cancelled, or if parts fall after more steps. */
+    osg::ref_ptr<const BuildingPlan> build(std::size_t mostFalling = ANY);
 
 private:
     using PartList = std::vector<std::uint32_t>;
-
-    static constexpr std::size_t ANY = std::numeric_limits<std::size_t>::max();
 
     /** How parts are built. */
     struct Setting
@@ -77,6 +79,8 @@ private:
     PartList _unheld;
     bool _isTryingAgain = false;     // another way; submodels within are not tried again
     std::size_t _numFallsLeft = ANY; // the steps after which parts may fall until an attempt is given up
+    std::size_t _mostFalling = ANY;  // steps of the model after which parts may fall
+    std::size_t _numFalling = 0;     // those of the first attempt
     bool _isGivenUp = false;
     bool _isCancelled = false;
 };

@@ -39,6 +39,33 @@ bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b)
     return rank(a) < rank(b);
 }
 
+/** Sort models by their errors, one of bricks and one of plates in turn. */
+void DesignRanking::sortInTurns(std::vector<const DesignCandidate*>& candidates)
+{
+    std::sort(candidates.begin(), candidates.end(),
+              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
+    std::map<Proportions, int> counts;
+    std::map<const DesignCandidate*, int> turns;
+    for (const DesignCandidate* candidate : candidates)
+        turns[candidate] = counts[candidate->settings.grid.proportions]++;
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
+}
+
+std::vector<LegoSettings> DesignRanking::listHard(const std::vector<DesignCandidate>& candidates)
+{
+    std::vector<const DesignCandidate*> hard;
+    for (const DesignCandidate& candidate : candidates)
+        if (!candidate.settings.parts.support && candidate.isWhole() &&
+            (candidate.plan ? candidate.exceedsLimits() : !candidate.stability.stands))
+            hard.push_back(&candidate);
+    sortInTurns(hard);
+    std::vector<LegoSettings> settings;
+    for (const DesignCandidate* candidate : hard)
+        settings.push_back(candidate->settings);
+    return settings;
+}
+
 std::vector<const DesignCandidate*> DesignRanking::listFallingBetter(const std::vector<DesignCandidate>& candidates)
 {
     constexpr double CLEARLY = 0.95;
@@ -48,14 +75,7 @@ std::vector<const DesignCandidate*> DesignRanking::listFallingBetter(const std::
         if (!candidate.stability.stands && !candidate.settings.parts.support &&
             (!standsSafely(best) || candidate.getError() < CLEARLY * best.getError()))
             falling.push_back(&candidate);
-    std::sort(falling.begin(), falling.end(),
-              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
-    std::map<Proportions, int> counts;
-    std::map<const DesignCandidate*, int> turns;
-    for (const DesignCandidate* candidate : falling)
-        turns[candidate] = counts[candidate->settings.grid.proportions]++;
-    std::stable_sort(falling.begin(), falling.end(),
-                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
+    sortInTurns(falling);
     return falling;
 }
 

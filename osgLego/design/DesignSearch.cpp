@@ -21,6 +21,7 @@ namespace
 
 constexpr double STUD_PITCH = 8.0; // millimetres
 constexpr unsigned int FEW_COLORS = 8;
+constexpr double ANY_ERROR = std::numeric_limits<double>::infinity();
 // Of the work; the rest is for support.
 constexpr double SHARE_OF_DRAFTS = 0.1;
 constexpr double SHARE_OF_MODELS = 0.5;
@@ -235,20 +236,31 @@ void DesignSearch::makeBetter(const std::vector<Draft>& drafts)
     constexpr double CLEARLY = 1.05; // models differ by as much from their drafts
     std::vector<LegoSettings> better;
     for (const Draft& draft : drafts)
-        (draft.error <= CLEARLY * drafts.front().error ? better : _others).push_back(draft.settings);
+    {
+        if (draft.error <= CLEARLY * drafts.front().error)
+            better.push_back(draft.settings);
+        else
+            _others.push_back(draft);
+    }
     const double share = SHARE_OF_MODELS / static_cast<double>(drafts.size());
     makeCandidates(better, share);
     const DesignCandidate& best = _candidates.front();
     if (best.isWhole() && DesignRanking::standsSafely(best) && createRanking().hasFewEnoughParts(best))
         report(share * static_cast<double>(_others.size()));
     else
-        makeOthers(share);
+        makeOthers(share, ANY_ERROR);
 }
 
-/** Make the models of all settings whose drafts were less like the mesh. @param share of the work for each. */
-void DesignSearch::makeOthers(double share)
+/** Make the models of settings whose drafts were clearly less like the mesh than the best one.
+ * @param share of the work for each. @param mostError of the drafts. @return whether there are any. */
+bool DesignSearch::makeOthers(double share, double mostError)
 {
-    makeCandidates(std::exchange(_others, {}), share);
+    std::vector<LegoSettings> settings;
+    for (const Draft& draft : _others)
+        if (draft.error <= mostError) settings.push_back(draft.settings);
+    std::erase_if(_others, [mostError](const Draft& draft) { return draft.error <= mostError; });
+    makeCandidates(settings, share);
+    return !settings.empty();
 }
 
 void DesignSearch::makeCandidates(const std::vector<LegoSettings>& settings, double share)
@@ -321,6 +333,8 @@ void DesignSearch::supportBetter()
         std::vector<DesignCandidate> made(std::min(AT_ONCE, falling.size() - first));
         tbb::parallel_for(std::size_t(0), made.size(),
                           [&](std::size_t index) { made[index] = makeSupported(falling[first + index]); });
+        _supported.insert(_supported.end(), falling.begin() + static_cast<std::ptrdiff_t>(first),
+                          falling.begin() + static_cast<std::ptrdiff_t>(first + made.size()));
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
         report((1.0 - SHARE_OF_DRAFTS - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
@@ -329,43 +343,73 @@ void DesignSearch::supportBetter()
     }
 }
 
-/** Plan how the best model is built; if it exceeds the limits, those of all settings may be better. */
+/** Choose a model that is easy to build. One that is so without support is preferred to one that needs columns, which
+ * often are in plain view, unless it is far less like the mesh. */
 void DesignSearch::planBest()
 {
     planBetter();
-    if (!_candidates.front().isSound() || !_candidates.front().exceedsLimits() || _others.empty()) return;
-    makeOthers(0.0); // their share is reported
-    planBetter();
+    if (!_candidates.front().isSound()) return;
+    if (makeOthers(0.0, _candidates.front().exceedsLimits() ? ANY_ERROR : _candidates.front().getError()))
+        planBetter(); // the share of the others is reported
+    if (_candidates.front().plan) supportHard();
 }
 
-/** Plan how the best model is built. While the plan exceeds the limits, support the model, which may change that, and
- * go on with the next one that stands as well. */
+/** Plan how the best model is built, and if that exceeds the limits the next one, until the best one keeps them. */
 void DesignSearch::planBetter()
 {
     const double share = SHARE_OF_PLANS / static_cast<double>(_candidates.size());
-    const DesignRanking ranking = createRanking();
     while (!_candidates.front().plan && _candidates.front().isSound() &&
            _candidates.front().layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
     {
         DesignCandidate candidate = std::move(_candidates.front());
         _candidates.erase(_candidates.begin());
         _maker->planBuildingOf(candidate);
-        if (candidate.exceedsLimits() && !candidate.settings.parts.support)
-        {
-            DesignCandidate supported = makeSupported(candidate.settings);
-            _maker->planBuildingOf(supported);
-            // If both exceed the limits, the one that is more like the mesh would be better.
-            const bool isHelped = supported.exceedsLimits() && supported.isSound() &&
-                                  DesignRanking::rankStability(supported.stability) <=
-                                      DesignRanking::rankStability(candidate.stability) &&
-                                  (ranking.hasFewEnoughParts(supported) || !ranking.hasFewEnoughParts(candidate)) &&
-                                  supported.plan->exceedsLimitsLessThan(*candidate.plan);
-            if (isHelped) candidate = supported;
-            addCandidate(std::move(supported));
-        }
         addCandidate(std::move(candidate));
         report(share);
     }
+}
+
+/** Support models that are hard to build, or that fall, until the best one is easy to build; and then few others that
+ * are far more like the mesh than that. */
+void DesignSearch::supportHard()
+{
+    constexpr double FAR = 0.8;
+    constexpr int MOST_MORE = 2;
+    int numMore = 0;
+    for (const LegoSettings& settings : DesignRanking::listHard(_candidates))
+    {
+        const DesignCandidate& best = _candidates.front();
+        const bool isEasy = best.isSound() && !best.exceedsLimits();
+        const auto candidate = std::find_if(_candidates.begin(), _candidates.end(),
+                                            [&](const DesignCandidate& other) { return other.settings == settings; });
+        if (candidate == _candidates.end() || isSupported(settings)) continue;
+        if (isEasy && (candidate->getError() > FAR * best.getError() || ++numMore > MOST_MORE)) continue;
+        supportCandidate(static_cast<std::size_t>(candidate - _candidates.begin()));
+        planBetter();
+    }
+}
+
+bool DesignSearch::isSupported(const LegoSettings& settings) const
+{
+    return std::find(_supported.begin(), _supported.end(), settings) != _supported.end();
+}
+
+/** Make a candidate again with support, and plan how that is built. If both exceed the limits and support helps, only
+ * the supported model remains, since the other one is more like the mesh and would come first. */
+void DesignSearch::supportCandidate(std::size_t index)
+{
+    const DesignCandidate& candidate = _candidates[index];
+    const DesignRanking ranking = createRanking();
+    _supported.push_back(candidate.settings);
+    DesignCandidate supported = makeSupported(candidate.settings);
+    if (supported.isSound()) _maker->planBuildingOf(supported);
+    const bool isHelped =
+        supported.exceedsLimits() && supported.plan && candidate.plan &&
+        DesignRanking::rankStability(supported.stability) <= DesignRanking::rankStability(candidate.stability) &&
+        (ranking.hasFewEnoughParts(supported) || !ranking.hasFewEnoughParts(candidate)) &&
+        supported.plan->exceedsLimitsLessThan(*candidate.plan);
+    if (isHelped) _candidates.erase(_candidates.begin() + static_cast<std::ptrdiff_t>(index));
+    addCandidate(std::move(supported));
 }
 
 void DesignSearch::report(double share)

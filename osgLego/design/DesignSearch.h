@@ -54,23 +54,27 @@ private:
     DesignCandidate makeSupported(LegoSettings settings) const;
     std::vector<Draft> makeDrafts(const std::vector<LegoSettings>& settings);
     void makeBetter(const std::vector<Draft>& drafts);
-    void makeOthers(double share);
+    bool makeOthers(double share, double mostError);
     void makeCandidates(const std::vector<LegoSettings>& settings, double share);
     void addCandidate(DesignCandidate candidate);
     void tryLowerResolutions();
     void supportBetter();
     void planBest();
     void planBetter();
+    void supportHard();
+    bool isSupported(const LegoSettings& settings) const;
+    void supportCandidate(std::size_t index);
     void report(double share);
 
     const osg::Node& _node;
     const DesignOptions& _options;
     std::optional<DesignMaker> _maker;
     std::vector<DesignCandidate> _candidates;
-    std::vector<LegoSettings> _others; // whose drafts were clearly less like the mesh
-    bool _isSizeGiven = false;         // by the settings of the options
-    bool _isConnectionGiven = false;   // by them, too
-    std::mutex _reporting;             // guards _progress
+    std::vector<Draft> _others;           // clearly less like the mesh
+    std::vector<LegoSettings> _supported; // of the models that were made again with support
+    bool _isSizeGiven = false;            // by the settings of the options
+    bool _isConnectionGiven = false;      // by them, too
+    std::mutex _reporting;                // guards _progress
     double _progress = 0.0;
 };
 

@@ -1,6 +1,6 @@
 #include <osgLego/model/BuildingColumns.h>
 
-#include <osgLego/BuildingPlanner.h>
+#include <osgLego/building/PlanBuilder.h>
 #include <osgLego/layout/LayoutModel.h>
 #include <osgLego/model/CellExposure.h>
 #include <osgLego/model/LayerColumns.h>
@@ -30,8 +30,11 @@ struct ColumnLimits
     double mostAdded;
 };
 
-// In the order of attempts.
+// In the order of attempts. If only small groups are left out, there are more columns.
 constexpr std::array<ColumnLimits, 6> ATTEMPTS{{{60, 0.1}, {150, 0.1}, {30, 0.1}, {10, 0.1}, {60, 0.2}, {10, 0.2}}};
+
+// The groups of further attempts, which start without columns, so that they choose other places than those before.
+constexpr std::array<std::size_t, 3> HANGING_ANEW{10, 30, 150};
 
 // The greatest share of cells of columns, and the rounds in which StepColumns adds some: each changes the steps.
 constexpr double MOST_ADDED = 0.2;
@@ -63,11 +66,16 @@ bool hasSubmodelsAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
            plan.getDeepestSubmodel() <= std::max(BuildingPlan::DEEPEST_SUBMODEL, other.getDeepestSubmodel());
 }
 
+/** The most steps after which parts may fall if a plan is as easy as another one. */
+std::size_t getMostFalling(const BuildingPlan& other)
+{
+    return std::max(BuildingPlan::MOST_FALLING_STEPS, other.getNumFalling());
+}
+
 /** Whether a plan exceeds no limit by more than another one. */
 bool isAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
 {
-    return hasSubmodelsAsEasy(plan, other) &&
-           plan.getNumFalling() <= std::max(BuildingPlan::MOST_FALLING_STEPS, other.getNumFalling());
+    return hasSubmodelsAsEasy(plan, other) && plan.getNumFalling() <= getMostFalling(other);
 }
 
 /** Columns in the order of how much of them is seen, most first. */
@@ -95,17 +103,23 @@ std::vector<SupportColumn> sortByExposure(std::span<const SupportColumn> columns
 bool BuildingColumns::run()
 {
     if (_layout.parts.size() > MOST_PARTS) return true;
-    if (!plan(_layout, _planned)) return false;
+    if (!plan(_layout, PlanBuilder::ANY, _planned)) return false;
     const SupportedLayout original = _layout;
+    const Planned originalPlanned = _planned;
     report(PLANNED);
     if (!addBelowLayers(original)) return false;
     report(BELOW_LAYERS);
-    for (int round = 0; round < MOST_ROUNDS && _planned.plan->getNumFalling() > BuildingPlan::MOST_FALLING_STEPS;
-         ++round)
+    const std::size_t mostCells = getMostCells(original, MOST_ADDED);
+    if (!addBelowSteps(mostCells)) return false;
+    for (const std::size_t mostHanging : HANGING_ANEW)
     {
-        const std::size_t numColumns = _layout.columns.size();
-        if (!addBelowSteps(getMostCells(original, MOST_ADDED))) return false;
-        if (_layout.columns.size() == numColumns) break;
+        if (_planned.plan->keepsLimits()) break;
+        const SupportedLayout best = std::exchange(_layout, original);
+        const Planned bestPlanned = std::exchange(_planned, originalPlanned);
+        if (!addAnew(mostHanging, mostCells)) return false;
+        if (_planned.plan->exceedsLimitsLessThan(*bestPlanned.plan)) continue;
+        _layout = best;
+        _planned = bestPlanned;
     }
     report(BELOW_STEPS);
     if (!removeUnneeded(original.columns.size())) return false;
@@ -123,20 +137,14 @@ bool BuildingColumns::addBelowLayers(const SupportedLayout& original)
 {
     std::map<std::size_t, LayerColumns> attempts; // by the parts of groups that are left out
     double done = PLANNED;
-    std::map<double, std::size_t> tooMany; // by the share of cells: the parts of groups with which columns had more
     for (const ColumnLimits& limits : ATTEMPTS)
     {
         if (keepsSubmodelLimits(*_planned.plan)) return true;
-        // If smaller groups are left out, there are more columns.
-        if (const auto found = tooMany.find(limits.mostAdded);
-            found != tooMany.end() && limits.mostHanging < found->second)
-            continue;
         LayerColumns& columns =
             attempts.try_emplace(limits.mostHanging, original, limits.mostHanging, _isCancelled).first->second;
         const std::size_t numColumns = columns.getLayout().columns.size();
         const bool isDone = columns.run(getMostCells(original, limits.mostAdded));
         if (isCancelled()) return false;
-        if (!isDone) tooMany[limits.mostAdded] = limits.mostHanging;
         const bool hasChanged = columns.getLayout().columns.size() > numColumns;
         if (isDone && hasChanged && !replaceIfBetter(columns.getLayout())) return false;
         report(done += (BELOW_LAYERS - PLANNED) / static_cast<double>(ATTEMPTS.size()));
@@ -144,20 +152,43 @@ bool BuildingColumns::addBelowLayers(const SupportedLayout& original)
     return true;
 }
 
-/** @return false if it was cancelled. */
-bool BuildingColumns::plan(const SupportedLayout& layout, Planned& planned) const
+/** Plan a layout, if parts fall after at most some steps. @return false if it was cancelled. */
+bool BuildingColumns::plan(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const
 {
     PlanningOptions options;
     options.isCancelled = _isCancelled;
     if (!_planned.plan) options.progress = [this](double fraction) { report(PLANNED * fraction); };
     planned.model = _createModel(layout.parts);
-    planned.plan = planBuilding(*planned.model, options);
-    return planned.plan.valid();
+    planned.plan = PlanBuilder(*planned.model, options).build(mostFalling);
+    return !isCancelled();
 }
 
-/** Add columns where parts fall after steps of the model, if that makes it easier to build.
+/** Add columns below layers, and then below steps, if that makes the model easier to build.
+ * @param mostHanging see LayerColumns. @return false if it was cancelled. */
+bool BuildingColumns::addAnew(std::size_t mostHanging, std::size_t mostCells)
+{
+    LayerColumns columns(_layout, mostHanging, _isCancelled);
+    const bool isDone = columns.run(mostCells);
+    if (isCancelled()) return false;
+    return !isDone || (replaceIfBetter(columns.getLayout()) && addBelowSteps(mostCells));
+}
+
+/** While too many parts fall after steps, add columns there, if that makes the model easier to build.
  * @return false if it was cancelled. */
 bool BuildingColumns::addBelowSteps(std::size_t mostCells)
+{
+    for (int round = 0; round < MOST_ROUNDS && _planned.plan->getNumFalling() > BuildingPlan::MOST_FALLING_STEPS;
+         ++round)
+    {
+        const std::size_t numColumns = _layout.columns.size();
+        if (!addBelowFallingSteps(mostCells)) return false;
+        if (_layout.columns.size() == numColumns) break;
+    }
+    return true;
+}
+
+/** @return false if it was cancelled. */
+bool BuildingColumns::addBelowFallingSteps(std::size_t mostCells)
 {
     const BuildingPlan& plan = *_planned.plan;
     std::vector<std::size_t> numsPlaced;
@@ -180,21 +211,21 @@ std::vector<std::uint32_t> BuildingColumns::findRanks() const
 /** Replace the layout by one with other columns, if that is easier to build. @return false if it was cancelled. */
 bool BuildingColumns::replaceIfBetter(const SupportedLayout& other)
 {
-    std::optional<Planned> changed;
-    if (!findPlanIfStanding(other, changed)) return false;
-    if (!changed || !changed->plan->exceedsLimitsLessThan(*_planned.plan)) return true;
+    Planned changed;
+    if (!findPlanIfStanding(other, PlanBuilder::ANY, changed)) return false;
+    if (!changed.plan || !changed.plan->exceedsLimitsLessThan(*_planned.plan)) return true;
     _layout = other;
-    _planned = *changed;
+    _planned = changed;
     return true;
 }
 
 /** Plan another layout, if it stands in no more pieces. @return false if it was cancelled. */
-bool BuildingColumns::findPlanIfStanding(const SupportedLayout& layout, std::optional<Planned>& planned) const
+bool BuildingColumns::findPlanIfStanding(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const
 {
     if (LayoutPieces(layout.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
     const std::optional<StabilityReport> standing = computeStanding(layout.problem, layout.parts, _isCancelled);
     if (!standing) return false;
-    return !standing->stands || plan(layout, planned.emplace());
+    return !standing->stands || plan(layout, mostFalling, planned);
 }
 
 /** Remove columns that make the model no easier to build, those that are seen most first: halves of all, quarters, and
@@ -229,11 +260,11 @@ bool BuildingColumns::removeIfUnneeded(std::span<const SupportColumn> columns, b
     const SupportedLayout other = removeColumns(_layout, columns);
     // Plans without checks of stability, which take far longer, seldom have larger submodels.
     if (!isAsEasyWithoutChecks(other)) return !isCancelled();
-    std::optional<Planned> changed;
-    if (!findPlanIfStanding(other, changed)) return false;
-    if (!changed || !isAsEasy(*changed->plan, *_planned.plan)) return true;
+    Planned changed;
+    if (!findPlanIfStanding(other, getMostFalling(*_planned.plan), changed)) return false;
+    if (!changed.plan || !isAsEasy(*changed.plan, *_planned.plan)) return true;
     _layout = other;
-    _planned = *changed;
+    _planned = changed;
     isRemoved = true;
     return true;
 }
@@ -244,7 +275,8 @@ bool BuildingColumns::isAsEasyWithoutChecks(const SupportedLayout& layout) const
     PlanningOptions options;
     options.isCancelled = _isCancelled;
     options.checksStability = false;
-    const osg::ref_ptr<const BuildingPlan> plan = planBuilding(*_createModel(layout.parts), options);
+    const osg::ref_ptr<const BrickModel> model = _createModel(layout.parts);
+    const osg::ref_ptr<const BuildingPlan> plan = PlanBuilder(*model, options).build();
     return plan && hasSubmodelsAsEasy(*plan, *_planned.plan);
 }
 

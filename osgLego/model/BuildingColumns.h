@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -54,22 +53,24 @@ public:
     bool run();
 
 private:
-    /** The model of a layout, and its building plan. */
+    /** The model of a layout, and its building plan; null if there is none. */
     struct Planned
     {
         osg::ref_ptr<const BrickModel> model;
         osg::ref_ptr<const BuildingPlan> plan;
     };
 
-    bool plan(const SupportedLayout& layout, Planned& planned) const;
+    bool plan(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const;
     bool isAsEasyWithoutChecks(const SupportedLayout& layout) const;
     bool addBelowLayers(const SupportedLayout& original);
+    bool addAnew(std::size_t mostHanging, std::size_t mostCells);
     bool addBelowSteps(std::size_t mostCells);
+    bool addBelowFallingSteps(std::size_t mostCells);
     bool removeUnneeded(std::size_t numNeeded);
     bool removeIfUnneeded(std::span<const SupportColumn> columns, bool& isRemoved);
     std::vector<std::uint32_t> findRanks() const;
     bool replaceIfBetter(const SupportedLayout& other);
-    bool findPlanIfStanding(const SupportedLayout& layout, std::optional<Planned>& planned) const;
+    bool findPlanIfStanding(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const;
     void report(double fraction) const;
     bool isCancelled() const { return _isCancelled && _isCancelled(); }
 

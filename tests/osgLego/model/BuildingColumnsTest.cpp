@@ -145,7 +145,7 @@ TEST(BuildingColumns, CarryWhatHasToBeHeld)
 
 TEST(BuildingColumns, AreOnlyThoseWithoutWhichTheModelIsHarderToBuild)
 {
-    SupportedLayout layout = createBridges(32);
+    SupportedLayout layout = createBridges(12, 3);
     ASSERT_TRUE(addColumnsTo(layout, NEVER));
     ASSERT_GT(layout.columns.size(), 0u);
     ASSERT_TRUE(plan(layout)->keepsLimits());
