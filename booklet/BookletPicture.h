@@ -50,7 +50,8 @@ public:
     virtual glm::dvec2 measureFinished(std::size_t chapter) const = 0;
     /** The size of drawStep(), in studs. */
     virtual glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const = 0;
-    /** Whether drawFinished() shows enough of each part of a submodel that it can be built from this picture. */
+    /** Whether drawFinished() shows enough of each part of a submodel that it can be built from this picture, or as
+     * much as the picture of its only step. */
     virtual bool showsAllParts(std::size_t chapter) = 0;
     /** A chapter after a step. All pictures of a chapter in a section have the same scale and the same width. */
     virtual BookletPicture drawStep(std::size_t chapter, std::size_t step) = 0;

@@ -250,6 +250,9 @@ bool BookletPictures::showsAllParts(std::size_t chapter)
 {
     constexpr double LEAST_SHARE = 0.25; // of the faces of a part towards the eye
     const BookletChapter& own = _model.getChapters()[chapter];
+    if (own.steps.size() == 1 && !own.steps.front().isTurned && own.steps.front().pressed.empty() &&
+        _frames.findArrows(chapter, 0).getArrows().empty())
+        return true;
     const BookletCamera camera(own.model->getGrid(), {0, false, _front});
     return findHiddenParts(*own.model, own.plan->getOrder(), own.plan->getOrder(), camera.getToEye(), LEAST_SHARE)
         .empty();

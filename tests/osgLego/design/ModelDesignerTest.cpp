@@ -237,6 +237,81 @@ TEST(ModelDesigner, AModelThatFallsIsSupported)
     EXPECT_NE(text.find("support=on"), std::string::npos);
 }
 
+TEST(DesignRanking, HardModelsAreThoseThatFallOrExceedTheLimitsBricksAndPlatesInTurns)
+{
+    const auto create = [](Proportions proportions, double error)
+    {
+        DesignCandidate candidate;
+        candidate.numPieces = 1;
+        candidate.stability.stands = false;
+        candidate.surfaceError = error;
+        candidate.settings.grid.proportions = proportions;
+        return candidate;
+    };
+    std::vector<DesignCandidate> candidates;
+    for (const double error : {0.1, 0.2})
+        candidates.push_back(create(Proportions::PLATE, error));
+    candidates.push_back(create(Proportions::BRICK, 0.3));
+    for (std::size_t index = 0; index < candidates.size(); ++index)
+        candidates[index].settings.grid.resolution = static_cast<unsigned int>(index + 1);
+    const auto listResolutions = [](const std::vector<DesignCandidate>& all)
+    {
+        std::vector<unsigned int> resolutions;
+        for (const LegoSettings& settings : DesignRanking::listHard(all))
+            resolutions.push_back(settings.grid.resolution);
+        return resolutions;
+    };
+    EXPECT_EQ(listResolutions(candidates), (std::vector<unsigned int>{1, 3, 2}));
+
+    std::vector<DesignCandidate> others = candidates;
+    others[0].settings.parts.support = true;
+    others[1].numPieces = 2;
+    EXPECT_EQ(listResolutions(others), std::vector<unsigned int>{3});
+    others = candidates;
+    for (DesignCandidate& candidate : others)
+        candidate.stability.stands = true;
+    EXPECT_TRUE(listResolutions(others).empty()) << "nothing is known of their building";
+    BuildingStep all;
+    all.parts.resize(BuildingPlan::MOST_SUBMODEL_PARTS + 1);
+    std::iota(all.parts.begin(), all.parts.end(), 0u);
+    BuildingStep attached;
+    attached.submodels = {0};
+    others[1].plan = BuildingPlan::create(all.parts.size(), {attached}, {{{all}}});
+    others[2].plan = BuildingPlan::create(all.parts.size(), {all});
+    EXPECT_EQ(listResolutions(others), std::vector<unsigned int>{2});
+}
+
+TEST(ModelDesigner, AModelThatIsEasyToBuildIsPreferredToColumnsBelowOneThatIsNot)
+{
+    // A table: in plates, a shell is the most like it, but its top is a large submodel.
+    const osg::ref_ptr<osg::Group> table = new osg::Group;
+    const auto addBox = [&table](const osg::Vec3& lower, const osg::Vec3& upper)
+    {
+        const osg::Vec3 size = upper - lower;
+        table->addChild(new osg::ShapeDrawable(new osg::Box((lower + upper) * 0.5f, size.x(), size.y(), size.z())));
+    };
+    addBox({0, 0, 9}, {16, 10, 11});
+    for (const float x : {0.2f, 14.8f})
+        for (const float y : {0.2f, 8.8f})
+            addBox({x, y, 0}, {x + 1, y + 1, 9});
+    DesignOptions options;
+    options.numParts = 750;
+    options.settings = "proportions=plate,colors=1";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*table, options, error);
+    ASSERT_TRUE(design) << error;
+    const DesignCandidate& best = design->getBest();
+    EXPECT_TRUE(best.isSound());
+    ASSERT_TRUE(best.plan);
+    EXPECT_FALSE(best.exceedsLimits());
+    EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(),
+                            [](const DesignCandidate& candidate)
+                            { return candidate.plan && candidate.exceedsLimits(); }))
+        << design->toString();
+    for (const DesignCandidate& candidate : design->candidates)
+        EXPECT_FALSE(candidate.settings.parts.support) << design->toString();
+}
+
 TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
 {
     DesignOptions options;
