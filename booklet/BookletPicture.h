@@ -52,7 +52,7 @@ public:
     virtual glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const = 0;
     /** Whether drawFinished() shows enough of each part of a submodel that it can be built from this picture, or as
      * much as the picture of its only step. */
-    virtual bool showsAllParts(std::size_t chapter) = 0;
+    virtual bool replacesSteps(std::size_t chapter) = 0;
     /** A chapter after a step. All pictures of a chapter in a section have the same scale and the same width. */
     virtual BookletPicture drawStep(std::size_t chapter, std::size_t step) = 0;
     /** The width of a chapter's pictures in the section, divided by the height of the tallest of them. */

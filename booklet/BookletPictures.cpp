@@ -246,12 +246,11 @@ glm::dvec2 BookletPictures::measureStep(std::size_t chapter, std::size_t step) c
     return _frames.findFrame(chapter, step).getSize();
 }
 
-bool BookletPictures::showsAllParts(std::size_t chapter)
+bool BookletPictures::replacesSteps(std::size_t chapter)
 {
     constexpr double LEAST_SHARE = 0.25; // of the faces of a part towards the eye
     const BookletChapter& own = _model.getChapters()[chapter];
-    if (own.steps.size() == 1 && !own.steps.front().isTurned && own.steps.front().pressed.empty() &&
-        _frames.findArrows(chapter, 0).getArrows().empty())
+    if (own.steps.size() == 1 && !own.steps.front().isTurned && _frames.findArrows(chapter, 0).getArrows().empty())
         return true;
     const BookletCamera camera(own.model->getGrid(), {0, false, _front});
     return findHiddenParts(*own.model, own.plan->getOrder(), own.plan->getOrder(), camera.getToEye(), LEAST_SHARE)

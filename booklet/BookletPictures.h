@@ -28,7 +28,7 @@ public:
     BookletPicture drawPlace(std::size_t chapter, std::span<const BookletBlock> blocks) override;
     glm::dvec2 measureFinished(std::size_t chapter) const override;
     glm::dvec2 measureStep(std::size_t chapter, std::size_t step) const override;
-    bool showsAllParts(std::size_t chapter) override;
+    bool replacesSteps(std::size_t chapter) override;
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override;
     double getAspect(std::size_t chapter) const override;
 

@@ -1,5 +1,6 @@
 #include "BookletSteps.h"
 
+#include "BookletText.h"
 #include "SheetMeasures.h"
 
 #include <common/NumberText.h>
@@ -48,7 +49,10 @@ std::vector<bool> BookletSteps::findWhole() const
                                               [](const BookletStep& step) { return !step.submodels.empty(); });
         // A few parts are put together in any order, and in any direction.
         const bool isOneStep = own.isCallout() || (own.steps.size() == 1 && !own.steps.front().isUpsideDown);
-        isWhole.push_back(chapter > 0 && isOneStep && !hasSubmodels && _pictures.showsAllParts(chapter));
+        const bool hasNotes =
+            std::any_of(own.steps.begin(), own.steps.end(),
+                        [&](const BookletStep& step) { return !describeNotes(_model, own, step).empty(); });
+        isWhole.push_back(chapter > 0 && isOneStep && !hasSubmodels && !hasNotes && _pictures.replacesSteps(chapter));
     }
     return isWhole;
 }

@@ -18,8 +18,8 @@ namespace
 
 // Larger models are shown from one direction: the search for hidden parts would take longer than planning.
 constexpr std::size_t MOST_VIEWED = 20'000;
-// PartialStability::getNumHard() at which another attempt is given up. Those that help hardly have any; others take
-// minutes until parts fall.
+// PartialStability::getNumHard() of a sequence, above which another attempt is given up. Sequences that help hardly
+// have any such parts; others take minutes until parts fall.
 constexpr std::size_t MOST_HARD = 1000;
 
 /** The most parts of submodels in a sequence within which others are, or of parts that are joined in one hand. */

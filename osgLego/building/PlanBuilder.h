@@ -31,8 +31,10 @@ public:
 
     static constexpr std::size_t ANY = std::numeric_limits<std::size_t>::max();
 
-    /** @param mostFalling steps of the model after which parts may fall, not counting those of submodels.
-     * @return null if it was cancelled, or if parts fall after more steps. */
+    /** Called once.
+     * @param mostFalling steps of the model after which parts may fall, not counting those of submodels. The plan is
+     * given up as soon as there are more, before another way is tried, which rarely has fewer.
+     * @return null if it was cancelled or given up. */
     osg::ref_ptr<const BuildingPlan> build(std::size_t mostFalling = ANY);
 
 private:

@@ -19,6 +19,19 @@ std::size_t countSettings(const DesignCandidate& candidate)
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
 }
 
+/** Sort models by their errors, one of bricks and one of plates in turn. */
+void sortInTurns(std::vector<const DesignCandidate*>& candidates)
+{
+    std::sort(candidates.begin(), candidates.end(),
+              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
+    std::map<Proportions, int> counts;
+    std::map<const DesignCandidate*, int> turns;
+    for (const DesignCandidate* candidate : candidates)
+        turns[candidate] = counts[candidate->settings.grid.proportions]++;
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
+}
+
 } // namespace
 
 int DesignRanking::rankStability(const StabilityReport& stability)
@@ -39,24 +52,12 @@ bool DesignRanking::isBetter(const DesignCandidate& a, const DesignCandidate& b)
     return rank(a) < rank(b);
 }
 
-/** Sort models by their errors, one of bricks and one of plates in turn. */
-void DesignRanking::sortInTurns(std::vector<const DesignCandidate*>& candidates)
-{
-    std::sort(candidates.begin(), candidates.end(),
-              [](const DesignCandidate* a, const DesignCandidate* b) { return a->getError() < b->getError(); });
-    std::map<Proportions, int> counts;
-    std::map<const DesignCandidate*, int> turns;
-    for (const DesignCandidate* candidate : candidates)
-        turns[candidate] = counts[candidate->settings.grid.proportions]++;
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](const DesignCandidate* a, const DesignCandidate* b) { return turns[a] < turns[b]; });
-}
-
 std::vector<LegoSettings> DesignRanking::listHard(const std::vector<DesignCandidate>& candidates)
 {
     std::vector<const DesignCandidate*> hard;
     for (const DesignCandidate& candidate : candidates)
         if (!candidate.settings.parts.support && candidate.isWhole() &&
+            candidate.layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS &&
             (candidate.plan ? candidate.exceedsLimits() : !candidate.stability.stands))
             hard.push_back(&candidate);
     sortInTurns(hard);

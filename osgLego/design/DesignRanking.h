@@ -32,12 +32,10 @@ public:
     static std::vector<const DesignCandidate*> listFallingBetter(const std::vector<DesignCandidate>& candidates);
 
     /** The settings of models of one piece, not supported yet, that fall, or whose plan exceeds the limits: those most
-     * like the mesh first, in alternation as above. */
+     * like the mesh first, in alternation as above. No models that are too large to be planned. */
     static std::vector<LegoSettings> listHard(const std::vector<DesignCandidate>& candidates);
 
 private:
-    static void sortInTurns(std::vector<const DesignCandidate*>& candidates);
-
     std::size_t _mostParts;
 };
 

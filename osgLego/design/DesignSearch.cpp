@@ -195,13 +195,15 @@ DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
 DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
 {
     constexpr int MOST_TRIES = 3; // each is slow
+    constexpr double USUAL_SHARE = 0.95;
     settings.parts.support = true;
     Laid laid = _maker->lay(settings);
     for (int tries = 1; canChooseSize() && tries < MOST_TRIES; ++tries)
     {
         if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
-        // The number of parts grows about with the square of the resolution.
-        const double scale = std::sqrt(static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
+        // The number of parts grows about with the square of the resolution, and that of columns varies.
+        const double scale =
+            std::sqrt(USUAL_SHARE * static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
         settings.grid.resolution =
             std::clamp(static_cast<unsigned int>(scale * settings.grid.resolution), 1u, settings.grid.resolution - 1);
         laid = _maker->lay(settings);
@@ -343,21 +345,24 @@ void DesignSearch::supportBetter()
     }
 }
 
-/** Choose a model that is easy to build. One that is so without support is preferred to one that needs columns, which
- * often are in plain view, unless it is far less like the mesh. */
+/** Choose a model that is easy to build. Models are supported only if none is so without, or if they are far more like
+ * the mesh than that: columns often are in plain view. */
 void DesignSearch::planBest()
 {
-    planBetter();
+    constexpr double SHARE_OF_FIRST = 0.5 * SHARE_OF_PLANS;
+    planBetter(SHARE_OF_FIRST);
     if (!_candidates.front().isSound()) return;
+    // The share of the others is reported.
     if (makeOthers(0.0, _candidates.front().exceedsLimits() ? ANY_ERROR : _candidates.front().getError()))
-        planBetter(); // the share of the others is reported
-    if (_candidates.front().plan) supportHard();
+        planBetter(0.0);
+    if (_candidates.front().plan) supportHard(SHARE_OF_PLANS - SHARE_OF_FIRST);
 }
 
-/** Plan how the best model is built, and if that exceeds the limits the next one, until the best one keeps them. */
-void DesignSearch::planBetter()
+/** Plan how the best model is built, and if that exceeds the limits the next one, until the best one keeps them.
+ * @param share of the work. */
+void DesignSearch::planBetter(double share)
 {
-    const double share = SHARE_OF_PLANS / static_cast<double>(_candidates.size());
+    share /= static_cast<double>(_candidates.size());
     while (!_candidates.front().plan && _candidates.front().isSound() &&
            _candidates.front().layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
     {
@@ -369,29 +374,30 @@ void DesignSearch::planBetter()
     }
 }
 
-/** Support models that are hard to build, or that fall, until the best one is easy to build; and then few others that
- * are far more like the mesh than that. */
-void DesignSearch::supportHard()
+/** Support models that are hard to build, or that fall, until the best one is easy to build; and then one more if it is
+ * far more like the mesh than that.
+ * @param share of the work. */
+void DesignSearch::supportHard(double share)
 {
-    constexpr double FAR = 0.8;
-    constexpr int MOST_MORE = 2;
-    int numMore = 0;
-    for (const LegoSettings& settings : DesignRanking::listHard(_candidates))
+    constexpr double FAR = 0.6;
+    constexpr std::size_t MOST_TRIED = 4; // each is slow
+    std::vector<LegoSettings> hard = DesignRanking::listHard(_candidates);
+    std::erase_if(hard, [this](const LegoSettings& settings)
+                  { return std::find(_supported.begin(), _supported.end(), settings) != _supported.end(); });
+    hard.resize(std::min(hard.size(), MOST_TRIED));
+    bool hasOneMore = true;
+    for (const LegoSettings& settings : hard)
     {
         const DesignCandidate& best = _candidates.front();
         const bool isEasy = best.isSound() && !best.exceedsLimits();
         const auto candidate = std::find_if(_candidates.begin(), _candidates.end(),
                                             [&](const DesignCandidate& other) { return other.settings == settings; });
-        if (candidate == _candidates.end() || isSupported(settings)) continue;
-        if (isEasy && (candidate->getError() > FAR * best.getError() || ++numMore > MOST_MORE)) continue;
+        if (isEasy && candidate->getError() > FAR * best.getError()) continue;
+        if (isEasy && !std::exchange(hasOneMore, false)) break;
         supportCandidate(static_cast<std::size_t>(candidate - _candidates.begin()));
-        planBetter();
+        planBetter(0.0);
+        report(share / static_cast<double>(hard.size()));
     }
-}
-
-bool DesignSearch::isSupported(const LegoSettings& settings) const
-{
-    return std::find(_supported.begin(), _supported.end(), settings) != _supported.end();
 }
 
 /** Make a candidate again with support, and plan how that is built. If both exceed the limits and support helps, only
@@ -400,9 +406,9 @@ void DesignSearch::supportCandidate(std::size_t index)
 {
     const DesignCandidate& candidate = _candidates[index];
     const DesignRanking ranking = createRanking();
-    _supported.push_back(candidate.settings);
     DesignCandidate supported = makeSupported(candidate.settings);
-    if (supported.isSound()) _maker->planBuildingOf(supported);
+    if (supported.isSound() && supported.layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
+        _maker->planBuildingOf(supported);
     const bool isHelped =
         supported.exceedsLimits() && supported.plan && candidate.plan &&
         DesignRanking::rankStability(supported.stability) <= DesignRanking::rankStability(candidate.stability) &&

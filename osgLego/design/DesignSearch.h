@@ -17,7 +17,7 @@ namespace osgLego
 {
 
 /** The search of designModel(): makes drafts by several settings and models by the better ones, compares them, and
- * supports the best if they fall.
+ * supports the best if they fall, or if none is easy to build.
  *
  * One run per object, in one thread, which uses all threads that oneTBB gives it. */
 class DesignSearch
@@ -60,9 +60,8 @@ private:
     void tryLowerResolutions();
     void supportBetter();
     void planBest();
-    void planBetter();
-    void supportHard();
-    bool isSupported(const LegoSettings& settings) const;
+    void planBetter(double share);
+    void supportHard(double share);
     void supportCandidate(std::size_t index);
     void report(double share);
 

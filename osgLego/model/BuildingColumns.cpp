@@ -33,19 +33,22 @@ struct ColumnLimits
 // In the order of attempts. If only small groups are left out, there are more columns.
 constexpr std::array<ColumnLimits, 6> ATTEMPTS{{{60, 0.1}, {150, 0.1}, {30, 0.1}, {10, 0.1}, {60, 0.2}, {10, 0.2}}};
 
-// The groups of further attempts, which start without columns, so that they choose other places than those before.
+// The groups of further attempts with the greatest share of cells, each followed by columns below steps. They start
+// without columns, and so choose other places than attempts that go on from those of a smaller share.
 constexpr std::array<std::size_t, 3> HANGING_ANEW{10, 30, 150};
 
 // The greatest share of cells of columns, and the rounds in which StepColumns adds some: each changes the steps.
 constexpr double MOST_ADDED = 0.2;
 constexpr int MOST_ROUNDS = 3;
-// The most attempts to do without some columns: each may take a plan.
-constexpr int MOST_PRUNINGS = 20;
+// The most attempts to do without some columns, and the least for large models: each may take a plan.
+constexpr std::size_t MOST_PRUNINGS = 20;
+constexpr std::size_t LEAST_PRUNINGS = 6;
+constexpr std::size_t MOST_PRUNED_PARTS = 6000; // over all attempts
 
 // The fractions of progress after the first plan, after columns below layers, and after those below steps.
 constexpr double PLANNED = 0.2;
 constexpr double BELOW_LAYERS = 0.6;
-constexpr double BELOW_STEPS = 0.7;
+constexpr double BELOW_STEPS = 0.8;
 
 /** The largest number of cells of a layout with columns. @param mostAdded their share. */
 std::size_t getMostCells(const SupportedLayout& layout, double mostAdded)
@@ -78,24 +81,39 @@ bool isAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
     return hasSubmodelsAsEasy(plan, other) && plan.getNumFalling() <= getMostFalling(other);
 }
 
+/** How much of a column is seen, in cells. */
+double getExposure(const SupportColumn& column, const CellExposure& exposure)
+{
+    double sum = 0.0;
+    for (int z = 0; z < column.height; ++z)
+        for (int y = 0; y < column.width; ++y)
+            for (int x = 0; x < column.width; ++x)
+                sum += exposure.get(column.place + glm::ivec3(x, y, z));
+    return sum;
+}
+
 /** Columns in the order of how much of them is seen, most first. */
 std::vector<SupportColumn> sortByExposure(std::span<const SupportColumn> columns, const LayoutProblem& problem)
 {
     const CellExposure exposure(problem);
-    std::vector<std::pair<double, SupportColumn>> sorted;
-    for (const SupportColumn& column : columns)
-    {
-        double sum = 0.0;
-        for (int z = 0; z < column.height; ++z)
-            sum += exposure.get(column.place + glm::ivec3(0, 0, z));
-        sorted.emplace_back(column.width * sum, column);
-    }
+    std::vector<SupportColumn> sorted(columns.begin(), columns.end());
     std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& column, const auto& other) { return column.first > other.first; });
-    std::vector<SupportColumn> result;
-    for (const auto& [sum, column] : sorted)
-        result.push_back(column);
-    return result;
+                     [&exposure](const SupportColumn& column, const SupportColumn& other)
+                     { return getExposure(column, exposure) > getExposure(other, exposure); });
+    return sorted;
+}
+
+/** Whether other columns of a layout stand on some of its columns. */
+bool carryOthers(std::span<const SupportColumn> columns, const SupportedLayout& layout)
+{
+    return std::any_of(layout.columns.begin(), layout.columns.end(),
+                       [columns](const SupportColumn& other)
+                       {
+                           const bool isOther = std::find(columns.begin(), columns.end(), other) == columns.end();
+                           return isOther &&
+                                  std::any_of(columns.begin(), columns.end(),
+                                              [&other](const auto& column) { return other.standsOn(column); });
+                       });
 }
 
 } // namespace
@@ -111,15 +129,19 @@ bool BuildingColumns::run()
     report(BELOW_LAYERS);
     const std::size_t mostCells = getMostCells(original, MOST_ADDED);
     if (!addBelowSteps(mostCells)) return false;
+    double done = BELOW_LAYERS;
     for (const std::size_t mostHanging : HANGING_ANEW)
     {
         if (_planned.plan->keepsLimits()) break;
         const SupportedLayout best = std::exchange(_layout, original);
         const Planned bestPlanned = std::exchange(_planned, originalPlanned);
         if (!addAnew(mostHanging, mostCells)) return false;
-        if (_planned.plan->exceedsLimitsLessThan(*bestPlanned.plan)) continue;
-        _layout = best;
-        _planned = bestPlanned;
+        if (!_planned.plan->exceedsLimitsLessThan(*bestPlanned.plan))
+        {
+            _layout = best;
+            _planned = bestPlanned;
+        }
+        report(done += (BELOW_STEPS - BELOW_LAYERS) / static_cast<double>(HANGING_ANEW.size()));
     }
     report(BELOW_STEPS);
     if (!removeUnneeded(original.columns.size())) return false;
@@ -160,7 +182,8 @@ bool BuildingColumns::plan(const SupportedLayout& layout, std::size_t mostFallin
     if (!_planned.plan) options.progress = [this](double fraction) { report(PLANNED * fraction); };
     planned.model = _createModel(layout.parts);
     planned.plan = PlanBuilder(*planned.model, options).build(mostFalling);
-    return !isCancelled();
+    // Without a limit, there is only no plan if it was cancelled.
+    return planned.plan || (mostFalling != PlanBuilder::ANY && !isCancelled());
 }
 
 /** Add columns below layers, and then below steps, if that makes the model easier to build.
@@ -168,9 +191,12 @@ bool BuildingColumns::plan(const SupportedLayout& layout, std::size_t mostFallin
 bool BuildingColumns::addAnew(std::size_t mostHanging, std::size_t mostCells)
 {
     LayerColumns columns(_layout, mostHanging, _isCancelled);
+    const std::size_t numColumns = _layout.columns.size();
     const bool isDone = columns.run(mostCells);
     if (isCancelled()) return false;
-    return !isDone || (replaceIfBetter(columns.getLayout()) && addBelowSteps(mostCells));
+    if (!isDone || columns.getLayout().columns.size() == numColumns) return true;
+    if (!replaceIfBetter(columns.getLayout())) return false;
+    return _layout.columns.size() == numColumns || addBelowSteps(mostCells);
 }
 
 /** While too many parts fall after steps, add columns there, if that makes the model easier to build.
@@ -236,9 +262,11 @@ bool BuildingColumns::removeUnneeded(std::size_t numNeeded)
     std::vector<SupportColumn> columns =
         sortByExposure(std::span<const SupportColumn>(_layout.columns).subspan(numNeeded), _layout.problem);
     const std::size_t half = (columns.size() + 1) / 2;
-    int numAttempts = 0;
+    const std::size_t mostAttempts =
+        std::clamp(MOST_PRUNED_PARTS / _layout.parts.size(), LEAST_PRUNINGS, MOST_PRUNINGS);
+    std::size_t numAttempts = 0;
     for (const std::size_t size : std::set<std::size_t, std::greater<>>{half, (half + 1) / 2, 1})
-        for (std::size_t first = 0; first < columns.size() && numAttempts < MOST_PRUNINGS; ++numAttempts)
+        for (std::size_t first = 0; first < columns.size() && numAttempts < mostAttempts; ++numAttempts)
         {
             const std::size_t count = std::min(size, columns.size() - first);
             if (count == columns.size()) break; // without any, the model was harder to build
@@ -249,7 +277,8 @@ bool BuildingColumns::removeUnneeded(std::size_t numNeeded)
                 columns.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
             else
                 first += count;
-            report(BELOW_STEPS + (1.0 - BELOW_STEPS) * numAttempts / MOST_PRUNINGS);
+            report(BELOW_STEPS +
+                   (1.0 - BELOW_STEPS) * static_cast<double>(numAttempts + 1) / static_cast<double>(mostAttempts));
         }
     return true;
 }
@@ -257,7 +286,9 @@ bool BuildingColumns::removeUnneeded(std::size_t numNeeded)
 /** Remove columns together, if that makes the model no harder to build. @return false if it was cancelled. */
 bool BuildingColumns::removeIfUnneeded(std::span<const SupportColumn> columns, bool& isRemoved)
 {
+    if (carryOthers(columns, _layout)) return true;
     const SupportedLayout other = removeColumns(_layout, columns);
+    if (LayoutPieces(other.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
     // Plans without checks of stability, which take far longer, seldom have larger submodels.
     if (!isAsEasyWithoutChecks(other)) return !isCancelled();
     Planned changed;

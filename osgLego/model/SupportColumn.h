@@ -7,7 +7,7 @@
 namespace osgLego
 {
 
-/** A column of parts below a model. */
+/** A square column of parts below a model. */
 struct SupportColumn
 {
     glm::ivec3 place{0}; //!< its lowest cell
@@ -21,6 +21,16 @@ struct SupportColumn
         return offset.x >= 0 && offset.y >= 0 && offset.z >= 0 && offset.x < width && offset.y < width &&
                offset.z < height;
     }
+
+    /** Whether it stands on another column. */
+    bool standsOn(const SupportColumn& other) const
+    {
+        return place.z == other.place.z + other.height && place.x < other.place.x + other.width &&
+               other.place.x < place.x + width && place.y < other.place.y + other.width &&
+               other.place.y < place.y + width;
+    }
+
+    bool operator==(const SupportColumn&) const = default;
 };
 
 } // namespace osgLego

@@ -82,12 +82,8 @@ SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const Sup
     };
     std::erase_if(result.problem.cells, isRemoved);
     result.numColumnParts -= std::erase_if(result.parts, isRemoved);
-    std::erase_if(result.columns,
-                  [columns](const SupportColumn& column)
-                  {
-                      return std::any_of(columns.begin(), columns.end(),
-                                         [&column](const SupportColumn& other) { return other.place == column.place; });
-                  });
+    std::erase_if(result.columns, [columns](const SupportColumn& column)
+                  { return std::find(columns.begin(), columns.end(), column) != columns.end(); });
     return result;
 }
 

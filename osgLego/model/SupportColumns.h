@@ -20,7 +20,7 @@ LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
 /** A layout with more columns. */
 SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<SupportColumn>& columns);
 
-/** A layout without some of its columns. */
+/** A layout without some of its columns, on which no others stand. */
 SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const SupportColumn> columns);
 
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.

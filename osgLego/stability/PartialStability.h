@@ -53,7 +53,7 @@ public:
      * more or can't be solved precisely enough, or it was cancelled. */
     std::optional<std::vector<std::uint32_t>> findFalling(const std::vector<bool>& isPlaced);
 
-    /** The parts over all programs of parts that the fastest method could not solve, since they nearly fall, or do. */
+    /** The parts over all analyses of all parts in place, which come last: these nearly fall, or do. */
     std::size_t getNumHard() const { return _numHard; }
 
 private:
@@ -81,7 +81,7 @@ private:
     PartList _parts;
     Setting _setting;
     std::size_t _numSolved = 0; // parts, over all linear programs of parts
-    std::size_t _numHard = 0;   // over those of parts that nearly fall, or do
+    std::size_t _numHard = 0;   // over the analyses that come last
     std::size_t _numBodies = 0; // over all linear programs of bodies
     BearingJoints _joints;
     WeightFlow _flow;

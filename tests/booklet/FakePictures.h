@@ -20,7 +20,7 @@ public:
     BookletPicture drawFinished(std::size_t chapter) override { return create("finished " + std::to_string(chapter)); }
     glm::dvec2 measureFinished(std::size_t) const override { return {300, 200}; }
     glm::dvec2 measureStep(std::size_t, std::size_t) const override { return {30, 20}; }
-    bool showsAllParts(std::size_t) override { return showsAll; }
+    bool replacesSteps(std::size_t) override { return showsAll; }
     BookletPicture drawStep(std::size_t chapter, std::size_t step) override
     {
         BookletPicture picture = create("step " + std::to_string(chapter) + "-" + std::to_string(step));

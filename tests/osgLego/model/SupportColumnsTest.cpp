@@ -66,6 +66,17 @@ TEST(SupportColumns, LeaveTheOtherPartsAndColumnsWhenTheyAreRemoved)
     EXPECT_EQ(removeColumns(both, both.columns).parts, bare.parts);
 }
 
+TEST(SupportColumns, StandOnOthersWhoseTopTheyTouch)
+{
+    const SupportColumn wide{{2, 2, 0}, 2, 3};
+    EXPECT_TRUE((SupportColumn{{3, 3, 3}, 1, 2}).standsOn(wide));
+    EXPECT_TRUE((SupportColumn{{1, 1, 3}, 2, 1}).standsOn(wide));
+    EXPECT_FALSE((SupportColumn{{3, 3, 4}, 1, 2}).standsOn(wide)) << "above it";
+    EXPECT_FALSE((SupportColumn{{4, 3, 3}, 1, 2}).standsOn(wide)) << "beside it";
+    EXPECT_FALSE((SupportColumn{{2, 0, 3}, 2, 1}).standsOn(wide)) << "before it";
+    EXPECT_FALSE(wide.standsOn(wide));
+}
+
 TEST(SupportColumns, StandOnPartsBelow)
 {
     const LayoutProblem problem = drawProblem({{"aaaa"}, {"a..."}, {"a..."}, {"aaaa"}});
