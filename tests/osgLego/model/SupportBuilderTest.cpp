@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
