@@ -62,6 +62,7 @@ std::vector<LegoSettings> DesignRanking::listHard(const std::vector<DesignCandid
             hard.push_back(&candidate);
     sortInTurns(hard);
     std::vector<LegoSettings> settings;
+    settings.reserve(hard.size());
     for (const DesignCandidate* candidate : hard)
         settings.push_back(candidate->settings);
     return settings;
