@@ -44,12 +44,13 @@ struct DesignOptions
  *
  * Tries combinations of LegoSettings::Grid::proportions, LegoSettings::Parts::fill and LegoSettings::Colors::count,
  * each with the highest resolution whose model has few enough parts. Those whose drafts are clearly less like the mesh
- * than the best one make a model only if no other is good, or if one of those that are easy to build is less like it.
- * Models are joined to one piece (LegoSettings::Parts::connect) unless the base plate joins them already. Lower
- * resolutions of the best combination are tried, too, if their cells fit the mesh clearly better, as those of a
- * chessboard do with whole cells for each square. Models that fall but are more like the mesh than all that stand are
- * changed to stand (LegoSettings::Parts::support). So are some if the BuildingPlan of all that stand exceeds the
- * limits, and the best one has at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the comparison.
+ * than the best one make a model only if no other is good, or if the best one that is easy to build is less like it
+ * than they are. Models are joined to one piece (LegoSettings::Parts::connect) unless the base plate joins them
+ * already. Lower resolutions of the best combination are tried, too, if their cells fit the mesh clearly better, as
+ * those of a chessboard do with whole cells for each square. Models that fall but are more like the mesh than all that
+ * stand are changed to stand (LegoSettings::Parts::support). So are some if the BuildingPlan of all that stand exceeds
+ * the limits, and the best one has at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the
+ * comparison.
  *
  * Preconditions:
  * 1. No other thread changes the node during the call.

@@ -81,25 +81,20 @@ bool isAsEasy(const BuildingPlan& plan, const BuildingPlan& other)
     return hasSubmodelsAsEasy(plan, other) && plan.getNumFalling() <= getMostFalling(other);
 }
 
-/** How much of a column is seen, in cells. */
-double getExposure(const SupportColumn& column, const CellExposure& exposure)
-{
-    double sum = 0.0;
-    for (int z = 0; z < column.height; ++z)
-        for (int y = 0; y < column.width; ++y)
-            for (int x = 0; x < column.width; ++x)
-                sum += exposure.get(column.place + glm::ivec3(x, y, z));
-    return sum;
-}
-
 /** Columns in the order of how much of them is seen, most first. */
 std::vector<SupportColumn> sortByExposure(std::span<const SupportColumn> columns, const LayoutProblem& problem)
 {
     const CellExposure exposure(problem);
-    std::vector<SupportColumn> sorted(columns.begin(), columns.end());
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&exposure](const SupportColumn& column, const SupportColumn& other)
-                     { return getExposure(column, exposure) > getExposure(other, exposure); });
+    std::vector<std::pair<double, SupportColumn>> exposed;
+    exposed.reserve(columns.size());
+    for (const SupportColumn& column : columns)
+        exposed.emplace_back(sumExposure(column, exposure), column);
+    std::stable_sort(exposed.begin(), exposed.end(),
+                     [](const auto& column, const auto& other) { return column.first > other.first; });
+    std::vector<SupportColumn> sorted;
+    sorted.reserve(columns.size());
+    for (const auto& [sum, column] : exposed)
+        sorted.push_back(column);
     return sorted;
 }
 
@@ -164,14 +159,21 @@ bool BuildingColumns::addBelowLayers(const SupportedLayout& original)
         if (keepsSubmodelLimits(*_planned.plan)) return true;
         LayerColumns& columns =
             attempts.try_emplace(limits.mostHanging, original, limits.mostHanging, _isCancelled).first->second;
-        const std::size_t numColumns = columns.getLayout().columns.size();
-        const bool isDone = columns.run(getMostCells(original, limits.mostAdded));
-        if (isCancelled()) return false;
-        const bool hasChanged = columns.getLayout().columns.size() > numColumns;
-        if (isDone && hasChanged && !replaceIfBetter(columns.getLayout())) return false;
+        if (!add(columns, getMostCells(original, limits.mostAdded))) return false;
         report(done += (BELOW_LAYERS - PLANNED) / static_cast<double>(ATTEMPTS.size()));
     }
     return true;
+}
+
+/** Replace the layout by one with more columns below layers, if that is easier to build.
+ * @return false if it was cancelled. */
+bool BuildingColumns::add(LayerColumns& columns, std::size_t mostCells)
+{
+    const std::size_t numColumns = columns.getLayout().columns.size();
+    const bool isDone = columns.run(mostCells);
+    if (isCancelled()) return false;
+    const bool hasChanged = columns.getLayout().columns.size() > numColumns;
+    return !isDone || !hasChanged || replaceIfBetter(columns.getLayout());
 }
 
 /** Plan a layout, if parts fall after at most some steps. @return false if it was cancelled. */
@@ -192,10 +194,7 @@ bool BuildingColumns::addAnew(std::size_t mostHanging, std::size_t mostCells)
 {
     LayerColumns columns(_layout, mostHanging, _isCancelled);
     const std::size_t numColumns = _layout.columns.size();
-    const bool isDone = columns.run(mostCells);
-    if (isCancelled()) return false;
-    if (!isDone || columns.getLayout().columns.size() == numColumns) return true;
-    if (!replaceIfBetter(columns.getLayout())) return false;
+    if (!add(columns, mostCells)) return false;
     return _layout.columns.size() == numColumns || addBelowSteps(mostCells);
 }
 
@@ -237,6 +236,7 @@ std::vector<std::uint32_t> BuildingColumns::findRanks() const
 /** Replace the layout by one with other columns, if that is easier to build. @return false if it was cancelled. */
 bool BuildingColumns::replaceIfBetter(const SupportedLayout& other)
 {
+    if (hasMorePieces(other)) return true;
     Planned changed;
     if (!findPlanIfStanding(other, PlanBuilder::ANY, changed)) return false;
     if (!changed.plan || !changed.plan->exceedsLimitsLessThan(*_planned.plan)) return true;
@@ -245,10 +245,14 @@ bool BuildingColumns::replaceIfBetter(const SupportedLayout& other)
     return true;
 }
 
-/** Plan another layout, if it stands in no more pieces. @return false if it was cancelled. */
+bool BuildingColumns::hasMorePieces(const SupportedLayout& other) const
+{
+    return LayoutPieces(other.parts).getCount() > LayoutPieces(_layout.parts).getCount();
+}
+
+/** Plan another layout, if it stands. @return false if it was cancelled. */
 bool BuildingColumns::findPlanIfStanding(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const
 {
-    if (LayoutPieces(layout.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
     const std::optional<StabilityReport> standing = computeStanding(layout.problem, layout.parts, _isCancelled);
     if (!standing) return false;
     return !standing->stands || plan(layout, mostFalling, planned);
@@ -288,7 +292,7 @@ bool BuildingColumns::removeIfUnneeded(std::span<const SupportColumn> columns, b
 {
     if (carryOthers(columns, _layout)) return true;
     const SupportedLayout other = removeColumns(_layout, columns);
-    if (LayoutPieces(other.parts).getCount() > LayoutPieces(_layout.parts).getCount()) return true;
+    if (hasMorePieces(other)) return true;
     // Plans without checks of stability, which take far longer, seldom have larger submodels.
     if (!isAsEasyWithoutChecks(other)) return !isCancelled();
     Planned changed;

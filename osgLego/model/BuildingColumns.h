@@ -16,13 +16,15 @@
 namespace osgLego
 {
 
+class LayerColumns;
+
 /** Adds columns to a layout that stands, and whose building plan needs submodels that are too large or nested too deep,
  * or too many steps after which the model has to be held.
  *
  * LayerColumns proposes columns, with several sizes of submodels, and then StepColumns some below what still falls. The
  * building plan on a table judges them: columns are added only if it then exceeds the limits of BuildingPlan less, and
- * if there are no more pieces. In the end, columns without which it exceeds no limit more are removed, those that are
- * seen most first.
+ * if there are no more pieces. In the end, columns that the limits do not need are removed, those that are seen most
+ * first, in a limited number of attempts.
  *
  * Usage:
  *
@@ -63,6 +65,7 @@ private:
     bool plan(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const;
     bool isAsEasyWithoutChecks(const SupportedLayout& layout) const;
     bool addBelowLayers(const SupportedLayout& original);
+    bool add(LayerColumns& columns, std::size_t mostCells);
     bool addAnew(std::size_t mostHanging, std::size_t mostCells);
     bool addBelowSteps(std::size_t mostCells);
     bool addBelowFallingSteps(std::size_t mostCells);
@@ -70,6 +73,7 @@ private:
     bool removeIfUnneeded(std::span<const SupportColumn> columns, bool& isRemoved);
     std::vector<std::uint32_t> findRanks() const;
     bool replaceIfBetter(const SupportedLayout& other);
+    bool hasMorePieces(const SupportedLayout& other) const;
     bool findPlanIfStanding(const SupportedLayout& layout, std::size_t mostFalling, Planned& planned) const;
     void report(double fraction) const;
     bool isCancelled() const { return _isCancelled && _isCancelled(); }

@@ -87,6 +87,16 @@ SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const Sup
     return result;
 }
 
+double sumExposure(const SupportColumn& column, const CellExposure& exposure)
+{
+    double sum = 0.0;
+    for (int z = 0; z < column.height; ++z)
+        for (int y = 0; y < column.width; ++y)
+            for (int x = 0; x < column.width; ++x)
+                sum += exposure.get(column.place + glm::ivec3(x, y, z));
+    return sum;
+}
+
 SupportColumns::SupportColumns(const LayoutProblem& problem, const LaidParts& parts) :
     _problem(problem), _parts(parts), _ground(problem.cells.empty() ? 0 : problem.cells.front().place[2])
 {
@@ -152,10 +162,8 @@ std::vector<int> SupportColumns::getVisibilities(const std::vector<SupportColumn
     visibilities.reserve(columns.size());
     for (const SupportColumn& column : columns)
     {
-        double sum = 0.0;
-        for (int z = 0; z < column.height; ++z)
-            sum += exposure.get(column.place + glm::ivec3(0, 0, z));
-        visibilities.push_back(static_cast<int>(STEPS * sum / column.height));
+        const int numCells = column.width * column.width * column.height;
+        visibilities.push_back(static_cast<int>(STEPS * sumExposure(column, exposure) / numCells));
     }
     return visibilities;
 }

@@ -14,6 +14,8 @@
 namespace osgLego
 {
 
+class CellExposure;
+
 /** The parts of a column, from bottom to top: bricks and, where a grid of plates needs them, plates on top. */
 LaidParts buildColumn(const SupportColumn& column, bool isOfPlates);
 
@@ -22,6 +24,9 @@ SupportedLayout addColumns(const SupportedLayout& layout, const std::vector<Supp
 
 /** A layout without some of its columns, on which no others stand. */
 SupportedLayout removeColumns(const SupportedLayout& layout, std::span<const SupportColumn> columns);
+
+/** How much of a column would be seen: the sum of the exposures of its cells. */
+double sumExposure(const SupportColumn& column, const CellExposure& exposure);
 
 /** Finds places for columns below the parts of a layout, through empty cells down to a part or to the ground.
  *

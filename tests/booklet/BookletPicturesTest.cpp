@@ -111,7 +111,7 @@ TEST_F(BookletPicturesTest, ArrowsLeadFromAboveToTheTopOfSubmodels)
     EXPECT_TRUE(BookletPictures(model, _renderer).drawStep(1, 0).arrows.empty());
 }
 
-TEST_F(BookletPicturesTest, ASubmodelShowsAllPartsIfItsOnlyStepShowsNoMore)
+TEST_F(BookletPicturesTest, FinishedSubmodelsReplaceAStepThatShowsNoMore)
 {
     // A submodel of a post below a roof, which hides the post more the farther it is from the eye.
     constexpr double LEAST_SHARE = 0.25;

@@ -84,6 +84,13 @@ osg::ref_ptr<osg::Image> createSmoothImage()
     return image;
 }
 
+/** Add a box. @param lower and upper corners. */
+void addBox(osg::Group& group, const osg::Vec3& lower, const osg::Vec3& upper)
+{
+    const osg::Vec3 size = upper - lower;
+    group.addChild(new osg::ShapeDrawable(new osg::Box((lower + upper) * 0.5f, size.x(), size.y(), size.z())));
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Geometry> createTriangle(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c)
@@ -200,15 +207,21 @@ osg::ref_ptr<osg::Node> createBridge()
     constexpr float BRICK_HEIGHT = 1.2f; // in studs
     constexpr float GAP = 0.02f;         // to the borders of cells
     const osg::ref_ptr<osg::Group> bridge = new osg::Group;
-    const auto addBox = [&bridge](const osg::Vec3& lower, const osg::Vec3& upper)
-    {
-        const osg::Vec3 size = upper - lower;
-        bridge->addChild(new osg::ShapeDrawable(new osg::Box((lower + upper) * 0.5f, size.x(), size.y(), size.z())));
-    };
-    addBox({0, 0, 0}, {2 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
-    addBox({66 + GAP, 0, 0}, {68 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
-    addBox({0, 0, 2 * BRICK_HEIGHT}, {68 - GAP, 7 - GAP, 10 * BRICK_HEIGHT - GAP});
+    addBox(*bridge, {0, 0, 0}, {2 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
+    addBox(*bridge, {66 + GAP, 0, 0}, {68 - GAP, 7 - GAP, 2 * BRICK_HEIGHT});
+    addBox(*bridge, {0, 0, 2 * BRICK_HEIGHT}, {68 - GAP, 7 - GAP, 10 * BRICK_HEIGHT - GAP});
     return bridge;
+}
+
+osg::ref_ptr<osg::Node> createFourLeggedTable()
+{
+    constexpr float HEIGHT = 9.0f; // of the legs
+    const osg::ref_ptr<osg::Group> table = new osg::Group;
+    addBox(*table, {0, 0, HEIGHT}, {16, 10, HEIGHT + 2});
+    for (const float x : {0.2f, 14.8f})
+        for (const float y : {0.2f, 8.8f})
+            addBox(*table, {x, y, 0}, {x + 1, y + 1, HEIGHT});
+    return table;
 }
 
 } // namespace osgLego::test

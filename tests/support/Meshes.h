@@ -37,4 +37,8 @@ osg::ref_ptr<osg::Node> readBunny();
  * post tips over with a part of the bridge alone. */
 osg::ref_ptr<osg::Node> createBridge();
 
+/** A table on four legs. In plates of one colour, at most 750, its shell is most like it, but the top of that is a
+ * submodel of more than 150 parts. */
+osg::ref_ptr<osg::Node> createFourLeggedTable();
+
 } // namespace osgLego::test

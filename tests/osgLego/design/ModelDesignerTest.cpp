@@ -283,22 +283,11 @@ TEST(DesignRanking, HardModelsAreThoseThatFallOrExceedTheLimitsBricksAndPlatesIn
 
 TEST(ModelDesigner, AModelThatIsEasyToBuildIsPreferredToColumnsBelowOneThatIsNot)
 {
-    // A table: in plates, a shell is the most like it, but its top is a large submodel.
-    const osg::ref_ptr<osg::Group> table = new osg::Group;
-    const auto addBox = [&table](const osg::Vec3& lower, const osg::Vec3& upper)
-    {
-        const osg::Vec3 size = upper - lower;
-        table->addChild(new osg::ShapeDrawable(new osg::Box((lower + upper) * 0.5f, size.x(), size.y(), size.z())));
-    };
-    addBox({0, 0, 9}, {16, 10, 11});
-    for (const float x : {0.2f, 14.8f})
-        for (const float y : {0.2f, 8.8f})
-            addBox({x, y, 0}, {x + 1, y + 1, 9});
     DesignOptions options;
     options.numParts = 750;
     options.settings = "proportions=plate,colors=1";
     std::string error;
-    const std::optional<ModelDesign> design = designModel(*table, options, error);
+    const std::optional<ModelDesign> design = designModel(*test::createFourLeggedTable(), options, error);
     ASSERT_TRUE(design) << error;
     const DesignCandidate& best = design->getBest();
     EXPECT_TRUE(best.isSound());
