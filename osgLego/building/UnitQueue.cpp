@@ -35,7 +35,9 @@ std::size_t UnitQueue::getWeight(const UnitList& units) const
 {
     std::size_t weight = 0;
     for (const std::uint32_t unit : units)
-        weight += isSubmodel(unit) ? SUBMODEL_WEIGHT : _units.getUnits()[unit].parts.size();
+        weight += isLarge(unit)      ? LARGE_WEIGHT
+                  : isSubmodel(unit) ? SUBMODEL_WEIGHT
+                                     : _units.getUnits()[unit].parts.size();
     return weight;
 }
 
@@ -161,16 +163,33 @@ int UnitQueue::getPenalty(const UnitList& units, std::size_t length, std::size_t
     constexpr int SPLIT_TWINS = 12;
     constexpr int MANY = 4;
     constexpr int WITHIN_GROUP = 3;
+    constexpr int SECOND_LARGE = 12; // unless it is the twin of the unit before
     int penalty = std::abs(static_cast<int>(weight) - static_cast<int>(USUAL));
     if (weight < LEAST) penalty += TOO_FEW;
     if (weight > USUAL_MOST) penalty += MANY;
+    penalty += SECOND_LARGE * countOddLarge(std::span(units).first(length));
     if (length == units.size()) return penalty;
     const std::uint32_t last = units[length - 1];
     const std::uint32_t next = units[length];
     if (areTwins(last, next)) penalty += SPLIT_TWINS;
     if (_order.getGroup(getLastPart(last)) == _order.getGroup(getLastPart(next))) penalty += WITHIN_GROUP;
-    if (_numOpen == units.size() && units.size() - length < LEAST) penalty += FEW_LEFT;
+    const UnitList left(units.begin() + static_cast<std::ptrdiff_t>(length), units.end());
+    if (_numOpen == units.size() && getWeight(left) < LEAST) penalty += FEW_LEFT;
     return penalty;
+}
+
+/** The number of large submodels besides the first, and besides the twins of those before. */
+int UnitQueue::countOddLarge(std::span<const std::uint32_t> units) const
+{
+    int count = 0;
+    std::uint32_t last = BuildingUnits::NONE;
+    for (const std::uint32_t unit : units)
+    {
+        if (!isLarge(unit)) continue;
+        if (last != BuildingUnits::NONE && !areTwins(last, unit)) ++count;
+        last = unit;
+    }
+    return count;
 }
 
 bool UnitQueue::areTwins(std::uint32_t unit, std::uint32_t other) const

@@ -4,6 +4,7 @@
 #include <osgLego/building/PartOrder.h>
 
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,12 +18,14 @@ using UnitList = std::vector<std::uint32_t>;
 class UnitQueue
 {
 public:
-    /** Parts of a step, if possible; a submodel counts as SUBMODEL_WEIGHT parts. */
+    /** Parts of a step, if possible; a submodel counts as SUBMODEL_WEIGHT parts, or as LARGE_WEIGHT if it has more than
+     * MOST parts. */
     static constexpr std::size_t LEAST = 5;
     static constexpr std::size_t USUAL = 8;
     static constexpr std::size_t USUAL_MOST = 10;
     static constexpr std::size_t MOST = 12;
     static constexpr std::size_t SUBMODEL_WEIGHT = 2;
+    static constexpr std::size_t LARGE_WEIGHT = 5;
 
     /** The arguments must outlive this object, and units must not be grouped again. */
     UnitQueue(const BuildingUnits& units, const PartOrder& order, const Symmetry& symmetry);
@@ -44,6 +47,8 @@ public:
 
     std::size_t getWeight(const UnitList& units) const;
     bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].isSubmodel(); }
+    /** Whether a unit is a submodel that takes the place of half of a step. */
+    bool isLarge(std::uint32_t unit) const { return isSubmodel(unit) && _units.getUnits()[unit].parts.size() > MOST; }
 
 private:
     bool addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const;
@@ -55,6 +60,7 @@ private:
     void withdraw(std::uint32_t unit);
     std::size_t chooseLength(const UnitList& units) const;
     int getPenalty(const UnitList& units, std::size_t length, std::size_t weight) const;
+    int countOddLarge(std::span<const std::uint32_t> units) const;
     bool areTwins(std::uint32_t unit, std::uint32_t other) const;
     std::uint32_t findForced() const;
     bool isHeld(std::uint32_t unit) const;

@@ -155,6 +155,38 @@ TEST(UnitQueue, APartAboveFewPartsInAHandIsInTheSameStep)
     EXPECT_TRUE(queue.isOneStep({inHand, beam.units.getUnitOf(3)}));
 }
 
+/** The submodels in each step of a lid, in place on a column in its middle, from whose two ends chains hang. */
+std::vector<std::size_t> countChainsOfSteps(int left, int right)
+{
+    constexpr int TOP = 20;
+    std::vector<BuildingBox> boxes = {{{-2, 0, 0}, {2, 2, TOP}}, {{-20, 0, TOP}, {20, 2, TOP + 1}}};
+    for (int z = TOP - left; z < TOP; ++z)
+        boxes.push_back({{-20, 0, z}, {-18, 2, z + 1}});
+    for (int z = TOP - right; z < TOP; ++z)
+        boxes.push_back({{18, 0, z}, {20, 2, z + 1}});
+    std::vector<bool> isPlaced(boxes.size(), false);
+    isPlaced[0] = isPlaced[1] = true;
+    Queue lid(std::move(boxes), isPlaced);
+    UnitQueue queue = lid.create();
+    std::vector<std::size_t> counts;
+    while (!queue.isEmpty())
+    {
+        const UnitList units = queue.propose({});
+        counts.push_back(units.size());
+        queue.take(units);
+    }
+    return counts;
+}
+
+TEST(UnitQueue, StepsAttachOneLargeSubmodelOrTwoSmallOnesOrTwins)
+{
+    using Counts = std::vector<std::size_t>;
+    EXPECT_EQ(countChainsOfSteps(13, 15), (Counts{1, 1}));
+    EXPECT_EQ(countChainsOfSteps(15, 15), Counts{2}) << "twins";
+    EXPECT_EQ(countChainsOfSteps(11, 12), Counts{2}) << "of the parts of one step each";
+    EXPECT_EQ(countChainsOfSteps(12, 15), Counts{2}) << "one is too few for a step";
+}
+
 TEST(UnitQueue, ASubmodelComesWhenItsLastPartWould)
 {
     // A column with a beam, from which a leg hangs. Beside it is a slab with two towers, which begin above the foot of
