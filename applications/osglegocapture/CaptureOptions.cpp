@@ -34,6 +34,8 @@ void readSettings(CaptureOptions& options)
     const bool isEmpty = options.settingsText.empty() && !options.build.empty();
     if (!isEmpty && !LegoSettings::parse(options.settingsText, settings, error))
         throw CLI::ValidationError("--legolize: " + error);
+    if (!options.build.empty() && settings.parts.set == PartSet::NONE)
+        throw CLI::ValidationError("--legolize: parts=none gives no parts to build; expected parts=bricks");
     options.settings = settings;
 }
 

@@ -1,7 +1,6 @@
 #include <osgLego/design/DesignSearch.h>
 
 #include <osgLego/PieceCount.h>
-#include <osgLego/design/DesignFailure.h>
 #include <osgLego/design/ResolutionSearch.h>
 #include <osgLego/model/CpuBricks.h>
 
@@ -19,8 +18,6 @@ namespace osgLego
 namespace
 {
 
-constexpr double STUD_PITCH = 8.0; // millimetres
-constexpr unsigned int FEW_COLORS = 8;
 constexpr double ANY_ERROR = std::numeric_limits<double>::infinity();
 // Of the work; the rest is for support.
 constexpr double SHARE_OF_DRAFTS = 0.1;
@@ -32,25 +29,12 @@ bool haveSameParts(const BrickModel& a, const BrickModel& b)
     return a.getGrid() == b.getGrid() && a.getParts() == b.getParts();
 }
 
-/** Settings of a model of parts whose others can be chosen. */
-LegoSettings createFreeSettings()
-{
-    LegoSettings settings;
-    settings.parts.set = PartSet::BRICKS;
-    settings.parts.connect = true;
-    settings.grid.proportions = Proportions::BRICK;
-    return settings;
-}
-
-/** Replace the settings in a text. @return false, with a sentence in `error`, if they are bad. */
-bool replace(const std::string& text, LegoSettings& settings, std::string& error)
-{
-    return text.empty() || LegoSettings::parse(text, settings, error);
-}
-
 } // namespace
 
-DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) : _node(node), _options(options) {}
+DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) :
+    _options(options), _settings(options), _maker(node, options, _settings.getAll().front().grid.upAxis)
+{
+}
 
 std::size_t DesignSearch::getMostParts() const
 {
@@ -59,53 +43,13 @@ std::size_t DesignSearch::getMostParts() const
 
 DesignRanking DesignSearch::createRanking() const
 {
-    return DesignRanking(_options.numParts.value_or(canChooseSize() ? DesignOptions::USUAL_PARTS
-                                                                    : std::numeric_limits<std::size_t>::max()));
-}
-
-/** Throws DesignFailure if settings ask for no parts. */
-void DesignSearch::checkParts() const
-{
-    LegoSettings settings = createFreeSettings();
-    settings.parts.connect = false; // which needs parts
-    std::string error;
-    if (replace(_options.settings, settings, error) && settings.parts.set == PartSet::NONE)
-        throw DesignFailure("parts=none gives no parts; expected parts=bricks");
-}
-
-/** Whether settings determine the size of cells, so that nothing of it can be chosen. */
-bool DesignSearch::determineSize() const
-{
-    const auto readWith = [&](unsigned int resolution)
-    {
-        LegoSettings settings = createFreeSettings();
-        settings.grid.resolution = resolution;
-        std::string error;
-        if (!replace(_options.settings, settings, error)) throw DesignFailure(error);
-        return settings.grid;
-    };
-    return readWith(1) == readWith(2);
-}
-
-/** Whether settings determine that pieces are joined. */
-bool DesignSearch::isConnectionGiven() const
-{
-    LegoSettings settings = createFreeSettings();
-    settings.parts.connect = false;
-    std::string error;
-    return replace(_options.settings, settings, error) && settings.parts.connect;
+    return DesignRanking(_options.numParts.value_or(
+        _settings.canChooseSize() ? DesignOptions::USUAL_PARTS : std::numeric_limits<std::size_t>::max()));
 }
 
 ModelDesign DesignSearch::run()
 {
-    checkParts();
-    _isSizeGiven = determineSize();
-    if (_isSizeGiven && _options.length)
-        throw DesignFailure("a length can't be combined with a resolution or a cell; expected either");
-    _isConnectionGiven = isConnectionGiven();
-    const std::vector<LegoSettings> settings = listSettings();
-    _maker.emplace(_node, _options, settings.front().grid.upAxis);
-    makeBetter(makeDrafts(settings));
+    makeBetter(makeDrafts(_settings.getAll()));
     tryLowerResolutions();
     supportBetter();
     planBest();
@@ -113,37 +57,17 @@ ModelDesign DesignSearch::run()
     return {std::move(_candidates), _others.size()};
 }
 
-std::vector<LegoSettings> DesignSearch::listSettings() const
-{
-    std::vector<LegoSettings> list;
-    std::string error;
-    for (const Proportions proportions : {Proportions::BRICK, Proportions::PLATE})
-        for (const Fill fill : {Fill::SURFACE, Fill::SHELL, Fill::SOLID})
-            for (const bool hasFewColors : {false, true})
-            {
-                LegoSettings settings = createFreeSettings();
-                settings.grid.proportions = proportions;
-                settings.parts.fill = fill;
-                if (hasFewColors) settings.colors.count = FEW_COLORS;
-                // Some settings that are kept exclude others, as that of no palette excludes few colours.
-                const bool isPossible = replace(_options.settings, settings, error);
-                if (isPossible && std::find(list.begin(), list.end(), settings) == list.end()) list.push_back(settings);
-            }
-    if (list.empty()) throw DesignFailure(error);
-    return list;
-}
-
 /** Make a model, and join its pieces unless they stand on a base plate that joins them. */
 DesignMaker::Laid DesignSearch::layJoined(const LegoSettings& settings) const
 {
-    if (_options.base == BuildingBase::PLATE && settings.parts.connect && !_isConnectionGiven)
+    if (_options.base == BuildingBase::PLATE && settings.parts.connect && !_settings.isConnectionGiven())
     {
         LegoSettings apart = settings;
         apart.parts.connect = false;
-        Laid laid = _maker->lay(apart);
+        Laid laid = _maker.lay(apart);
         if (countPieces(*laid.model, _options.base) == 1) return laid;
     }
-    return _maker->lay(settings);
+    return _maker.lay(settings);
 }
 
 /** A draft of a model by some settings, of the size that is given, or of the highest resolution that has few enough
@@ -151,19 +75,17 @@ DesignMaker::Laid DesignSearch::layJoined(const LegoSettings& settings) const
 DesignSearch::Draft DesignSearch::makeDraft(LegoSettings settings) const
 {
     constexpr unsigned int FIRST_RESOLUTION = 24;
-    if (_options.length)
-        settings.grid.resolution = static_cast<unsigned int>(std::lround(*_options.length / STUD_PITCH));
-    if (!canChooseSize())
+    if (!_settings.canChooseSize())
     {
-        const osg::ref_ptr<const BrickModel> model = _maker->layDraft(settings);
-        return {settings, model, nullptr, _maker->computeError(*model)};
+        const osg::ref_ptr<const BrickModel> model = _maker.layDraft(settings);
+        return {settings, model, nullptr, _maker.computeError(*model)};
     }
     std::map<unsigned int, osg::ref_ptr<const BrickModel>> models;
     const auto layWith = [&](unsigned int resolution)
     {
         osg::ref_ptr<const BrickModel>& model = models[resolution];
         settings.grid.resolution = resolution;
-        if (!model) model = _maker->layDraft(settings);
+        if (!model) model = _maker.layDraft(settings);
         return model;
     };
     ResolutionSearch search(getMostParts(), FIRST_RESOLUTION);
@@ -173,13 +95,13 @@ DesignSearch::Draft DesignSearch::makeDraft(LegoSettings settings) const
     // The final model has fewer parts, and often the next resolution.
     const osg::ref_ptr<const BrickModel> larger = layWith(std::min(best + 1, LegoSettings::MAXIMUM_RESOLUTION));
     const osg::ref_ptr<const BrickModel> model = layWith(best);
-    return {settings, model, larger, std::min(_maker->computeError(*model), _maker->computeError(*larger))};
+    return {settings, model, larger, std::min(_maker.computeError(*model), _maker.computeError(*larger))};
 }
 
 /** @param settings with the resolution of their draft. */
 DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
 {
-    if (!canChooseSize()) return _maker->measure(layJoined(settings));
+    if (!_settings.canChooseSize()) return _maker.measure(layJoined(settings));
     ResolutionSearch search(getMostParts(), settings.grid.resolution);
     Laid best;
     while (const std::optional<unsigned int> resolution = search.getNext())
@@ -189,7 +111,7 @@ DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
         search.add(*resolution, laid.layout.numParts);
         if (search.getBest() == *resolution) best = laid;
     }
-    return _maker->measure(best);
+    return _maker.measure(best);
 }
 
 DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
@@ -197,8 +119,8 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
     constexpr int MOST_TRIES = 3; // each is slow
     constexpr double USUAL_SHARE = 0.95;
     settings.parts.support = true;
-    Laid laid = _maker->lay(settings);
-    for (int tries = 1; canChooseSize() && tries < MOST_TRIES; ++tries)
+    Laid laid = _maker.lay(settings);
+    for (int tries = 1; _settings.canChooseSize() && tries < MOST_TRIES; ++tries)
     {
         if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
         // The number of parts grows about with the square of the resolution, and that of columns varies.
@@ -206,9 +128,9 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
             std::sqrt(USUAL_SHARE * static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
         settings.grid.resolution =
             std::clamp(static_cast<unsigned int>(scale * settings.grid.resolution), 1u, settings.grid.resolution - 1);
-        laid = _maker->lay(settings);
+        laid = _maker.lay(settings);
     }
-    return _maker->measure(laid);
+    return _maker.measure(laid);
 }
 
 /** Drafts by all settings that give different ones, those most like the mesh first. */
@@ -297,7 +219,7 @@ void DesignSearch::tryLowerResolutions()
     constexpr double LOWEST = 0.5;
     constexpr unsigned int MOST_TRIED = 24;
     constexpr double CLEARLY = 0.9;
-    if (!canChooseSize()) return;
+    if (!_settings.canChooseSize()) return;
     LegoSettings settings = _candidates.front().settings;
     const unsigned int highest = settings.grid.resolution;
     const auto lowest = static_cast<unsigned int>(std::ceil(LOWEST * highest));
@@ -314,12 +236,12 @@ void DesignSearch::tryLowerResolutions()
                       {
                           LegoSettings lower = settings;
                           lower.grid.resolution = resolutions[index];
-                          errors[index] = _maker->computeError(*_maker->layDraft(lower));
+                          errors[index] = _maker.computeError(*_maker.layDraft(lower));
                       });
     const auto best = std::min_element(errors.begin(), errors.end());
     if (*best > CLEARLY * errors.front()) return;
     settings.grid.resolution = resolutions[static_cast<std::size_t>(best - errors.begin())];
-    addCandidate(_maker->measure(layJoined(settings)));
+    addCandidate(_maker.measure(layJoined(settings)));
 }
 
 void DesignSearch::supportBetter()
@@ -368,7 +290,7 @@ void DesignSearch::planBetter(double share)
     {
         DesignCandidate candidate = std::move(_candidates.front());
         _candidates.erase(_candidates.begin());
-        _maker->planBuildingOf(candidate);
+        _maker.planBuildingOf(candidate);
         addCandidate(std::move(candidate));
         report(share);
     }
@@ -408,7 +330,7 @@ void DesignSearch::supportCandidate(std::size_t index)
     const DesignRanking ranking = createRanking();
     DesignCandidate supported = makeSupported(candidate.settings);
     if (supported.isSound() && supported.layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
-        _maker->planBuildingOf(supported);
+        _maker.planBuildingOf(supported);
     const bool isHelped =
         supported.exceedsLimits() && supported.plan && candidate.plan &&
         DesignRanking::rankStability(supported.stability) <= DesignRanking::rankStability(candidate.stability) &&

@@ -4,10 +4,10 @@
 #include <osgLego/ModelDesigner.h>
 #include <osgLego/design/DesignMaker.h>
 #include <osgLego/design/DesignRanking.h>
+#include <osgLego/design/DesignSettings.h>
 
 #include <cstddef>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include <osg/Node>
@@ -23,7 +23,7 @@ namespace osgLego
 class DesignSearch
 {
 public:
-    /** @param node and @param options are kept as references. */
+    /** Throws DesignFailure. @param node is not kept. @param options are kept as a reference. */
     DesignSearch(const osg::Node& node, const DesignOptions& options);
 
     /** Throws DesignFailure. */
@@ -40,14 +40,8 @@ private:
         double error = 0.0;                    // the smaller one of the models
     };
 
-    void checkParts() const;
-    bool determineSize() const;
-    bool isConnectionGiven() const;
-    /** Whether the number of parts limits the size, rather than the options giving it. */
-    bool canChooseSize() const { return !_isSizeGiven && !_options.length; }
     std::size_t getMostParts() const;
     DesignRanking createRanking() const;
-    std::vector<LegoSettings> listSettings() const;
     Laid layJoined(const LegoSettings& settings) const;
     Draft makeDraft(LegoSettings settings) const;
     DesignCandidate makeLargest(LegoSettings settings) const;
@@ -65,14 +59,12 @@ private:
     void supportCandidate(std::size_t index);
     void report(double share);
 
-    const osg::Node& _node;
     const DesignOptions& _options;
-    std::optional<DesignMaker> _maker;
+    const DesignSettings _settings;
+    const DesignMaker _maker;
     std::vector<DesignCandidate> _candidates;
     std::vector<Draft> _others;           // clearly less like the mesh
     std::vector<LegoSettings> _supported; // of the models that were made again with support
-    bool _isSizeGiven = false;            // by the settings of the options
-    bool _isConnectionGiven = false;      // by them, too
     std::mutex _reporting;                // guards _progress
     double _progress = 0.0;
 };
