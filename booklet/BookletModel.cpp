@@ -101,10 +101,10 @@ BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, st
     _list.add(model, palette);
     _kinds = _list.getRows();
     _kindOfPart = _list.findRows(model);
-    _chapters.push_back(createChapter(plan, plan.getSteps()));
+    _chapters.push_back(createChapter(plan, plan.getSteps(), base));
     for (const Submodel& submodel : plan.getSubmodels())
     {
-        _chapters.push_back(createChapter(plan, submodel.steps));
+        _chapters.push_back(createChapter(plan, submodel.steps, BuildingBase::TABLE));
         _chapters.back().isSubmodel = true;
     }
     for (std::size_t chapter = 0; chapter < _chapters.size(); ++chapter)
@@ -116,7 +116,8 @@ BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, st
     nameSteps(_chapters.front(), numNamed);
 }
 
-BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const
+BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
+                                           BuildingBase base) const
 {
     BookletChapter chapter;
     std::vector<std::vector<std::uint32_t>> placed;
@@ -157,6 +158,9 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
             flat.back().parts.push_back(indices[part]);
     }
     chapter.plan = BuildingPlan::create(all.size(), std::move(flat));
+    const std::vector<std::size_t> numPieces = countPiecesInOrder(*chapter.model, chapter.plan->getOrder(), base);
+    for (BookletStep& step : chapter.steps)
+        step.numPieces = numPieces[step.numPlaced - 1];
     return chapter;
 }
 

@@ -40,6 +40,7 @@ struct BookletStep
     bool isTurnedOver = false; //!< whether it does so because the submodel is turned upside down
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
+    std::size_t numPieces = 1; //!< pieces in place after this step that no stud, or base plate, holds together
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
     std::size_t numDirect = 0; //!< the parts that this step puts in place, without those of submodels; they come first
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included
@@ -122,7 +123,8 @@ public:
 
 private:
     void addBasePlate(const BrickModel& model);
-    BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps) const;
+    BookletChapter createChapter(const BuildingPlan& plan, const std::vector<BuildingStep>& steps,
+                                 BuildingBase base) const;
     std::vector<BookletItem> countKinds(const std::vector<std::uint32_t>& parts) const;
     void findCopies(const BookletStep& step);
     std::optional<SubmodelTurn> findTurn(const BookletChapter& chapter, const BookletChapter& other) const;

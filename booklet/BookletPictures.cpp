@@ -4,6 +4,7 @@
 #include "HiddenParts.h"
 #include "NewPartMask.h"
 #include "NewPartOutline.h"
+#include "TableGrid.h"
 
 #include <common/PictureBuffer.h>
 
@@ -104,6 +105,15 @@ void fadeBottom(osg::Image& image, int numRows)
 osg::ref_ptr<const BrickModel> createPlate(const BookletModel& model, bool isFaded)
 {
     return model.getBasePlate() ? model.getBasePlate()->createModel(isFaded) : nullptr;
+}
+
+/** The grid of the table below the parts in place. */
+osg::ref_ptr<osg::Node> createTable(const BookletChapter& chapter, const BookletStep& step)
+{
+    std::vector<Part> placed;
+    for (const std::uint32_t part : std::span(chapter.plan->getOrder()).first(step.numPlaced))
+        placed.push_back(chapter.model->getParts()[part]);
+    return createTableGrid(chapter.model->getGrid(), placed, step.isUpsideDown);
 }
 
 /** A part of a kind, with its long side to the right, in a separate grid. */
@@ -270,7 +280,9 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const double pixels = _frames.getScale(chapter).pixels;
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
+    if (shown.numPieces > 1) _renderer.setTable(createTable(own, shown));
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
+    _renderer.setTable(nullptr);
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
     NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
         .draw(*image);

@@ -89,6 +89,13 @@ void BookletRenderer::setBase(const BrickModel* base)
     _occlusion->addChild(_base);
 }
 
+void BookletRenderer::setTable(osg::Node* table)
+{
+    _occlusion->removeChild(_table);
+    _table = table;
+    if (_table) _occlusion->addChild(_table);
+}
+
 void BookletRenderer::setFullLook(bool isFull)
 {
     _occlusion->setEnabled(isFull);

@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 #include <osg/GraphicsContext>
 #include <osg/Image>
+#include <osg/Node>
 #include <osg/ref_ptr>
 
 namespace osgLego
@@ -35,6 +36,8 @@ public:
 
     /** Show another model below, such as a base plate. @param base null for none. */
     void setBase(const BrickModel* base);
+    /** Show something on the table, such as a grid. @param table null for none. */
+    void setTable(osg::Node* table);
     /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions,
      * as at first. */
     void setFullLook(bool isFull);
@@ -57,6 +60,7 @@ private:
     osg::ref_ptr<AmbientOcclusionScene> _occlusion;
     osg::ref_ptr<LegoNode> _lego;
     osg::ref_ptr<LegoNode> _base;
+    osg::ref_ptr<osg::Node> _table;
     osg::ref_ptr<const BrickModel> _model;
 };
 

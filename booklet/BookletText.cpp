@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <osgDB/FileNameUtils>
@@ -69,14 +70,28 @@ std::string describeHold(const BookletChapter& chapter, const BookletStep& step)
                : std::string();
 }
 
+std::string describePieces(const BookletChapter& chapter, const BookletStep& step)
+{
+    const auto own = std::find_if(chapter.steps.begin(), chapter.steps.end(),
+                                  [&step](const BookletStep& other) { return other.numPlaced == step.numPlaced; });
+    const bool isFirst = own == chapter.steps.begin() || std::prev(own)->numPieces == 1;
+    const auto joining =
+        std::find_if(own, chapter.steps.end(), [](const BookletStep& other) { return other.numPieces == 1; });
+    const bool isSoon = joining != chapter.steps.end() && joining - own < 2;
+    if (!isFirst || isSoon) return {};
+    return "Pieces lie apart" + (joining == chapter.steps.end() ? "" : " until step " + joining->name) +
+           ": place them by the squares on the table, each of a stud.";
+}
+
 std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step)
 {
     std::vector<std::string> pressed;
     for (const BookletItem& item : step.pressed)
         pressed.push_back(describeParts(model.getKinds()[item.kind], item.quantity));
-    const std::string hold = describeHold(chapter, step);
-    if (pressed.empty()) return hold;
-    return "Press " + joinWords(pressed) + " on from below." + (hold.empty() ? "" : " ") + hold;
+    std::string notes = pressed.empty() ? "" : "Press " + joinWords(pressed) + " on from below.";
+    for (const std::string& note : {describePieces(chapter, step), describeHold(chapter, step)})
+        if (!note.empty()) notes += (notes.empty() ? "" : " ") + note;
+    return notes;
 }
 
 std::string describeCount(const BookletModel& model, const BookletStep& step)

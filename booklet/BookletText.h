@@ -30,8 +30,12 @@ std::string nameBuilt(const BookletChapter& chapter);
  * callouts, which a hand holds. */
 std::string describeHold(const BookletChapter& chapter, const BookletStep& step);
 
-/** Sentences on what a picture of a step does not show: parts that are pressed on from below, and whether the builder
- * must hold something afterwards. Empty if there is nothing to say. */
+/** A sentence for the first of several steps after which pieces lie apart, that says how to place them; empty for other
+ * steps. @param step of the chapter. */
+std::string describePieces(const BookletChapter& chapter, const BookletStep& step);
+
+/** Sentences on what a picture of a step does not show: parts that are pressed on from below, pieces that lie apart,
+ * and whether the builder must hold something afterwards. Empty if there is nothing to say. */
 std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step);
 
 /** The numbers of parts and submodels that a step adds, such as "4 parts + A". */

@@ -48,9 +48,9 @@ struct DesignOptions
  * than they are. Models are joined to one piece (LegoSettings::Parts::connect) unless the base plate joins them
  * already. Lower resolutions of the best combination are tried, too, if their cells fit the mesh clearly better, as
  * those of a chessboard do with whole cells for each square. Models that fall but are more like the mesh than all that
- * stand are changed to stand (LegoSettings::Parts::support). So are some if the BuildingPlan of all that stand exceeds
- * the limits, and the best one has at most DesignCandidate::MOST_PLANNED_PARTS parts. docs/design.md has the
- * comparison.
+ * stand are changed to stand (LegoSettings::Parts::support), unless the settings keep pieces apart. So are some if the
+ * BuildingPlan of all that stand exceeds the limits, and the best one has at most DesignCandidate::MOST_PLANNED_PARTS
+ * parts. docs/design.md has the comparison.
  *
  * Preconditions:
  * 1. No other thread changes the node during the call.

@@ -5,6 +5,9 @@
 #include <osgLego/StabilityReport.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace osgLego
 {
@@ -18,5 +21,13 @@ namespace osgLego
  * @param model bricks that are not joined to parts do not count.
  * @return 0 for a model without parts. */
 OSGLEGO_EXPORT std::size_t countPieces(const BrickModel& model, BuildingBase base);
+
+/** Count the pieces of a model while it is built.
+ *
+ * May be called from any thread.
+ * @param order different indices into BrickModel::getParts(), such as BuildingPlan::getOrder().
+ * @return for each part in this order, the number of pieces when it is in place. */
+OSGLEGO_EXPORT std::vector<std::size_t> countPiecesInOrder(const BrickModel& model,
+                                                           std::span<const std::uint32_t> order, BuildingBase base);
 
 } // namespace osgLego

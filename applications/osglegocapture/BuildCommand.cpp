@@ -125,7 +125,12 @@ std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
 
 std::vector<std::string> describeDefects(const DesignCandidate& best, const CaptureOptions& options)
 {
+    constexpr double HARDLY_LIKE = 12.0;
     std::vector<std::string> defects;
+    if (best.getError() > HARDLY_LIKE)
+        defects.push_back(fmt::format("the model is hardly like the mesh, with an unlikeness of {:.1f}: a larger one, of "
+                                      "more parts, would be more like it",
+                                      best.getError()));
     if (options.buildParts && best.layout.numParts > *options.buildParts)
         defects.push_back(fmt::format("the model has {} parts, more than the {} of --parts", best.layout.numParts,
                                       *options.buildParts));
@@ -189,10 +194,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     checkLength(options, lego);
     const ModelDesign choice = design(options, lego, progress);
     const DesignCandidate& best = choice.getBest();
-    LegoSettings shown = best.settings;
-    shown.view.progress = 1.0; // the pictures show the whole model, in its colours
-    shown.view.show = Show::COLOR;
-    lego.setSettings(shown);
+    lego.setSettings(best.settings);
     lego.setStoredBricks(best.model);
     checkInstructionsSize(options, lego);
 

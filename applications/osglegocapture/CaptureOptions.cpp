@@ -36,6 +36,9 @@ void readSettings(CaptureOptions& options)
         throw CLI::ValidationError("--legolize: " + error);
     if (!options.build.empty() && settings.parts.set == PartSet::NONE)
         throw CLI::ValidationError("--legolize: parts=none gives no parts to build; expected parts=bricks");
+    if (!options.build.empty() && (settings.view.progress < 1.0 || settings.view.show != Show::COLOR))
+        throw CLI::ValidationError("--legolize: --build shows the whole model in its colours; expected no progress and "
+                                   "no show");
     options.settings = settings;
 }
 

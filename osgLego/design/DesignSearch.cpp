@@ -218,7 +218,7 @@ void DesignSearch::tryLowerResolutions()
     // Every number of squares along a chessboard has a multiple between half the resolution and all of it.
     constexpr double LOWEST = 0.5;
     constexpr unsigned int MOST_TRIED = 24;
-    constexpr double CLEARLY = 0.9;
+    constexpr double CLEARLY = 0.95;
     if (!_settings.canChooseSize()) return;
     LegoSettings settings = _candidates.front().settings;
     const unsigned int highest = settings.grid.resolution;
@@ -248,6 +248,7 @@ void DesignSearch::supportBetter()
 {
     constexpr std::size_t AT_ONCE = 2; // each takes longer than all other work
     constexpr std::size_t MOST_SUPPORTED = 6;
+    if (!_settings.canJoin()) return;
     std::vector<LegoSettings> falling;
     for (const DesignCandidate* candidate : DesignRanking::listFallingBetter(_candidates))
         falling.push_back(candidate->settings);
@@ -277,7 +278,7 @@ void DesignSearch::planBest()
     // The share of the others is reported.
     if (makeOthers(0.0, _candidates.front().exceedsLimits() ? ANY_ERROR : _candidates.front().getError()))
         planBetter(0.0);
-    if (_candidates.front().plan) supportHard(SHARE_OF_PLANS - SHARE_OF_FIRST);
+    if (_candidates.front().plan && _settings.canJoin()) supportHard(SHARE_OF_PLANS - SHARE_OF_FIRST);
 }
 
 /** Plan how the best model is built, and if that exceeds the limits the next one, until the best one keeps them.

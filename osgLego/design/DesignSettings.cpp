@@ -47,6 +47,7 @@ DesignSettings::DesignSettings(const DesignOptions& options)
         throw DesignFailure("a length can't be combined with a resolution or a cell; expected either");
     _canChooseSize = !isSizeGiven && !options.length;
     listAll(options);
+    _canJoin = _all.front().parts.connect;
 }
 
 /** Whether settings determine the size of cells, so that nothing of it can be chosen. */

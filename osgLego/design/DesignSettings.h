@@ -23,6 +23,8 @@ public:
     bool canChooseSize() const { return _canChooseSize; }
     /** Whether the options ask for pieces to be joined, also where a base plate joins them. */
     bool isConnectionGiven() const { return _isConnectionGiven; }
+    /** Whether the options let pieces be joined, as models are that are supported. */
+    bool canJoin() const { return _canJoin; }
 
 private:
     static bool determineSize(const DesignOptions& options);
@@ -31,6 +33,7 @@ private:
     std::vector<LegoSettings> _all;
     bool _canChooseSize = false;
     bool _isConnectionGiven = false;
+    bool _canJoin = false;
 };
 
 } // namespace osgLego

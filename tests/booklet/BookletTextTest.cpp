@@ -73,6 +73,48 @@ TEST(BookletTextTest, NotesPartsThatArePressedOnFromBelowAndWhatToHold)
         "Press 1 red brick 1 x 1 on from below. Hold the model after this step: it does not stand by itself yet.");
 }
 
+TEST(BookletTextTest, NotesPiecesThatLieApartForSeveralSteps)
+{
+    // Three bricks side by side, one on the first, and beams that join the first two, and all.
+    const std::vector<Part> parts{{{0, 0, 0}, {1, 1, 1}, test::RED, 4}, {{3, 0, 0}, {1, 1, 1}, test::RED, 4},
+                                  {{6, 0, 0}, {1, 1, 1}, test::RED, 4}, {{0, 0, 1}, {4, 1, 1}, test::RED, 4},
+                                  {{0, 0, 2}, {1, 1, 1}, test::RED, 4}, {{6, 0, 1}, {1, 1, 1}, test::RED, 4},
+                                  {{3, 0, 2}, {4, 1, 1}, test::RED, 4}};
+    const auto bricks = BrickModel::createOfParts(test::createPartGrid({8, 1, 3}, 1.2), parts);
+    const auto find = [&bricks](int x, int z) {
+        return static_cast<std::uint32_t>(bricks->findPart({x, 0, z}) - bricks->getParts().data());
+    };
+    const auto createNotes = [&](const std::vector<BuildingStep>& steps, BuildingBase base)
+    {
+        const BookletModel model(*bricks, *BuildingPlan::create(parts.size(), steps), Palette::getKnownColors(), base);
+        std::vector<std::string> notes;
+        for (const BookletStep& step : model.getMainChapter().steps)
+            notes.push_back(describeNotes(model, model.getMainChapter(), step));
+        return notes;
+    };
+    using Notes = std::vector<std::string>;
+    const std::string apart = "Pieces lie apart until step 4: place them by the squares on the table, each of a stud.";
+    const std::vector<BuildingStep> steps{test::createStep({find(0, 0)}),
+                                          test::createStep({find(3, 0), find(6, 0), find(6, 1)}),
+                                          test::createStep({find(0, 1), find(0, 2)}), test::createStep({find(3, 2)})};
+    EXPECT_EQ(createNotes(steps, BuildingBase::TABLE), (Notes{"", apart, "", ""}));
+    EXPECT_EQ(createNotes(steps, BuildingBase::PLATE), Notes(4)) << "its studs show the places";
+    const std::vector<BuildingStep> fast{test::createStep({find(0, 0), find(3, 0), find(6, 0), find(6, 1)}),
+                                         test::createStep({find(0, 1), find(0, 2), find(3, 2)})};
+    EXPECT_EQ(createNotes(fast, BuildingBase::TABLE), Notes(2)) << "the next step joins them";
+}
+
+TEST(BookletTextTest, PiecesThatNothingJoinsLieApart)
+{
+    const std::vector<Part> parts{{{0, 0, 0}, {1, 1, 1}, test::RED, 4}, {{3, 0, 0}, {1, 1, 1}, test::RED, 4}};
+    const auto bricks = BrickModel::createOfParts(test::createPartGrid({4, 1, 1}, 1.2), parts);
+    const auto plan = BuildingPlan::create(2, {test::createStep({0, 1})});
+    const BookletModel model(*bricks, *plan, Palette::getKnownColors());
+    const BookletChapter& chapter = model.getMainChapter();
+    EXPECT_EQ(describeNotes(model, chapter, chapter.steps[0]),
+              "Pieces lie apart: place them by the squares on the table, each of a stud.");
+}
+
 TEST(BookletTextTest, ABoxOfAFewPartsNeedsNoHold)
 {
     const BookletModel model = test::createTwins(true);

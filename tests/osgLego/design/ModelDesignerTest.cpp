@@ -237,6 +237,20 @@ TEST(ModelDesigner, AModelThatFallsIsSupported)
     EXPECT_NE(text.find("support=on"), std::string::npos);
 }
 
+TEST(ModelDesigner, AModelThatFallsIsNotSupportedIfItsPiecesMustNotBeJoined)
+{
+    DesignOptions options;
+    options.settings = "12,proportions=brick,fill=surface,colors=8,connect=off";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
+    ASSERT_TRUE(design) << error;
+    for (const DesignCandidate& candidate : design->candidates)
+    {
+        EXPECT_FALSE(candidate.settings.parts.connect);
+        EXPECT_FALSE(candidate.settings.parts.support) << "support joins pieces";
+    }
+}
+
 TEST(DesignRanking, HardModelsAreThoseThatFallOrExceedTheLimitsBricksAndPlatesInTurns)
 {
     const auto create = [](Proportions proportions, double error)
