@@ -196,7 +196,7 @@ void BookletBlockMarkup::writeTurn(const BookletStep& step)
                         << (step.isTurnedOver ? "#turn-over" : "#turn") << "\"/></svg>";
 }
 
-/** Say which parts are pressed on from below, and whether the builder must hold something. */
+/** Write what the picture of a step does not show, if anything. */
 void BookletBlockMarkup::writeNote(const BookletChapter& chapter, const BookletStep& step)
 {
     if (const std::string note = describeNotes(_model, chapter, step); !note.empty())

@@ -90,6 +90,26 @@ osg::ref_ptr<const BrickModel> createPartialModel(const BrickModel& model, const
     return BrickModel::createOfParts(model.getGrid(), std::move(chosen));
 }
 
+/** @param parts of the chapter, as indices in the whole model, in the order of building. @param unheld of these. */
+void countPiecesOfSteps(BookletChapter& chapter, const std::vector<std::uint32_t>& parts,
+                        const std::vector<std::uint32_t>& unheld, BuildingBase base)
+{
+    std::vector<std::uint32_t> held;
+    std::vector<std::size_t> numHeld; // after each part
+    for (std::size_t rank = 0; rank < parts.size(); ++rank)
+    {
+        if (!std::binary_search(unheld.begin(), unheld.end(), parts[rank]))
+            held.push_back(chapter.plan->getOrder()[rank]);
+        numHeld.push_back(held.size());
+    }
+    const std::vector<std::size_t> numPieces = countPiecesInOrder(*chapter.model, held, base);
+    for (BookletStep& step : chapter.steps)
+    {
+        const std::size_t numPlaced = numHeld[step.numPlaced - 1];
+        step.numPieces = numPlaced > 0 ? numPieces[numPlaced - 1] : 0;
+    }
+}
+
 } // namespace
 
 BookletModel::BookletModel(const BrickModel& model, const BuildingPlan& plan, std::span<const PaletteColor> palette,
@@ -158,9 +178,7 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
             flat.back().parts.push_back(indices[part]);
     }
     chapter.plan = BuildingPlan::create(all.size(), std::move(flat));
-    const std::vector<std::size_t> numPieces = countPiecesInOrder(*chapter.model, chapter.plan->getOrder(), base);
-    for (BookletStep& step : chapter.steps)
-        step.numPieces = numPieces[step.numPlaced - 1];
+    countPiecesOfSteps(chapter, all, plan.getUnheldParts(), base);
     return chapter;
 }
 

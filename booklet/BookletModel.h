@@ -40,7 +40,7 @@ struct BookletStep
     bool isTurnedOver = false; //!< whether it does so because the submodel is turned upside down
     bool stands = true;        //!< as BuildingStep::stands
     std::size_t numUnheld = 0; //!< the parts of this step that nothing holds, those of submodels included
-    std::size_t numPieces = 1; //!< pieces in place after this step that no stud, or base plate, holds together
+    std::size_t numPieces = 0; //!< after this step, without unheld parts; a base plate joins those that stand on it
     std::size_t numPlaced = 0; //!< the parts in place after this step, those of submodels included
     std::size_t numDirect = 0; //!< the parts that this step puts in place, without those of submodels; they come first
     std::size_t numNew = 0;    //!< the parts that this step puts in place, those of submodels included

@@ -107,7 +107,7 @@ osg::ref_ptr<const BrickModel> createPlate(const BookletModel& model, bool isFad
     return model.getBasePlate() ? model.getBasePlate()->createModel(isFaded) : nullptr;
 }
 
-/** The grid of the table below the parts in place. */
+/** The squares of the table below the parts in place. */
 osg::ref_ptr<osg::Node> createTable(const BookletChapter& chapter, const BookletStep& step)
 {
     std::vector<Part> placed;
@@ -273,16 +273,15 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     const BookletChapter& own = _model.getChapters()[chapter];
     const BookletStep& shown = own.steps[step];
     _renderer.setPlaced(shown.numPlaced, shown.numNew);
-    _renderer.setBase(_frames.isOnPlate(own) ? _fadedPlate.get() : nullptr);
+    _renderer.setBase(_frames.isOnPlate(own) ? _fadedPlate.get() : nullptr,
+                      shown.numPieces > 1 ? createTable(own, shown) : nullptr);
     _renderer.setFullLook(false);
 
     const BookletCamera camera = _frames.createCamera(own, shown);
     const double pixels = _frames.getScale(chapter).pixels;
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
-    if (shown.numPieces > 1) _renderer.setTable(createTable(own, shown));
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    _renderer.setTable(nullptr);
     const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
     NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
         .draw(*image);

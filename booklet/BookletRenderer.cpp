@@ -81,19 +81,15 @@ void BookletRenderer::checkDrawn() const
             throw BookletFailure(BookletError::Reason::NO_GL, "the pictures can't be drawn: " + failure);
 }
 
-void BookletRenderer::setBase(const BrickModel* base)
-{
-    _occlusion->removeChild(_base);
-    if (!base) return;
-    _base->setStoredBricks(base);
-    _occlusion->addChild(_base);
-}
-
-void BookletRenderer::setTable(osg::Node* table)
+void BookletRenderer::setBase(const BrickModel* base, osg::Node* table)
 {
     _occlusion->removeChild(_table);
     _table = table;
     if (_table) _occlusion->addChild(_table);
+    _occlusion->removeChild(_base);
+    if (!base) return;
+    _base->setStoredBricks(base);
+    _occlusion->addChild(_base);
 }
 
 void BookletRenderer::setFullLook(bool isFull)

@@ -34,10 +34,8 @@ public:
     /** Show the first parts in the order of building, and highlight the last of them. */
     void setPlaced(std::size_t numPlaced, std::size_t numNew);
 
-    /** Show another model below, such as a base plate. @param base null for none. */
-    void setBase(const BrickModel* base);
-    /** Show something on the table, such as a grid. @param table null for none. */
-    void setTable(osg::Node* table);
+    /** Show another model below, such as a base plate, and something on the table, such as a grid; null for none. */
+    void setBase(const BrickModel* base, osg::Node* table = nullptr);
     /** Set whether bricks look like plastic in the light of the sky, or drawn with lines as in building instructions,
      * as at first. */
     void setFullLook(bool isFull);

@@ -74,9 +74,9 @@ std::string describePieces(const BookletChapter& chapter, const BookletStep& ste
 {
     const auto own = std::find_if(chapter.steps.begin(), chapter.steps.end(),
                                   [&step](const BookletStep& other) { return other.numPlaced == step.numPlaced; });
-    const bool isFirst = own == chapter.steps.begin() || std::prev(own)->numPieces == 1;
+    const bool isFirst = own == chapter.steps.begin() || std::prev(own)->numPieces <= 1;
     const auto joining =
-        std::find_if(own, chapter.steps.end(), [](const BookletStep& other) { return other.numPieces == 1; });
+        std::find_if(own, chapter.steps.end(), [](const BookletStep& other) { return other.numPieces <= 1; });
     const bool isSoon = joining != chapter.steps.end() && joining - own < 2;
     if (!isFirst || isSoon) return {};
     return "Pieces lie apart" + (joining == chapter.steps.end() ? "" : " until step " + joining->name) +

@@ -30,8 +30,8 @@ std::string nameBuilt(const BookletChapter& chapter);
  * callouts, which a hand holds. */
 std::string describeHold(const BookletChapter& chapter, const BookletStep& step);
 
-/** A sentence for the first of several steps after which pieces lie apart, that says how to place them; empty for other
- * steps. @param step of the chapter. */
+/** A sentence that says how to place pieces that lie apart, for the first step after which they do; empty for others,
+ * and if the next step joins the pieces. @param step of the chapter. */
 std::string describePieces(const BookletChapter& chapter, const BookletStep& step);
 
 /** Sentences on what a picture of a step does not show: parts that are pressed on from below, pieces that lie apart,

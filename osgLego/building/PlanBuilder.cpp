@@ -68,14 +68,18 @@ osg::ref_ptr<const BuildingPlan> PlanBuilder::build(std::size_t mostFalling)
     std::vector<BuildingStep> steps = planSequence(pieces.front(), {0, false, false, _options.base});
     if (_isGivenUp) return nullptr;
     const std::size_t numHeldSteps = steps.size();
+    std::size_t weight = 0; // of the last step
     for (const PartList& piece : std::span(pieces).subspan(1))
     {
         if (_isCancelled) return nullptr;
-        const bool isFull =
-            !steps.empty() &&
-            steps.back().parts.size() + UnitQueue::SUBMODEL_WEIGHT * steps.back().submodels.size() >= UnitQueue::USUAL;
-        if (steps.size() == numHeldSteps || isFull) steps.emplace_back();
+        const std::size_t added = piece.size() > 1 ? UnitQueue::getSubmodelWeight(piece.size()) : 1;
+        if (steps.size() == numHeldSteps || weight + added > UnitQueue::USUAL)
+        {
+            steps.emplace_back();
+            weight = 0;
+        }
         addUnheld(piece, steps.back());
+        weight += added;
     }
     if (_isCancelled) return nullptr;
     // No step of one part at the end: unheld pieces have no order.

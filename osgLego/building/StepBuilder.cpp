@@ -60,7 +60,9 @@ void StepBuilder::fillLastStep()
                     [&before](const PartLink& joint)
                     { return std::find(before.parts.begin(), before.parts.end(), joint.part) != before.parts.end(); });
     if (isInHand) return; // with the part from which it hangs
-    const std::size_t weight = before.parts.size() + UnitQueue::SUBMODEL_WEIGHT * before.submodels.size();
+    std::size_t weight = before.parts.size();
+    for (const std::vector<std::uint32_t>& submodel : before.submodels)
+        weight += UnitQueue::getSubmodelWeight(submodel.size());
     if (weight <= UnitQueue::LEAST || !before.stands || isBelow(parts.front(), before.submodels) ||
         (_views && !_views->canShow(parts, false)))
         return;
@@ -248,7 +250,10 @@ bool StepBuilder::clamp(const UnitList& units, const std::vector<std::uint32_t>&
     }
     // The other units of the step, as many as fit.
     for (const std::uint32_t unit : units)
-        if (UnitList longer = step; _queue->addWithAllBefore(unit, longer) && canShow(longer, true)) step = longer;
+        if (UnitList longer = step;
+            _queue->addWithAllBefore(unit, longer) && _queue->getWeight(longer) <= UnitQueue::MOST &&
+            _queue->countUnmirroredLarge(longer) == _queue->countUnmirroredLarge(step) && canShow(longer, true))
+            step = longer;
     if (step.size() <= 1 || !_queue->isOneStep(step) || !findFalling(step).empty()) return false;
     place(step, true);
     return true;

@@ -35,9 +35,19 @@ std::size_t UnitQueue::getWeight(const UnitList& units) const
 {
     std::size_t weight = 0;
     for (const std::uint32_t unit : units)
-        weight += isLarge(unit)      ? LARGE_WEIGHT
-                  : isSubmodel(unit) ? SUBMODEL_WEIGHT
-                                     : _units.getUnits()[unit].parts.size();
+    {
+        const std::size_t numParts = _units.getUnits()[unit].parts.size();
+        weight += isSubmodel(unit) ? getSubmodelWeight(numParts) : numParts;
+    }
+    return weight;
+}
+
+/** The weight of units if large submodels weigh as little as others. */
+std::size_t UnitQueue::getLeastWeight(const UnitList& units) const
+{
+    std::size_t weight = 0;
+    for (const std::uint32_t unit : units)
+        weight += isSubmodel(unit) ? SUBMODEL_WEIGHT : _units.getUnits()[unit].parts.size();
     return weight;
 }
 
@@ -163,11 +173,11 @@ int UnitQueue::getPenalty(const UnitList& units, std::size_t length, std::size_t
     constexpr int SPLIT_TWINS = 12;
     constexpr int MANY = 4;
     constexpr int WITHIN_GROUP = 3;
-    constexpr int SECOND_LARGE = 12; // unless it is the twin of the unit before
+    constexpr int UNMIRRORED_LARGE = 12;
     int penalty = std::abs(static_cast<int>(weight) - static_cast<int>(USUAL));
     if (weight < LEAST) penalty += TOO_FEW;
     if (weight > USUAL_MOST) penalty += MANY;
-    penalty += SECOND_LARGE * countOddLarge(std::span(units).first(length));
+    penalty += UNMIRRORED_LARGE * countUnmirroredLarge(std::span(units).first(length));
     if (length == units.size()) return penalty;
     const std::uint32_t last = units[length - 1];
     const std::uint32_t next = units[length];
@@ -178,14 +188,13 @@ int UnitQueue::getPenalty(const UnitList& units, std::size_t length, std::size_t
     return penalty;
 }
 
-/** The number of large submodels besides the first, and besides the twins of those before. */
-int UnitQueue::countOddLarge(std::span<const std::uint32_t> units) const
+int UnitQueue::countUnmirroredLarge(std::span<const std::uint32_t> units) const
 {
     int count = 0;
     std::uint32_t last = BuildingUnits::NONE;
     for (const std::uint32_t unit : units)
     {
-        if (!isLarge(unit)) continue;
+        if (!isSubmodel(unit) || _units.getUnits()[unit].parts.size() <= MOST) continue;
         if (last != BuildingUnits::NONE && !areTwins(last, unit)) ++count;
         last = unit;
     }
@@ -204,8 +213,8 @@ bool UnitQueue::areTwins(std::uint32_t unit, std::uint32_t other) const
 bool UnitQueue::addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const
 {
     if (std::find(units.begin(), units.end(), unit) != units.end()) return true;
-    openWeight += getWeight({unit});
-    if (getWeight(units) + openWeight > MOST) return false;
+    openWeight += getLeastWeight({unit});
+    if (getLeastWeight(units) + openWeight > MOST) return false;
     for (const std::uint32_t before : _before[unit])
         if (!_isTaken[before] && !addWithAllBefore(before, units, openWeight)) return false;
     units.push_back(unit);

@@ -40,18 +40,25 @@ public:
     void take(const UnitList& units);
 
     /** Add a unit and all that must be placed before it, in order, to units that are not empty.
-     * @return false if these weigh more than MOST. */
+     * @return false if these weigh more than MOST, even if large submodels count as SUBMODEL_WEIGHT: submodels that
+     * hold each other have to be in one step. */
     bool addWithAllBefore(std::uint32_t unit, UnitList& units) const { return addWithAllBefore(unit, units, 0); }
     /** Whether no part must be placed after a submodel among the units. */
     bool isOneStep(const UnitList& units) const;
 
     std::size_t getWeight(const UnitList& units) const;
+    /** The weight of a submodel. */
+    static std::size_t getSubmodelWeight(std::size_t numParts)
+    {
+        return numParts > MOST ? LARGE_WEIGHT : SUBMODEL_WEIGHT;
+    }
     bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].isSubmodel(); }
-    /** Whether a unit is a submodel that takes the place of half of a step. */
-    bool isLarge(std::uint32_t unit) const { return isSubmodel(unit) && _units.getUnits()[unit].parts.size() > MOST; }
+    /** The number of submodels of more than MOST parts that don't mirror the one before; the first is not counted. */
+    int countUnmirroredLarge(std::span<const std::uint32_t> units) const;
 
 private:
     bool addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const;
+    std::size_t getLeastWeight(const UnitList& units) const;
     std::pair<std::uint32_t, std::uint32_t> getKey(std::uint32_t unit) const { return {_ranks[unit], unit}; }
     std::uint32_t getLastPart(std::uint32_t unit) const;
     UnitList lookAhead(const std::vector<bool>& isAvoided);
@@ -60,7 +67,6 @@ private:
     void withdraw(std::uint32_t unit);
     std::size_t chooseLength(const UnitList& units) const;
     int getPenalty(const UnitList& units, std::size_t length, std::size_t weight) const;
-    int countOddLarge(std::span<const std::uint32_t> units) const;
     bool areTwins(std::uint32_t unit, std::uint32_t other) const;
     std::uint32_t findForced() const;
     bool isHeld(std::uint32_t unit) const;

@@ -115,6 +115,21 @@ TEST(BookletTextTest, PiecesThatNothingJoinsLieApart)
               "Pieces lie apart: place them by the squares on the table, each of a stud.");
 }
 
+TEST(BookletTextTest, PartsInTheAirAreNoPiecesOnTheTable)
+{
+    const std::vector<Part> parts{{{0, 0, 0}, {1, 1, 1}, test::RED, 4}, {{3, 0, 2}, {1, 1, 1}, test::RED, 4}};
+    const auto bricks = BrickModel::createOfParts(test::createPartGrid({4, 1, 3}, 1.2), parts);
+    const auto plan = BuildingPlan::create(2, {test::createStep({0}), test::createStep({1})}, {}, {1});
+    for (const BuildingBase base : {BuildingBase::TABLE, BuildingBase::PLATE})
+    {
+        const BookletModel model(*bricks, *plan, Palette::getKnownColors(), base);
+        const BookletChapter& chapter = model.getMainChapter();
+        EXPECT_EQ(describeNotes(model, chapter, chapter.steps[0]), "");
+        EXPECT_EQ(describeNotes(model, chapter, chapter.steps[1]), "Nothing holds 1 part of this step.");
+        EXPECT_EQ(chapter.steps[1].numPieces, 1u);
+    }
+}
+
 TEST(BookletTextTest, ABoxOfAFewPartsNeedsNoHold)
 {
     const BookletModel model = test::createTwins(true);

@@ -187,6 +187,30 @@ TEST(UnitQueue, StepsAttachOneLargeSubmodelOrTwoSmallOnesOrTwins)
     EXPECT_EQ(countChainsOfSteps(12, 15), Counts{2}) << "one is too few for a step";
 }
 
+TEST(UnitQueue, LargeSubmodelsThatArePlacedAfterEachOtherAreOneStepIfNecessary)
+{
+    // A lid, in place on a column, from which three chains hang. The foot of each is below the next chain.
+    constexpr int TOP = 20;
+    std::vector<BuildingBox> boxes = {{{20, 0, 0}, {24, 2, TOP}}, {{0, 0, TOP}, {24, 2, TOP + 1}}};
+    for (const int x : {0, 4, 8})
+    {
+        const int foot = 1 + x / 2;
+        boxes.push_back({{x, 0, foot}, {x + 6, 2, foot + 1}});
+        for (int z = foot + 1; z < TOP; ++z)
+            boxes.push_back({{x, 0, z}, {x + 2, 2, z + 1}});
+    }
+    std::vector<bool> isPlaced(boxes.size(), false);
+    isPlaced[0] = isPlaced[1] = true;
+    Queue chains(boxes, isPlaced);
+    ASSERT_EQ(chains.units.getUnits().size(), 3u);
+    const UnitQueue queue = chains.create();
+    UnitList units;
+    EXPECT_TRUE(queue.addWithAllBefore(chains.units.getUnitOf(static_cast<std::uint32_t>(boxes.size()) - 1), units));
+    EXPECT_EQ(units.size(), 3u);
+    EXPECT_EQ(queue.countUnmirroredLarge(units), 2);
+    EXPECT_EQ(queue.getWeight(units), 3 * UnitQueue::LARGE_WEIGHT);
+}
+
 TEST(UnitQueue, ASubmodelComesWhenItsLastPartWould)
 {
     // A column with a beam, from which a leg hangs. Beside it is a slab with two towers, which begin above the foot of

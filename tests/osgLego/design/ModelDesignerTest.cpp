@@ -244,11 +244,9 @@ TEST(ModelDesigner, AModelThatFallsIsNotSupportedIfItsPiecesMustNotBeJoined)
     std::string error;
     const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
     ASSERT_TRUE(design) << error;
+    EXPECT_TRUE(design->getBest().stability.falls());
     for (const DesignCandidate& candidate : design->candidates)
-    {
-        EXPECT_FALSE(candidate.settings.parts.connect);
         EXPECT_FALSE(candidate.settings.parts.support) << "support joins pieces";
-    }
 }
 
 TEST(DesignRanking, HardModelsAreThoseThatFallOrExceedTheLimitsBricksAndPlatesInTurns)
@@ -333,6 +331,17 @@ TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
     EXPECT_EQ(design->toString().find("hard to build"), std::string::npos);
     const std::string without = ModelDesign{{design->candidates[1]}}.toString();
     EXPECT_NE(without.find("hard to build: its largest submodel has "), std::string::npos) << without;
+}
+
+TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsNotSupportedIfItsPiecesMustNotBeJoined)
+{
+    DesignOptions options;
+    options.settings = "68,proportions=brick,fill=solid,colors=1,connect=off";
+    std::string error;
+    const std::optional<ModelDesign> design = designModel(*test::createBridge(), options, error);
+    ASSERT_TRUE(design) << error;
+    EXPECT_TRUE(design->getBest().exceedsLimits());
+    EXPECT_FALSE(design->getBest().settings.parts.support);
 }
 
 TEST(ModelDesign, LargeModelsWhoseBuildingIsNotPlannedCountAsBeyondTheLimits)
