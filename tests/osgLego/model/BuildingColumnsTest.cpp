@@ -45,18 +45,17 @@ void addBox(SupportedLayout& layout, const glm::ivec3& lower, const glm::ivec3& 
 }
 
 /** Bridges on two narrow posts, each of which tips over with a part of the bridge alone. They do not touch each other.
- * @param length in cells. */
-SupportedLayout createBridges(int length, int numBridges = 1)
+ * @param length in cells. @param depth likewise. */
+SupportedLayout createBridges(int length, int numBridges = 1, int depth = 4)
 {
-    constexpr int DEPTH = 4;
     constexpr int CLEARANCE = 2;
     constexpr int TOP = 8;
     SupportedLayout layout;
-    layout.problem.size = {length, numBridges * (DEPTH + 1), TOP};
+    layout.problem.size = {length, numBridges * (depth + 1), TOP};
     layout.problem.colors.emplace_back();
-    for (int front = 0; front < layout.problem.size.y; front += DEPTH + 1)
+    for (int front = 0; front < layout.problem.size.y; front += depth + 1)
     {
-        const int back = front + DEPTH;
+        const int back = front + depth;
         addBox(layout, {0, front, 0}, {2, back, CLEARANCE});
         addBox(layout, {length - 2, front, 0}, {length, back, CLEARANCE});
         addBox(layout, {0, front, CLEARANCE}, {length, back, TOP});
@@ -123,7 +122,7 @@ TEST(BuildingColumns, CarryWhatHasToBeHeldForAnyUpAxis)
     // Parts have other indices in a model with y upwards.
     for (const UpAxis upAxis : {UpAxis::Z, UpAxis::Y})
     {
-        SupportedLayout layout = createBridges(12, 2);
+        SupportedLayout layout = createBridges(10, 3, 2);
         ASSERT_TRUE(addColumnsTo(layout, NEVER, upAxis));
         EXPECT_GT(layout.numBuildingColumns, 0u);
         EXPECT_LE(layout.numFallingSteps, BuildingPlan::MOST_FALLING_STEPS);
@@ -133,19 +132,19 @@ TEST(BuildingColumns, CarryWhatHasToBeHeldForAnyUpAxis)
 TEST(BuildingColumns, CarryWhatHasToBeHeld)
 {
     // The lower part of each bridge falls until the upper part is in place.
-    SupportedLayout layout = createBridges(12, 2);
+    SupportedLayout layout = createBridges(10, 3, 2);
     ASSERT_EQ(findLayoutError(layout.problem, layout.parts), "");
     const osg::ref_ptr<const BuildingPlan> before = plan(layout);
     ASSERT_LE(before->getLargestSubmodel(), BuildingPlan::MOST_SUBMODEL_PARTS);
     ASSERT_LE(before->getDeepestSubmodel(), BuildingPlan::DEEPEST_SUBMODEL);
     ASSERT_GT(before->getNumFalling(), BuildingPlan::MOST_FALLING_STEPS);
-    ASSERT_EQ(LayoutPieces(layout.parts).getCount(), 2u);
+    ASSERT_EQ(LayoutPieces(layout.parts).getCount(), 3u);
     expectEasyWithColumns(layout, layout.problem.cells.size() / 5);
 }
 
 TEST(BuildingColumns, AreOnlyThoseWithoutWhichTheModelIsHarderToBuild)
 {
-    SupportedLayout layout = createBridges(12, 3);
+    SupportedLayout layout = createBridges(10, 4, 2);
     ASSERT_TRUE(addColumnsTo(layout, NEVER));
     ASSERT_GT(layout.columns.size(), 0u);
     ASSERT_TRUE(plan(layout)->keepsLimits());
@@ -173,7 +172,7 @@ TEST(BuildingColumns, StopAtAnyTime)
     for (int numCalls = 1;; numCalls *= 4)
     {
         std::atomic<int> numLeft = numCalls;
-        SupportedLayout layout = createBridges(12, 2);
+        SupportedLayout layout = createBridges(10, 3, 2);
         if (!addColumnsTo(layout, [&numLeft] { return --numLeft < 0; })) continue;
         EXPECT_GT(numCalls, 64);
         return;
