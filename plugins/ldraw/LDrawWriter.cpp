@@ -8,9 +8,11 @@
 
 #include <common/BasePlate.h>
 #include <common/ReadableName.h>
+#include <osgLego/text/SettingsText.h>
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <osgDB/FileNameUtils>
@@ -36,7 +38,7 @@ std::string toTitle(const std::string& text)
     std::size_t end = LONGEST;
     while ((static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) // inside a character of UTF-8
         --end;
-    return title.substr(0, end);
+    return std::string(trimmed(std::string_view(title).substr(0, end))); // readers trim lines, too
 }
 
 /** The cells of a part and the number of its colour, for comparisons. */

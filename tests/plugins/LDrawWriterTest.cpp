@@ -164,6 +164,15 @@ TEST(LDrawWriter, LongNamesAreCutBetweenCharacters)
     EXPECT_EQ(lines[0], "0 Model: " + name.substr(0, 192)) << "200 bytes would end inside a character";
 }
 
+TEST(LDrawWriter, LongNamesDoNotEndWithASpace)
+{
+    const auto node = createNode({1, 1, 1}, {makePart({0, 0, 0}, {1, 1, 1}, 4)});
+    const std::string word(192, 'A');
+    node->setName(word + " b");
+    const Lines lines = writeLDraw(*node).getLines('0');
+    EXPECT_EQ(lines[0], "0 Model: " + word) << "a reader trims the line, and the next writer would write another one";
+}
+
 TEST(LDrawWriter, RandomModelsOfEverySizeSurvive)
 {
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
