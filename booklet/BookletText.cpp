@@ -80,7 +80,7 @@ std::string describePieces(const BookletChapter& chapter, const BookletStep& ste
     const bool isSoon = joining != chapter.steps.end() && joining - own < 2;
     if (!isFirst || isSoon) return {};
     return "Pieces lie apart" + (joining == chapter.steps.end() ? "" : " until step " + joining->name) +
-           ": place them by the squares on the table, each of a stud.";
+           ": place them by the squares on the table, each a stud wide.";
 }
 
 std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step)

@@ -11,7 +11,7 @@
 namespace osgLego
 {
 
-/** Create lines on the table below parts, which divide it into squares of a stud each. A builder who lays pieces beside
+/** Create lines on the table below parts, which divide it into squares, each a stud wide. A builder who lays pieces beside
  * each other counts these squares between them.
  *
  * The lines extend one stud beyond the parts on the table, in the grid's model coordinates.

@@ -93,7 +93,8 @@ TEST(BookletTextTest, NotesPiecesThatLieApartForSeveralSteps)
         return notes;
     };
     using Notes = std::vector<std::string>;
-    const std::string apart = "Pieces lie apart until step 4: place them by the squares on the table, each of a stud.";
+    const std::string apart =
+        "Pieces lie apart until step 4: place them by the squares on the table, each a stud wide.";
     const std::vector<BuildingStep> steps{test::createStep({find(0, 0)}),
                                           test::createStep({find(3, 0), find(6, 0), find(6, 1)}),
                                           test::createStep({find(0, 1), find(0, 2)}), test::createStep({find(3, 2)})};
@@ -112,7 +113,7 @@ TEST(BookletTextTest, PiecesThatNothingJoinsLieApart)
     const BookletModel model(*bricks, *plan, Palette::getKnownColors());
     const BookletChapter& chapter = model.getMainChapter();
     EXPECT_EQ(describeNotes(model, chapter, chapter.steps[0]),
-              "Pieces lie apart: place them by the squares on the table, each of a stud.");
+              "Pieces lie apart: place them by the squares on the table, each a stud wide.");
 }
 
 TEST(BookletTextTest, PartsInTheAirAreNoPiecesOnTheTable)
