@@ -11,8 +11,8 @@
 namespace osgLego
 {
 
-/** Create lines on the table below parts, which divide it into squares, each a stud wide. A builder who lays pieces beside
- * each other counts these squares between them.
+/** Create lines on the table below parts, which divide it into squares, each a stud wide. A builder who lays pieces
+ * beside each other counts these squares between them.
  *
  * The lines extend one stud beyond the parts on the table, in the grid's model coordinates.
  *
