@@ -21,12 +21,15 @@ const osg::Vec4 LIGHT_GRAY(0.75f, 0.75f, 0.75f, 1.0f);
 /** The height of the table along the up axis, in cells. */
 int findTable(std::span<const Part> parts, int up, bool isUpsideDown)
 {
-    const auto getSide = [&](const Part& part)
-    { return isUpsideDown ? -part.getCell()[up] - part.getSize()[up] : part.getCell()[up]; };
     int lowest = std::numeric_limits<int>::max();
+    int highest = std::numeric_limits<int>::min();
     for (const Part& part : parts)
-        lowest = std::min(lowest, static_cast<int>(getSide(part)));
-    return isUpsideDown ? -lowest : lowest;
+    {
+        const int bottom = part.getCell()[up];
+        lowest = std::min(lowest, bottom);
+        highest = std::max(highest, bottom + part.getSize()[up]);
+    }
+    return isUpsideDown ? highest : lowest;
 }
 
 /** The cells of a rectangle. */

@@ -31,23 +31,13 @@ std::uint32_t UnitQueue::getLastPart(std::uint32_t unit) const
                              { return _order.getRank(a) < _order.getRank(b); });
 }
 
-std::size_t UnitQueue::getWeight(const UnitList& units) const
+std::size_t UnitQueue::getWeight(const UnitList& units, std::size_t largeWeight) const
 {
     std::size_t weight = 0;
     for (const std::uint32_t unit : units)
-    {
-        const std::size_t numParts = _units.getUnits()[unit].parts.size();
-        weight += isSubmodel(unit) ? getSubmodelWeight(numParts) : numParts;
-    }
-    return weight;
-}
-
-/** The weight of units if large submodels weigh as little as others. */
-std::size_t UnitQueue::getLeastWeight(const UnitList& units) const
-{
-    std::size_t weight = 0;
-    for (const std::uint32_t unit : units)
-        weight += isSubmodel(unit) ? SUBMODEL_WEIGHT : _units.getUnits()[unit].parts.size();
+        weight += isLarge(unit)      ? largeWeight
+                  : isSubmodel(unit) ? SUBMODEL_WEIGHT
+                                     : _units.getUnits()[unit].parts.size();
     return weight;
 }
 
@@ -183,8 +173,7 @@ int UnitQueue::getPenalty(const UnitList& units, std::size_t length, std::size_t
     const std::uint32_t next = units[length];
     if (areTwins(last, next)) penalty += SPLIT_TWINS;
     if (_order.getGroup(getLastPart(last)) == _order.getGroup(getLastPart(next))) penalty += WITHIN_GROUP;
-    const UnitList left(units.begin() + static_cast<std::ptrdiff_t>(length), units.end());
-    if (_numOpen == units.size() && getWeight(left) < LEAST) penalty += FEW_LEFT;
+    if (_numOpen == units.size() && getWeight(units) - weight < LEAST) penalty += FEW_LEFT;
     return penalty;
 }
 
@@ -194,7 +183,7 @@ int UnitQueue::countUnmirroredLarge(std::span<const std::uint32_t> units) const
     std::uint32_t last = BuildingUnits::NONE;
     for (const std::uint32_t unit : units)
     {
-        if (!isSubmodel(unit) || _units.getUnits()[unit].parts.size() <= MOST) continue;
+        if (!isLarge(unit)) continue;
         if (last != BuildingUnits::NONE && !areTwins(last, unit)) ++count;
         last = unit;
     }
@@ -213,8 +202,8 @@ bool UnitQueue::areTwins(std::uint32_t unit, std::uint32_t other) const
 bool UnitQueue::addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const
 {
     if (std::find(units.begin(), units.end(), unit) != units.end()) return true;
-    openWeight += getLeastWeight({unit});
-    if (getLeastWeight(units) + openWeight > MOST) return false;
+    openWeight += getWeight({unit}, SUBMODEL_WEIGHT);
+    if (getWeight(units, SUBMODEL_WEIGHT) + openWeight > MOST) return false;
     for (const std::uint32_t before : _before[unit])
         if (!_isTaken[before] && !addWithAllBefore(before, units, openWeight)) return false;
     units.push_back(unit);

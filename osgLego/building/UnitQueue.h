@@ -46,7 +46,7 @@ public:
     /** Whether no part must be placed after a submodel among the units. */
     bool isOneStep(const UnitList& units) const;
 
-    std::size_t getWeight(const UnitList& units) const;
+    std::size_t getWeight(const UnitList& units) const { return getWeight(units, LARGE_WEIGHT); }
     /** The weight of a submodel. */
     static std::size_t getSubmodelWeight(std::size_t numParts)
     {
@@ -57,8 +57,9 @@ public:
     int countUnmirroredLarge(std::span<const std::uint32_t> units) const;
 
 private:
+    bool isLarge(std::uint32_t unit) const { return isSubmodel(unit) && _units.getUnits()[unit].parts.size() > MOST; }
     bool addWithAllBefore(std::uint32_t unit, UnitList& units, std::size_t openWeight) const;
-    std::size_t getLeastWeight(const UnitList& units) const;
+    std::size_t getWeight(const UnitList& units, std::size_t largeWeight) const;
     std::pair<std::uint32_t, std::uint32_t> getKey(std::uint32_t unit) const { return {_ranks[unit], unit}; }
     std::uint32_t getLastPart(std::uint32_t unit) const;
     UnitList lookAhead(const std::vector<bool>& isAvoided);

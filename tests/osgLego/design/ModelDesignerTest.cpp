@@ -28,6 +28,17 @@ osg::ref_ptr<osg::Node> makeBox(const osg::Vec3& size)
     return new osg::ShapeDrawable(new osg::Box(osg::Vec3(), size.x(), size.y(), size.z()));
 }
 
+/** The design of a mesh by settings in their text form. */
+std::optional<ModelDesign> designWith(const std::string& settings, const osg::Node& node)
+{
+    DesignOptions options;
+    options.settings = settings;
+    std::string error;
+    std::optional<ModelDesign> design = designModel(node, options, error);
+    EXPECT_EQ(error, "");
+    return design;
+}
+
 std::string errorOf(const osg::Node& node, const DesignOptions& options)
 {
     std::string error;
@@ -222,11 +233,9 @@ TEST(ModelDesign, TheListSaysWhichModelsHaveNoSubmodelsAndWhichNoPlan)
 
 TEST(ModelDesigner, AModelThatFallsIsSupported)
 {
-    DesignOptions options;
-    options.settings = "12,proportions=brick,fill=surface,colors=8";
-    std::string error;
-    const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
-    ASSERT_TRUE(design) << error;
+    const std::optional<ModelDesign> design =
+        designWith("12,proportions=brick,fill=surface,colors=8", *createOneLeggedTable());
+    ASSERT_TRUE(design);
     EXPECT_TRUE(design->getBest().isSound());
     EXPECT_TRUE(design->getBest().settings.parts.support);
     EXPECT_TRUE(std::any_of(design->candidates.begin(), design->candidates.end(),
@@ -239,11 +248,9 @@ TEST(ModelDesigner, AModelThatFallsIsSupported)
 
 TEST(ModelDesigner, AModelThatFallsIsNotSupportedIfItsPiecesMustNotBeJoined)
 {
-    DesignOptions options;
-    options.settings = "12,proportions=brick,fill=surface,colors=8,connect=off";
-    std::string error;
-    const std::optional<ModelDesign> design = designModel(*createOneLeggedTable(), options, error);
-    ASSERT_TRUE(design) << error;
+    const std::optional<ModelDesign> design =
+        designWith("12,proportions=brick,fill=surface,colors=8,connect=off", *createOneLeggedTable());
+    ASSERT_TRUE(design);
     EXPECT_TRUE(design->getBest().stability.falls());
     for (const DesignCandidate& candidate : design->candidates)
         EXPECT_FALSE(candidate.settings.parts.support) << "support joins pieces";
@@ -315,11 +322,9 @@ TEST(ModelDesigner, AModelThatIsEasyToBuildIsPreferredToColumnsBelowOneThatIsNot
 
 TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
 {
-    DesignOptions options;
-    options.settings = "68,proportions=brick,fill=solid,colors=1";
-    std::string error;
-    const std::optional<ModelDesign> design = designModel(*test::createBridge(), options, error);
-    ASSERT_TRUE(design) << error;
+    const std::optional<ModelDesign> design =
+        designWith("68,proportions=brick,fill=solid,colors=1", *test::createBridge());
+    ASSERT_TRUE(design);
     const DesignCandidate& best = design->getBest();
     EXPECT_TRUE(best.isSound());
     EXPECT_TRUE(best.settings.parts.support);
@@ -335,11 +340,9 @@ TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsSupported)
 
 TEST(ModelDesigner, AModelThatNeedsALargeSubmodelIsNotSupportedIfItsPiecesMustNotBeJoined)
 {
-    DesignOptions options;
-    options.settings = "68,proportions=brick,fill=solid,colors=1,connect=off";
-    std::string error;
-    const std::optional<ModelDesign> design = designModel(*test::createBridge(), options, error);
-    ASSERT_TRUE(design) << error;
+    const std::optional<ModelDesign> design =
+        designWith("68,proportions=brick,fill=solid,colors=1,connect=off", *test::createBridge());
+    ASSERT_TRUE(design);
     EXPECT_TRUE(design->getBest().exceedsLimits());
     EXPECT_FALSE(design->getBest().settings.parts.support);
 }
