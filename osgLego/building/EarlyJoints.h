@@ -8,12 +8,12 @@
 namespace osgLego
 {
 
-/** Move parts that join parts on the base to an earlier place, so that few of these lie loose beside each other until
- * the layer above comes.
+/** Move parts that join others to an earlier place, so that few parts and pieces lie beside each other for long.
  *
- * As soon as five parts on the base are loose, each of them that nothing joins yet is followed by the part above it
- * that needs the fewest others below it, and, before that one, by these others. Parts that mirror each other stay
- * together.
+ * A part that joins two pieces of three parts and more on the base, but comes more than 16 parts later, is placed as
+ * soon as all parts below it are in place. As soon as five parts on the base are loose, each of them that nothing joins
+ * yet is followed by the part above it that needs the fewest others below it, and, before that one, by these others.
+ * Parts that mirror each other stay together.
  *
  * May be called from any thread.
  * @param order all parts of the graph, in the order of building.

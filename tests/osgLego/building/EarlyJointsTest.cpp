@@ -1,5 +1,6 @@
 #include <osgLego/building/EarlyJoints.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,20 @@ std::vector<BuildingBox> createRow(int numBricks, int numBeams)
         boxes.push_back({{2 * brick, 0, 0}, {2 * brick + 2, 2, 1}});
     for (int beam = 0; beam < numBeams; ++beam)
         boxes.push_back({{4 * beam, 0, 1}, {4 * beam + 4, 2, 2}});
+    return boxes;
+}
+
+/** Two towers of 2x2 bricks, a tower of others aside, and last a beam on the first two. @param lowest of the second. */
+std::vector<BuildingBox> createTowers(int height, int numOthers, int lowest = 0)
+{
+    std::vector<BuildingBox> boxes;
+    for (int layer = 0; layer < height; ++layer)
+        boxes.push_back({{0, 0, layer}, {2, 2, layer + 1}});
+    for (int layer = lowest; layer < height; ++layer)
+        boxes.push_back({{4, 0, layer}, {6, 2, layer + 1}});
+    for (int layer = 0; layer < numOthers; ++layer)
+        boxes.push_back({{0, 9, layer}, {2, 11, layer + 1}});
+    boxes.push_back({{0, 0, height}, {6, 2, height + 1}});
     return boxes;
 }
 
@@ -51,6 +66,60 @@ TEST(EarlyJoints, PartsThatJoinNothingStayInTheirPlace)
     std::vector<std::uint32_t> same(boxes.size());
     std::iota(same.begin(), same.end(), 0u);
     EXPECT_EQ(order(boxes), same);
+}
+
+/** The place of the last box in the order. */
+std::size_t findLast(const std::vector<BuildingBox>& boxes)
+{
+    const std::vector<std::uint32_t> parts = order(boxes);
+    const auto last = static_cast<std::uint32_t>(boxes.size() - 1);
+    return static_cast<std::size_t>(std::find(parts.begin(), parts.end(), last) - parts.begin());
+}
+
+TEST(EarlyJoints, PiecesAreJoinedAtOnceUnlessAPartWouldJoinThemSoon)
+{
+    EXPECT_EQ(findLast(createTowers(3, 15)), 21u);
+    EXPECT_EQ(findLast(createTowers(3, 16)), 6u);
+    EXPECT_EQ(findLast(createTowers(5, 30)), 10u);
+}
+
+TEST(EarlyJoints, PiecesOfTwoPartsWaitForTheirTurn)
+{
+    EXPECT_EQ(findLast(createTowers(2, 30)), 34u);
+}
+
+TEST(EarlyJoints, PiecesThatDoNotReachTheBaseWaitForTheirTurn)
+{
+    EXPECT_EQ(findLast(createTowers(4, 30, 1)), 37u);
+}
+
+TEST(EarlyJoints, PiecesAreJoinedAsSoonAsAllPartsBelowAreInPlace)
+{
+    // A brick between the towers, which the beam would hide from a hand, comes in the middle of the others.
+    std::vector<BuildingBox> boxes = createTowers(3, 40);
+    boxes.insert(boxes.begin() + 16, {{2, 0, 0}, {4, 2, 1}});
+    EXPECT_EQ(findLast(boxes), 17u);
+}
+
+TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
+{
+    // Two towers on the left, many parts in the middle, two towers on the right, and a beam on either pair.
+    std::vector<BuildingBox> boxes;
+    const auto addTowers = [&boxes](int left)
+    {
+        for (int layer = 0; layer < 3; ++layer)
+            for (const int x : {left, left + 4})
+                boxes.push_back({{x, 0, layer}, {x + 2, 2, layer + 1}});
+    };
+    addTowers(0);
+    for (int layer = 0; layer < 30; ++layer)
+        boxes.push_back({{9, 0, layer}, {11, 2, layer + 1}});
+    addTowers(14);
+    boxes.push_back({{0, 0, 3}, {6, 2, 4}});
+    boxes.push_back({{14, 0, 3}, {20, 2, 4}});
+    const std::vector<std::uint32_t> parts = order(boxes);
+    EXPECT_EQ(parts[parts.size() - 2], 42u);
+    EXPECT_EQ(parts.back(), 43u);
 }
 
 TEST(EarlyJoints, NoPartIsPlacedBeforeOneBelowIt)
