@@ -104,7 +104,7 @@ void BookletParts::writeSymbols()
     _markup.getStream() << "<svg class=\"symbols\" aria-hidden=\"true\">\n";
     for (std::size_t kind = 0; kind < number; ++kind)
     {
-        _progress(fmt::format("part {} of {}", kind + 1, number));
+        _progress(fmt::format("kind of part {} of {}", kind + 1, number));
         _markup.writeKind(kind, _pictures.drawKind(kind));
     }
     _markup.getStream() << "</svg>\n";

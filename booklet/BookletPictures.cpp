@@ -282,9 +282,21 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    const std::span<const std::uint32_t> placed = std::span(own.plan->getOrder()).first(shown.numPlaced);
-    NewPartOutline(NewPartMask::create(*own.model, placed, shown.numNew, camera, frame, size, NewPartOutline::MARGIN))
-        .draw(*image);
+    const auto outline = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
+    {
+        NewPartOutline(NewPartMask::create(*own.model, placed, numNew, camera, frame, size, NewPartOutline::MARGIN))
+            .draw(*image);
+    };
+    std::vector<std::uint32_t> placed(own.plan->getOrder().begin(),
+                                      own.plan->getOrder().begin() + static_cast<std::ptrdiff_t>(shown.numPlaced));
+    outline(placed, shown.numNew);
+    if (shown.numDirect > 0 && shown.numDirect < shown.numNew)
+    {
+        // Parts that are placed with a submodel would look like some of its own.
+        const auto direct = placed.end() - static_cast<std::ptrdiff_t>(shown.numNew);
+        std::rotate(direct, direct + static_cast<std::ptrdiff_t>(shown.numDirect), placed.end());
+        outline(placed, shown.numDirect);
+    }
     if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)

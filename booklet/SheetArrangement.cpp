@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double SMALL_PITCH = 1.5;            // millimetres; smaller studs need wider columns
-constexpr double LARGE_PITCH = 3.0;            // likewise; larger studs are no better
+constexpr double LARGE_PITCH = 4.0;            // likewise; larger studs are no better
 constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
 constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
 constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet
@@ -60,7 +60,7 @@ SheetArrangement::Choice SheetArrangement::choose(std::size_t mostColumns)
 {
     constexpr double LEAST_SHARE = 0.65; // of the widest pictures that fit
     constexpr int NUM_SHARES = 36;
-    constexpr double SCALE_EXPONENT = 0.8; // pictures that are larger by a tenth are worth 8 % more sheets
+    constexpr double SCALE_EXPONENT = 1.0; // pictures that are larger by a tenth are worth 8 % more sheets
     Choice best;
     for (_numColumns = 1; _numColumns <= std::min(mostColumns, _blocks.size()); ++_numColumns)
     {

@@ -212,7 +212,7 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
     block.hasScale = hasScale;
     if (!hasScale)
     {
-        constexpr double MOST_PITCH = 3.0;
+        constexpr double MOST_PITCH = 4.0;
         constexpr double MOST_HEIGHT = 0.4 * SheetArrangement::HEIGHT;
         block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
     }

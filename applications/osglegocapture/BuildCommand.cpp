@@ -117,7 +117,9 @@ std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
 {
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
-    if (options.buildParts) goals += ", of at most " + counted(*options.buildParts, "part", "parts");
+    const bool hasUsualSize = !options.buildLength && options.settingsText.empty();
+    if (options.buildParts || hasUsualSize)
+        goals += ", of at most " + counted(options.buildParts.value_or(DesignOptions::USUAL_PARTS), "part", "parts");
     if (!options.settingsText.empty()) goals += ", with the settings " + options.settingsText;
     goals += fmt::format(", with its {} axis upwards", upAxis == UpAxis::Z ? "Z" : "Y");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");

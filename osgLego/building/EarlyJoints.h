@@ -10,7 +10,7 @@ namespace osgLego
 
 /** Move parts that join others to an earlier place, so that few parts and pieces lie beside each other for long.
  *
- * A part that joins two pieces of three parts and more on the base, but comes more than 16 parts later, is placed as
+ * A part that joins two pieces of four parts and more on the base, but comes more than 16 parts later, is placed as
  * soon as all parts below it are in place. As soon as five parts on the base are loose, each of them that nothing joins
  * yet is followed by the part above it that needs the fewest others below it, and, before that one, by these others.
  * Parts that mirror each other stay together.

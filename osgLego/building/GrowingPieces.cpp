@@ -76,7 +76,7 @@ bool GrowingPieces::joinsPieces(std::uint32_t part)
 /** Whether a part joins two pieces on the base, each of several parts. */
 bool GrowingPieces::joinsLargePieces(std::uint32_t part)
 {
-    constexpr std::size_t LARGE = 3; // parts
+    constexpr std::size_t LARGE = 4; // parts
     std::uint32_t known = NONE;
     for (const PartLink& joint : _graph.getJointsBelow(part))
     {

@@ -134,20 +134,17 @@ bool StepBuilder::canShow(const UnitList& units, bool isTurning) const
     return _views->canShow(parts, isTurning);
 }
 
-/** Leave out the last units if some part is hidden otherwise, and if enough remain; preferably without a turn, and then
- * without parting units that mirror each other. If too few remain, leave out those that hide others. */
+/** Leave out the last units if some part is hidden otherwise, and if enough remain; preferably without a turn. If too
+ * few remain, leave out those that hide others. */
 void StepBuilder::shorten(UnitList& units) const
 {
     for (const bool isTurning : {false, true})
-        for (const bool isParting : {false, true})
-            for (UnitList shorter = units; _queue->getWeight(shorter) >= UnitQueue::LEAST; shorter.pop_back())
-            {
-                if (_queue->partsTwins(units, shorter.size()) != isParting || leavesOne(shorter, units) ||
-                    !canShow(shorter, isTurning))
-                    continue;
-                units = shorter;
-                return;
-            }
+        for (UnitList shorter = units; _queue->getWeight(shorter) >= UnitQueue::LEAST; shorter.pop_back())
+        {
+            if (leavesOne(shorter, units) || !canShow(shorter, isTurning)) continue;
+            units = shorter;
+            return;
+        }
     for (const bool isTurning : {false, true})
     {
         UnitList visible;

@@ -171,7 +171,7 @@ int UnitQueue::getPenalty(const UnitList& units, std::size_t length, std::size_t
     if (length == units.size()) return penalty;
     const std::uint32_t last = units[length - 1];
     const std::uint32_t next = units[length];
-    if (partsTwins(units, length)) penalty += SPLIT_TWINS;
+    if (areTwins(last, next)) penalty += SPLIT_TWINS;
     if (_order.getGroup(getLastPart(last)) == _order.getGroup(getLastPart(next))) penalty += WITHIN_GROUP;
     if (_numOpen == units.size() && getWeight(units) - weight < LEAST) penalty += FEW_LEFT;
     return penalty;

@@ -55,12 +55,6 @@ public:
     bool isSubmodel(std::uint32_t unit) const { return _units.getUnits()[unit].isSubmodel(); }
     /** The number of submodels of more than MOST parts that don't mirror the one before; the first is not counted. */
     int countUnmirroredLarge(std::span<const std::uint32_t> units) const;
-    /** Whether the last of the first units mirrors the next one. @param length the number of the first ones, from 1 on.
-     */
-    bool partsTwins(const UnitList& units, std::size_t length) const
-    {
-        return length < units.size() && areTwins(units[length - 1], units[length]);
-    }
 
 private:
     bool isLarge(std::uint32_t unit) const { return isSubmodel(unit) && _units.getUnits()[unit].parts.size() > MOST; }

@@ -34,7 +34,8 @@ DesignMaker::DesignMaker(const osg::Node& node, const DesignOptions& options, Up
     _surface = std::make_unique<SurfaceReference>(*lay(settings).model);
 }
 
-DesignMaker::Laid DesignMaker::lay(const LegoSettings& settings) const
+DesignMaker::Laid DesignMaker::lay(const LegoSettings& settings,
+                                   const std::function<void(const LegoProgress&)>& progress) const
 {
     checkCancelled();
     std::string error;
@@ -42,6 +43,7 @@ DesignMaker::Laid DesignMaker::lay(const LegoSettings& settings) const
     if (!source) throw DesignFailure(error);
     CpuBricksWork work;
     work.isCancelled = _options.isCancelled;
+    work.progress = progress;
     Laid laid{settings, makeBricksOnCpu(*source, work), {}};
     checkCancelled();
     if (!laid.model) throw DesignFailure(work.error);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <osgLego/LegoProgress.h>
 #include <osgLego/LegoSettings.h>
 #include <osgLego/ModelDesigner.h>
 #include <osgLego/design/SurfaceReference.h>
 #include <osgLego/flattening/SceneTriangles.h>
 
+#include <functional>
 #include <memory>
 
 #include <osg/Node>
@@ -28,7 +30,8 @@ public:
     /** @param node is not kept. @param options are kept as a reference. @param upAxis of all models. */
     DesignMaker(const osg::Node& node, const DesignOptions& options, UpAxis upAxis);
 
-    Laid lay(const LegoSettings& settings) const;
+    /** @param progress is called with the stages of the work, in the caller's thread; may be empty. */
+    Laid lay(const LegoSettings& settings, const std::function<void(const LegoProgress&)>& progress = nullptr) const;
     /** A model whose parts are laid fast and not joined, which looks like the final one. */
     osg::ref_ptr<const BrickModel> layDraft(const LegoSettings& settings) const;
     /** DesignCandidate::getError() of a model; the largest number if it has no bricks, since its grid misses the mesh.

@@ -114,12 +114,25 @@ DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
     return _maker.measure(best);
 }
 
-DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
+DesignCandidate DesignSearch::makeSupported(LegoSettings settings, double share)
 {
     constexpr int MOST_TRIES = 3; // each is slow
     constexpr double USUAL_SHARE = 0.95;
+    constexpr double SHARE_OF_FIRST_TRY = 0.7; // of the time; others have fewer parts
     settings.parts.support = true;
-    Laid laid = _maker.lay(settings);
+    double reported = 0.0;
+    const auto reportUpTo = [&](double done)
+    {
+        if (done <= reported) return;
+        report(share * (done - reported));
+        reported = done;
+    };
+    const auto tell = [&](const LegoProgress& progress)
+    {
+        if (progress.stage == LegoProgress::Stage::SUPPORT) // others take hardly any time
+            reportUpTo(SHARE_OF_FIRST_TRY * static_cast<double>(progress.fraction));
+    };
+    Laid laid = _maker.lay(settings, tell);
     for (int tries = 1; _settings.canChooseSize() && tries < MOST_TRIES; ++tries)
     {
         if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
@@ -128,9 +141,11 @@ DesignCandidate DesignSearch::makeSupported(LegoSettings settings) const
             std::sqrt(USUAL_SHARE * static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
         settings.grid.resolution =
             std::clamp(static_cast<unsigned int>(scale * settings.grid.resolution), 1u, settings.grid.resolution - 1);
-        laid = _maker.lay(settings);
+        laid = _maker.lay(settings, tell);
     }
-    return _maker.measure(laid);
+    DesignCandidate candidate = _maker.measure(laid);
+    reportUpTo(1.0);
+    return candidate;
 }
 
 /** Drafts by all settings that give different ones, those most like the mesh first. */
@@ -255,15 +270,14 @@ void DesignSearch::supportBetter()
     falling.resize(std::min(falling.size(), MOST_SUPPORTED));
     for (std::size_t first = 0; first < falling.size(); first += AT_ONCE)
     {
+        constexpr double SHARE = (1.0 - SHARE_OF_DRAFTS - SHARE_OF_MODELS - SHARE_OF_PLANS) / MOST_SUPPORTED;
         std::vector<DesignCandidate> made(std::min(AT_ONCE, falling.size() - first));
         tbb::parallel_for(std::size_t(0), made.size(),
-                          [&](std::size_t index) { made[index] = makeSupported(falling[first + index]); });
+                          [&](std::size_t index) { made[index] = makeSupported(falling[first + index], SHARE); });
         _supported.insert(_supported.end(), falling.begin() + static_cast<std::ptrdiff_t>(first),
                           falling.begin() + static_cast<std::ptrdiff_t>(first + made.size()));
         for (DesignCandidate& candidate : made)
             addCandidate(std::move(candidate));
-        report((1.0 - SHARE_OF_DRAFTS - SHARE_OF_MODELS - SHARE_OF_PLANS) * static_cast<double>(AT_ONCE) /
-               static_cast<double>(MOST_SUPPORTED));
         if (DesignRanking::standsSafely(_candidates.front())) return;
     }
 }
@@ -317,19 +331,19 @@ void DesignSearch::supportHard(double share)
                                             [&](const DesignCandidate& other) { return other.settings == settings; });
         if (isEasy && candidate->getError() > FAR * best.getError()) continue;
         if (isEasy && !std::exchange(hasOneMore, false)) break;
-        supportCandidate(static_cast<std::size_t>(candidate - _candidates.begin()));
+        supportCandidate(static_cast<std::size_t>(candidate - _candidates.begin()),
+                         share / static_cast<double>(hard.size()));
         planBetter(0.0);
-        report(share / static_cast<double>(hard.size()));
     }
 }
 
 /** Make a candidate again with support, and plan how that is built. If both exceed the limits and support helps, only
  * the supported model remains, since the other one is more like the mesh and would come first. */
-void DesignSearch::supportCandidate(std::size_t index)
+void DesignSearch::supportCandidate(std::size_t index, double share)
 {
     const DesignCandidate& candidate = _candidates[index];
     const DesignRanking ranking = createRanking();
-    DesignCandidate supported = makeSupported(candidate.settings);
+    DesignCandidate supported = makeSupported(candidate.settings, share);
     if (supported.isSound() && supported.layout.numParts <= DesignCandidate::MOST_PLANNED_PARTS)
         _maker.planBuildingOf(supported);
     const bool isHelped =

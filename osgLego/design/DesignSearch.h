@@ -45,7 +45,7 @@ private:
     Laid layJoined(const LegoSettings& settings) const;
     Draft makeDraft(LegoSettings settings) const;
     DesignCandidate makeLargest(LegoSettings settings) const;
-    DesignCandidate makeSupported(LegoSettings settings) const;
+    DesignCandidate makeSupported(LegoSettings settings, double share);
     std::vector<Draft> makeDrafts(const std::vector<LegoSettings>& settings);
     void makeBetter(const std::vector<Draft>& drafts);
     bool makeOthers(double share, double mostError);
@@ -56,7 +56,7 @@ private:
     void planBest();
     void planBetter(double share);
     void supportHard(double share);
-    void supportCandidate(std::size_t index);
+    void supportCandidate(std::size_t index, double share);
     void report(double share);
 
     const DesignOptions& _options;

@@ -99,6 +99,28 @@ TEST_F(BookletLookTest, NewPartsHaveAnOutlineOfEnoughContrastOnModelsOfOneColor)
     }
 }
 
+TEST_F(BookletLookTest, PartsThatAStepPlacesWithASubmodelHaveAnOutlineOfTheirOwn)
+{
+    // Two white stacks of two bricks side by side on an earlier brick; the left one is a submodel.
+    const std::array<std::uint8_t, 3> white{244, 244, 244};
+    const std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, white},
+                                  {{0, 0, 1}, {4, 2, 1}, white},
+                                  {{4, 0, 1}, {4, 2, 1}, white},
+                                  {{0, 0, 2}, {4, 2, 1}, white},
+                                  {{4, 0, 2}, {4, 2, 1}, white}};
+    const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 3}, HEIGHT_OF_BRICK), parts);
+    Submodel submodel{{createStep({1, 3})}};
+    const auto plan = BuildingPlan::create(5, {createStep({0}), createStep({2, 4}, {0})}, {submodel});
+    const BookletModel model(*bricks, *plan, {});
+    const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 1));
+    const StepPicture place({0, false}, parts, 5, {pixels.getWidth(), pixels.getHeight()});
+    // The line between them is to the left of the seam, beside the black line of the parts.
+    const Color line = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
+    const Color beside = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(20.0, 0.0));
+    EXPECT_GT(beside.green, 0.4);
+    EXPECT_LT(line.green, 0.5 * beside.green);
+}
+
 TEST_F(BookletLookTest, TheFrontIsTheGivenViewForTheCoverAndForSteps)
 {
     // A row of a red and a blue brick, seen from the back: the red end is on the right.

@@ -78,27 +78,27 @@ std::size_t findLast(const std::vector<BuildingBox>& boxes)
 
 TEST(EarlyJoints, PiecesAreJoinedAtOnceUnlessAPartWouldJoinThemSoon)
 {
-    EXPECT_EQ(findLast(createTowers(3, 15)), 21u);
-    EXPECT_EQ(findLast(createTowers(3, 16)), 6u);
+    EXPECT_EQ(findLast(createTowers(4, 15)), 23u);
+    EXPECT_EQ(findLast(createTowers(4, 16)), 8u);
     EXPECT_EQ(findLast(createTowers(5, 30)), 10u);
 }
 
-TEST(EarlyJoints, PiecesOfTwoPartsWaitForTheirTurn)
+TEST(EarlyJoints, PiecesOfThreePartsWaitForTheirTurn)
 {
-    EXPECT_EQ(findLast(createTowers(2, 30)), 34u);
+    EXPECT_EQ(findLast(createTowers(3, 30)), 36u);
 }
 
 TEST(EarlyJoints, PiecesThatDoNotReachTheBaseWaitForTheirTurn)
 {
-    EXPECT_EQ(findLast(createTowers(4, 30, 1)), 37u);
+    EXPECT_EQ(findLast(createTowers(5, 30, 1)), 39u);
 }
 
 TEST(EarlyJoints, PiecesAreJoinedAsSoonAsAllPartsBelowAreInPlace)
 {
     // A brick between the towers, which the beam would hide from a hand, comes in the middle of the others.
-    std::vector<BuildingBox> boxes = createTowers(3, 40);
-    boxes.insert(boxes.begin() + 16, {{2, 0, 0}, {4, 2, 1}});
-    EXPECT_EQ(findLast(boxes), 17u);
+    std::vector<BuildingBox> boxes = createTowers(4, 40);
+    boxes.insert(boxes.begin() + 18, {{2, 0, 0}, {4, 2, 1}});
+    EXPECT_EQ(findLast(boxes), 19u);
 }
 
 TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
@@ -107,7 +107,7 @@ TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
     std::vector<BuildingBox> boxes;
     const auto addTowers = [&boxes](int left)
     {
-        for (int layer = 0; layer < 3; ++layer)
+        for (int layer = 0; layer < 4; ++layer)
             for (const int x : {left, left + 4})
                 boxes.push_back({{x, 0, layer}, {x + 2, 2, layer + 1}});
     };
@@ -115,11 +115,11 @@ TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
     for (int layer = 0; layer < 30; ++layer)
         boxes.push_back({{9, 0, layer}, {11, 2, layer + 1}});
     addTowers(14);
-    boxes.push_back({{0, 0, 3}, {6, 2, 4}});
-    boxes.push_back({{14, 0, 3}, {20, 2, 4}});
+    boxes.push_back({{0, 0, 4}, {6, 2, 5}});
+    boxes.push_back({{14, 0, 4}, {20, 2, 5}});
     const std::vector<std::uint32_t> parts = order(boxes);
-    EXPECT_EQ(parts[parts.size() - 2], 42u);
-    EXPECT_EQ(parts.back(), 43u);
+    EXPECT_EQ(parts[parts.size() - 2], 46u);
+    EXPECT_EQ(parts.back(), 47u);
 }
 
 TEST(EarlyJoints, NoPartIsPlacedBeforeOneBelowIt)

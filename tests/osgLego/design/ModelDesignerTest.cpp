@@ -555,6 +555,19 @@ TEST(ModelDesigner, TheProgressGrowsToOne)
     EXPECT_EQ(last, 1.0);
 }
 
+TEST(ModelDesigner, TheProgressGrowsWhileModelsAreSupported)
+{
+    DesignOptions options;
+    options.settings = "12,proportions=brick,fill=surface,colors=8";
+    std::vector<double> shares;
+    options.progress = [&shares](double share) { shares.push_back(share); };
+    std::string error;
+    EXPECT_TRUE(designModel(*createOneLeggedTable(), options, error)) << error;
+    // Other models have 60 %, and each supported one 3 %.
+    EXPECT_GE(std::count_if(shares.begin(), shares.end(), [](double share) { return share > 0.601 && share < 0.63; }),
+              5);
+}
+
 } // namespace
 
 } // namespace osgLego
