@@ -50,8 +50,9 @@ void checkBookletFolder(const std::string& fileName)
     const bool isThere = folder.empty() || fs::exists(folder, ignored);
     if (const std::string obstacle = findObstacleToWriting(isThere ? fileName : folder.string()); !obstacle.empty())
         throw cannotWrite(fileName, obstacle);
-    // Shows names that are too long, and file systems without new folders, before the work.
-    if (!isThere) const BookletFolder attempt(fileName);
+    if (isThere) return;
+    // Names that are too long, and file systems without new folders, show before the work.
+    const BookletFolder attempt(fileName);
 }
 
 void writeBookletFile(const std::string& fileName, const std::function<void(std::ostream&)>& write)

@@ -1,7 +1,6 @@
 #include "SheetArrangement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -60,7 +59,6 @@ SheetArrangement::Choice SheetArrangement::choose(std::size_t mostColumns)
 {
     constexpr double LEAST_SHARE = 0.65; // of the widest pictures that fit
     constexpr int NUM_SHARES = 36;
-    constexpr double SCALE_EXPONENT = 1.0; // pictures that are larger by a tenth are worth 8 % more sheets
     Choice best;
     for (_numColumns = 1; _numColumns <= std::min(mostColumns, _blocks.size()); ++_numColumns)
     {
@@ -71,7 +69,8 @@ SheetArrangement::Choice SheetArrangement::choose(std::size_t mostColumns)
             if (_numColumns > 1 && _pitch < SMALL_PITCH) break;
             const double numSheets = plan().back().cost;
             if (numSheets >= SheetFilling::IMPOSSIBLE) continue;
-            const double cost = numSheets / std::pow(std::min(_pitch, LARGE_PITCH), SCALE_EXPONENT);
+            // Pictures that are larger by a tenth are worth a tenth more sheets.
+            const double cost = numSheets / std::min(_pitch, LARGE_PITCH);
             if (cost < best.cost) best = {cost, _numColumns, _pitch};
         }
     }
