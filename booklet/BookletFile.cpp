@@ -51,7 +51,7 @@ void checkBookletFolder(const std::string& fileName)
     if (const std::string obstacle = findObstacleToWriting(isThere ? fileName : folder.string()); !obstacle.empty())
         throw cannotWrite(fileName, obstacle);
     if (isThere) return;
-    // Names that are too long, and file systems without new folders, show before the work.
+    // Some file systems refuse folders for no reason that can be checked.
     const BookletFolder attempt(fileName);
 }
 

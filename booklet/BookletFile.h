@@ -23,7 +23,8 @@ private:
     bool _isNew = false;
 };
 
-/** Throws BookletFailure if a file can't be written in its folder, or in a new one. */
+/** Throws BookletFailure if a file can't be written in its folder, or in a new one, which is made and removed for that.
+ */
 void checkBookletFolder(const std::string& fileName);
 
 /** Write a file atomically by a function that may throw. Throws BookletFailure. */

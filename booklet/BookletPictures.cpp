@@ -50,6 +50,26 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     return size;
 }
 
+/** Outline the new parts of a step in its picture, and those that it places with a submodel apart: they would look like
+ * some of the submodel's own. */
+void drawOutlines(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera,
+                  const BookletFrame& frame, osg::Image& picture)
+{
+    const auto draw = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
+    {
+        NewPartOutline(NewPartMask::create(*chapter.model, placed, numNew, camera, frame, {picture.s(), picture.t()},
+                                           NewPartOutline::MARGIN))
+            .draw(picture);
+    };
+    const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
+    draw(placed, step.numNew);
+    if (step.numDirect == 0 || step.numDirect == step.numNew) return;
+    std::vector<std::uint32_t> directLast(placed.begin(), placed.end());
+    const auto direct = directLast.end() - static_cast<std::ptrdiff_t>(step.numNew);
+    std::rotate(direct, direct + static_cast<std::ptrdiff_t>(step.numDirect), directLast.end());
+    draw(directLast, step.numDirect);
+}
+
 /** A file format, and its quality for OpenImageIO. */
 struct PictureFormat
 {
@@ -282,21 +302,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    const auto outline = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
-    {
-        NewPartOutline(NewPartMask::create(*own.model, placed, numNew, camera, frame, size, NewPartOutline::MARGIN))
-            .draw(*image);
-    };
-    std::vector<std::uint32_t> placed(own.plan->getOrder().begin(),
-                                      own.plan->getOrder().begin() + static_cast<std::ptrdiff_t>(shown.numPlaced));
-    outline(placed, shown.numNew);
-    if (shown.numDirect > 0 && shown.numDirect < shown.numNew)
-    {
-        // Parts that are placed with a submodel would look like some of its own.
-        const auto direct = placed.end() - static_cast<std::ptrdiff_t>(shown.numNew);
-        std::rotate(direct, direct + static_cast<std::ptrdiff_t>(shown.numDirect), placed.end());
-        outline(placed, shown.numDirect);
-    }
+    drawOutlines(own, shown, camera, frame, *image);
     if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)

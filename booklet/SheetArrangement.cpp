@@ -11,7 +11,6 @@ namespace
 {
 
 constexpr double SMALL_PITCH = 1.5;            // millimetres; smaller studs need wider columns
-constexpr double LARGE_PITCH = 4.0;            // likewise; larger studs are no better
 constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
 constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
 constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet

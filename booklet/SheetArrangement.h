@@ -64,6 +64,7 @@ public:
     static constexpr double COLUMN_SPACE = 6.0;   //!< between columns
     static constexpr double BLOCK_SPACE = 5.0;    //!< between blocks at least
     static constexpr double PICTURE_SPACE = 2.0;  //!< above a picture
+    static constexpr double LARGE_PITCH = 4.0;    //!< of a stud; larger ones are no better
     static constexpr double LEAST_PICTURE = 25.0; //!< the height of pictures, which are smaller only at their scale
     static constexpr double MOST_BODY = 0.75 * HEIGHT; //!< of a block with a picture of the least height
     static constexpr double MOST_HEAD = MOST_BODY - PICTURE_SPACE - LEAST_PICTURE;

@@ -212,9 +212,8 @@ SheetBlock SheetMeasures::measureStep(std::size_t chapter, std::size_t step, boo
     block.hasScale = hasScale;
     if (!hasScale)
     {
-        constexpr double MOST_PITCH = 4.0;
         constexpr double MOST_HEIGHT = 0.4 * SheetArrangement::HEIGHT;
-        block.mostPitch = std::min(MOST_PITCH, MOST_HEIGHT / block.studs.y);
+        block.mostPitch = std::min(SheetArrangement::LARGE_PITCH, MOST_HEIGHT / block.studs.y);
     }
     if (chapter > 0) block.lostWidth = BAR;
     findScales([&](double width) { return measureHead(_model.getChapters()[chapter], own, width - block.lostWidth); },

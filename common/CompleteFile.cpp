@@ -72,7 +72,10 @@ std::string findObstacleToWriting(const std::string& fileName)
     if (!fs::is_directory(folder, ignored)) return name + " is a file; expected a folder";
     if (access(folder.c_str(), W_OK) != 0)
         return "the folder " + name + " can't be written to: " + std::strerror(errno) + "; expected a writable folder";
-    if (fs::exists(path, ignored) && access(path.c_str(), W_OK) != 0)
+    std::error_code error; // such as a name that is too long
+    const bool isThere = fs::exists(path, error);
+    if (error) return error.message() + "; expected another name";
+    if (isThere && access(path.c_str(), W_OK) != 0)
         return std::string("it can't be replaced: ") + std::strerror(errno) + "; expected a writable file";
     return {};
 }

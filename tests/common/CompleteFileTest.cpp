@@ -147,6 +147,11 @@ TEST_F(CompleteFile, MayHaveTheLongestName)
     EXPECT_EQ(contentsOf(name), "whole");
 }
 
+TEST_F(CompleteFile, ANameThatIsTooLongIsRefusedBeforehand)
+{
+    EXPECT_EQ(findObstacleToWriting(pathOf(std::string(256, 'a'))), "File name too long; expected another name");
+}
+
 TEST_F(CompleteFile, IsWrittenThroughALink)
 {
     const std::string name = writeUsual("a.txt");
