@@ -1,6 +1,7 @@
 #include <osgLego/building/GrowingPieces.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace osgLego
 {
@@ -22,28 +23,48 @@ void GrowingPieces::place(std::uint32_t part)
         for (const PartLink& joint : joints)
             if (_isPlaced[joint.part]) join(part, joint.part);
     for (const PartLink& next : _graph.getNextAbove(part))
-        if (isReady(next.part)) _joints.push_back(next.part);
-    std::erase_if(_joints, [this](std::uint32_t joint) { return _isPlaced[joint] || !joinsPieces(joint); });
+    {
+        if (!isReady(next.part)) continue;
+        addJoint(next.part);
+        if (const std::uint32_t twin = findTwin(next.part); twin != NONE) addJoint(twin);
+    }
+}
+
+/** Remember a part that can be placed: if its pieces are large, as one that joins them, and otherwise with those of its
+ * pieces that are not large yet. Adding it again does no harm. */
+void GrowingPieces::addJoint(std::uint32_t part)
+{
+    if (joinsLargePieces(part)) _largeJoints.emplace(_ranks[part], part);
+    for (const PartLink& joint : _graph.getJointsBelow(part))
+        if (Piece& piece = _pieces[find(joint.part)]; !piece.isLarge()) piece.joints.push_back(part);
 }
 
 void GrowingPieces::join(std::uint32_t part, std::uint32_t other)
 {
-    const std::uint32_t a = find(part);
-    const std::uint32_t b = find(other);
+    std::uint32_t a = find(part);
+    std::uint32_t b = find(other);
     if (a == b) return;
+    if (_pieces[a].joints.size() < _pieces[b].joints.size()) std::swap(a, b);
+    Piece joined = std::move(_pieces[a]);
+    const Piece added = std::exchange(_pieces[b], {});
+    joined.numParts += added.numParts;
+    joined.isOnBase = joined.isOnBase || added.isOnBase;
+    joined.joints.insert(joined.joints.end(), added.joints.begin(), added.joints.end());
     _sets.join(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
-    _pieces[find(a)] = {_pieces[a].numParts + _pieces[b].numParts, _pieces[a].isOnBase || _pieces[b].isOnBase};
+    Piece& piece = _pieces[find(a)] = std::move(joined);
+    if (!piece.isLarge()) return;
+    for (const std::uint32_t joint : std::exchange(piece.joints, {}))
+        if (joinsLargePieces(joint)) _largeJoints.emplace(_ranks[joint], joint);
 }
 
 std::uint32_t GrowingPieces::findLateJoint(std::uint32_t part)
 {
     constexpr std::uint32_t SOON = 16; // parts: about two steps
-    std::uint32_t first = NONE;
-    for (const std::uint32_t joint : _joints)
-        if (_ranks[joint] > _ranks[part] + SOON && (first == NONE || _ranks[joint] < _ranks[first]) &&
-            joinsLargePieces(joint))
-            first = joint;
-    return first;
+    auto joint = _largeJoints.lower_bound({_ranks[part] + SOON + 1, 0});
+    // A part that no longer joins large pieces is added again when another of its pieces becomes large.
+    while (joint != _largeJoints.end() && (_isPlaced[joint->second] || !joinsLargePieces(joint->second)))
+        joint = _largeJoints.erase(joint);
+    return joint == _largeJoints.end() ? NONE : joint->second;
 }
 
 bool GrowingPieces::canBePlaced(std::uint32_t part) const
@@ -66,22 +87,13 @@ std::uint32_t GrowingPieces::findTwin(std::uint32_t part) const
     return isNext ? twin : NONE;
 }
 
-bool GrowingPieces::joinsPieces(std::uint32_t part)
-{
-    const auto joints = _graph.getJointsBelow(part);
-    return std::any_of(joints.begin(), joints.end(),
-                       [&](const PartLink& joint) { return find(joint.part) != find(joints.front().part); });
-}
-
-/** Whether a part joins two pieces on the base, each of several parts. */
 bool GrowingPieces::joinsLargePieces(std::uint32_t part)
 {
-    constexpr std::size_t LARGE = 4; // parts
     std::uint32_t known = NONE;
     for (const PartLink& joint : _graph.getJointsBelow(part))
     {
         const std::uint32_t piece = find(joint.part);
-        if (!_pieces[piece].isOnBase || _pieces[piece].numParts < LARGE) continue;
+        if (!_pieces[piece].isLarge()) continue;
         if (known != NONE && known != piece) return true;
         known = piece;
     }

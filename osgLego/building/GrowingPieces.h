@@ -4,8 +4,10 @@
 #include <osgLego/data/UnionFind.h>
 #include <osgLego/stability/JointGraph.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace osgLego
@@ -45,7 +47,13 @@ private:
     {
         std::size_t numParts = 1;
         bool isOnBase = false;
+        /** Parts that can be placed on the piece and others; empty for large pieces. */
+        std::vector<std::uint32_t> joints = {};
+
+        bool isLarge() const { return isOnBase && numParts >= LEAST_LARGE; }
     };
+
+    static constexpr std::size_t LEAST_LARGE = 4; // parts
 
     void join(std::uint32_t part, std::uint32_t other);
     std::uint32_t find(std::uint32_t part)
@@ -53,7 +61,7 @@ private:
         return static_cast<std::uint32_t>(_sets.find(static_cast<std::int32_t>(part)));
     }
     bool isReady(std::uint32_t part) const;
-    bool joinsPieces(std::uint32_t part);
+    void addJoint(std::uint32_t part);
     bool joinsLargePieces(std::uint32_t part);
 
     const JointGraph& _graph;
@@ -61,8 +69,10 @@ private:
     const std::vector<std::uint32_t>& _ranks;
     std::vector<bool> _isPlaced;
     UnionFind _sets;
-    std::vector<Piece> _pieces;         // by their first part
-    std::vector<std::uint32_t> _joints; // parts that could be placed and join pieces
+    std::vector<Piece> _pieces; // by their first part
+    // Parts that joined large pieces when they were added, with their ranks. They may have been placed since, or their
+    // pieces been joined.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> _largeJoints;
 };
 
 } // namespace osgLego

@@ -7,9 +7,9 @@
 namespace osgLego
 {
 
-/** The preferred order of parts: region by region, in each of them layer by layer, and
- * in a layer along a walk from neighbour to neighbour, with parts that mirror each other together. Parts that join
- * those on the base come as early as possible.
+/** The preferred order of parts: region by region, in each of them layer by layer, and in a layer along a walk from
+ * neighbour to neighbour, with parts that mirror each other together. joinEarly() then moves parts that join others to
+ * an earlier place.
  *
  * Immutable once created; every function may be called from any thread. */
 class PartOrder

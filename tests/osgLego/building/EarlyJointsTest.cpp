@@ -88,6 +88,32 @@ TEST(EarlyJoints, PiecesOfThreePartsWaitForTheirTurn)
     EXPECT_EQ(findLast(createTowers(3, 30)), 36u);
 }
 
+TEST(EarlyJoints, PiecesOfThreePartsAreJoinedWhenTheyHaveAFourth)
+{
+    // Two towers of three bricks, the lowest of which has room for another, and the beam on both. The second one gets
+    // its fourth brick later.
+    std::vector<BuildingBox> boxes;
+    const auto addTower = [&boxes](int left)
+    {
+        boxes.push_back({{left, 0, 0}, {left + 2, 4, 1}});
+        for (const int layer : {1, 2})
+            boxes.push_back({{left, 0, layer}, {left + 2, 2, layer + 1}});
+    };
+    const auto addOthers = [&boxes](int first, int last)
+    {
+        for (int layer = first; layer < last; ++layer)
+            boxes.push_back({{12, 8, layer}, {14, 10, layer + 1}});
+    };
+    addTower(0);
+    boxes.push_back({{0, 2, 1}, {2, 4, 2}});
+    addTower(4);
+    addOthers(0, 10);
+    boxes.push_back({{4, 2, 1}, {6, 4, 2}});
+    addOthers(10, 40);
+    boxes.push_back({{0, 0, 3}, {6, 2, 4}});
+    EXPECT_EQ(findLast(boxes), 18u);
+}
+
 TEST(EarlyJoints, PiecesThatDoNotReachTheBaseWaitForTheirTurn)
 {
     EXPECT_EQ(findLast(createTowers(5, 30, 1)), 39u);
@@ -101,9 +127,10 @@ TEST(EarlyJoints, PiecesAreJoinedAsSoonAsAllPartsBelowAreInPlace)
     EXPECT_EQ(findLast(boxes), 19u);
 }
 
-TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
+/** Two towers on the left and, after a tower in the middle, two on the right that mirror them. Last come the rest of
+ * the middle tower, and a beam on either pair. */
+std::vector<BuildingBox> createMirroredTowers()
 {
-    // Two towers on the left, many parts in the middle, two towers on the right, and a beam on either pair.
     std::vector<BuildingBox> boxes;
     const auto addTowers = [&boxes](int left)
     {
@@ -113,13 +140,31 @@ TEST(EarlyJoints, MirroredPartsThatJoinPiecesStayTogether)
     };
     addTowers(0);
     for (int layer = 0; layer < 30; ++layer)
-        boxes.push_back({{9, 0, layer}, {11, 2, layer + 1}});
+        boxes.push_back({{9, 4, layer}, {11, 6, layer + 1}});
     addTowers(14);
+    for (int layer = 30; layer < 60; ++layer)
+        boxes.push_back({{9, 4, layer}, {11, 6, layer + 1}});
     boxes.push_back({{0, 0, 4}, {6, 2, 5}});
     boxes.push_back({{14, 0, 4}, {20, 2, 5}});
+    return boxes;
+}
+
+TEST(EarlyJoints, MirroredPartsThatJoinPiecesArePlacedTogetherAsSoonAsBothCanBe)
+{
+    const std::vector<std::uint32_t> parts = order(createMirroredTowers());
+    EXPECT_EQ(parts[46], 76u);
+    EXPECT_EQ(parts[47], 77u);
+}
+
+TEST(EarlyJoints, APairIsEarlyEvenIfOnlyTheFirstOfItJoinsLargePieces)
+{
+    // The towers on the right are joined below their last layer, so that the beam on them joins nothing.
+    std::vector<BuildingBox> boxes = createMirroredTowers();
+    boxes[44] = {{14, 0, 3}, {20, 2, 4}};
+    boxes.erase(boxes.begin() + 45);
     const std::vector<std::uint32_t> parts = order(boxes);
-    EXPECT_EQ(parts[parts.size() - 2], 46u);
-    EXPECT_EQ(parts.back(), 47u);
+    EXPECT_EQ(parts[45], 75u);
+    EXPECT_EQ(parts[46], 76u);
 }
 
 TEST(EarlyJoints, NoPartIsPlacedBeforeOneBelowIt)
