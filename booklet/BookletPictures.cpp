@@ -55,19 +55,23 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
 void drawOutlines(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera,
                   const BookletFrame& frame, osg::Image& picture)
 {
-    const auto draw = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
+    const auto createOutline = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
     {
-        NewPartOutline(NewPartMask::create(*chapter.model, placed, numNew, camera, frame, {picture.s(), picture.t()},
-                                           NewPartOutline::MARGIN))
-            .draw(picture);
+        return NewPartOutline(NewPartMask::create(*chapter.model, placed, numNew, camera, frame,
+                                                  {picture.s(), picture.t()}, NewPartOutline::MARGIN));
     };
     const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
-    draw(placed, step.numNew);
-    if (step.numDirect == 0 || step.numDirect == step.numNew) return;
-    std::vector<std::uint32_t> directLast(placed.begin(), placed.end());
-    const auto direct = directLast.end() - static_cast<std::ptrdiff_t>(step.numNew);
-    std::rotate(direct, direct + static_cast<std::ptrdiff_t>(step.numDirect), directLast.end());
-    draw(directLast, step.numDirect);
+    std::vector<NewPartOutline> outlines{createOutline(placed, step.numNew)};
+    if (step.numDirect > 0 && step.numDirect < step.numNew)
+    {
+        std::vector<std::uint32_t> directLast(placed.begin(), placed.end());
+        const auto direct = directLast.end() - static_cast<std::ptrdiff_t>(step.numNew);
+        std::rotate(direct, direct + static_cast<std::ptrdiff_t>(step.numDirect), directLast.end());
+        outlines.push_back(createOutline(directLast, step.numDirect));
+    }
+    const PixelColor color = NewPartOutline::chooseColor(outlines, picture);
+    for (const NewPartOutline& outline : outlines)
+        outline.draw(picture, color);
 }
 
 /** A file format, and its quality for OpenImageIO. */

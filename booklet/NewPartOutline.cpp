@@ -89,17 +89,22 @@ float NewPartOutline::findShare(const std::vector<float>& shares, double x, doub
            up * ((1.0f - across) * at(left, high) + across * at(right, high));
 }
 
-/** The first colour with enough contrast to nearly all of the surroundings or, if there is none, that with the most. */
-PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
+void NewPartOutline::addSurroundings(const osg::Image& picture, std::vector<PixelColor>& colors) const
+{
+    for (int y = 0; y < _height; ++y)
+        for (int x = 0; x < _width; ++x)
+            if (_outside[static_cast<std::size_t>(y * _width + x)] > 0.5f)
+                colors.push_back(
+                    getPixel(picture, NewPartMask::PIXELS * (_lowest.x + x), NewPartMask::PIXELS * (_lowest.y + y)));
+}
+
+PixelColor NewPartOutline::chooseColor(const std::vector<NewPartOutline>& outlines, const osg::Image& picture)
 {
     constexpr std::size_t FEW = 100; // a hundredth of the surroundings may have less contrast
     constexpr double RESERVE = 1.1;  // for antialiasing, and for the losses of JPEG
     std::vector<PixelColor> surroundings;
-    for (int y = 0; y < _height; ++y)
-        for (int x = 0; x < _width; ++x)
-            if (_outside[static_cast<std::size_t>(y * _width + x)] > 0.5f)
-                surroundings.push_back(
-                    getPixel(picture, NewPartMask::PIXELS * (_lowest.x + x), NewPartMask::PIXELS * (_lowest.y + y)));
+    for (const NewPartOutline& outline : outlines)
+        outline.addSurroundings(picture, surroundings);
     if (surroundings.empty()) return CANDIDATES.front();
     PixelColor best{};
     double most = 0.0;
@@ -119,9 +124,8 @@ PixelColor NewPartOutline::chooseColor(const osg::Image& picture) const
     return best;
 }
 
-PixelColor NewPartOutline::draw(osg::Image& picture) const
+void NewPartOutline::draw(osg::Image& picture, const PixelColor& color) const
 {
-    const PixelColor color = chooseColor(picture);
     const glm::ivec2 first = NewPartMask::PIXELS * _lowest;
     const glm::ivec2 end =
         glm::min(first + NewPartMask::PIXELS * glm::ivec2(_width, _height), glm::ivec2(picture.s(), picture.t()));
@@ -136,7 +140,6 @@ PixelColor NewPartOutline::draw(osg::Image& picture) const
                 data[channel] = static_cast<unsigned char>(
                     std::lround((1.0f - share) * data[channel] + share * static_cast<float>(color[channel])));
         }
-    return color;
 }
 
 } // namespace osgLego

@@ -18,11 +18,12 @@ using PixelColor = std::array<std::uint8_t, 3>;
 /** The contrast of two colours by WCAG 2.2, 1 to 21. */
 double getContrast(const PixelColor& color, const PixelColor& other);
 
-/** Draws a line around the new parts in the picture of a step, so that they are found at once in any colour.
+/** Draws a line around new parts in the picture of a step, so that they are found at once in any colour.
  *
- *     NewPartOutline(NewPartMask::create(...)).draw(*picture);
+ *     const std::vector<NewPartOutline> outlines{NewPartOutline(NewPartMask::create(...))};
+ *     const PixelColor color = NewPartOutline::chooseColor(outlines, *picture);
+ *     outlines.front().draw(*picture, color);
  *
- * Its colour has a contrast of at least 3 to nearly all of its surroundings, the earlier parts and the background.
  * One thread. */
 class NewPartOutline
 {
@@ -34,12 +35,16 @@ public:
 
     explicit NewPartOutline(const NewPartMask& mask);
 
-    /** Draw the line into the picture of the mask, 8-bit RGB. @return its colour. */
-    PixelColor draw(osg::Image& picture) const;
+    /** A colour for some outlines. Its contrast to nearly all of their surroundings, the earlier parts and the
+     * background, is at least 3 or, if no colour has that, as large as possible.
+     * @param picture that of the masks, 8-bit RGB, still without outlines. */
+    static PixelColor chooseColor(const std::vector<NewPartOutline>& outlines, const osg::Image& picture);
+    /** Draw the line into the picture of the mask. */
+    void draw(osg::Image& picture, const PixelColor& color) const;
 
 private:
+    void addSurroundings(const osg::Image& picture, std::vector<PixelColor>& colors) const;
     float findShare(const std::vector<float>& shares, double x, double y) const;
-    PixelColor chooseColor(const osg::Image& picture) const;
 
     glm::ivec2 _lowest;
     int _width;

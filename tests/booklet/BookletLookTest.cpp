@@ -99,26 +99,44 @@ TEST_F(BookletLookTest, NewPartsHaveAnOutlineOfEnoughContrastOnModelsOfOneColor)
     }
 }
 
-TEST_F(BookletLookTest, PartsThatAStepPlacesWithASubmodelHaveAnOutlineOfTheirOwn)
+TEST_F(BookletLookTest, PartsThatAStepPlacesWithASubmodelHaveAnOutlineOfTheirOwnInTheSameColor)
 {
-    // Two white stacks of two bricks side by side on an earlier brick; the left one is a submodel.
+    // Two white stacks of two bricks side by side on earlier bricks; the left one is a submodel. In a longer row of
+    // earlier bricks, the picture is smaller.
     const std::array<std::uint8_t, 3> white{244, 244, 244};
-    const std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, white},
-                                  {{0, 0, 1}, {4, 2, 1}, white},
-                                  {{4, 0, 1}, {4, 2, 1}, white},
-                                  {{0, 0, 2}, {4, 2, 1}, white},
-                                  {{4, 0, 2}, {4, 2, 1}, white}};
-    const auto bricks = BrickModel::createOfParts(createPartGrid({8, 2, 3}, HEIGHT_OF_BRICK), parts);
-    Submodel submodel{{createStep({1, 3})}};
-    const auto plan = BuildingPlan::create(5, {createStep({0}), createStep({2, 4}, {0})}, {submodel});
-    const BookletModel model(*bricks, *plan, {});
-    const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 1));
-    const StepPicture place({0, false}, parts, 5, {pixels.getWidth(), pixels.getHeight()});
-    // The line between them is to the left of the seam, beside the black line of the parts.
-    const Color line = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
-    const Color beside = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(20.0, 0.0));
-    EXPECT_GT(beside.green, 0.4);
-    EXPECT_LT(line.green, 0.5 * beside.green);
+    for (const std::size_t numEarlier : {1u, 8u})
+    {
+        std::vector<Part> parts;
+        for (std::size_t part = 0; part < numEarlier; ++part)
+            parts.push_back({{static_cast<std::uint16_t>(8 * part), 0, 0}, {8, 2, 1}, white});
+        for (const std::uint16_t layer : std::vector<std::uint16_t>{1, 2})
+            for (const std::uint16_t left : std::vector<std::uint16_t>{0, 4})
+                parts.push_back({{left, 0, layer}, {4, 2, 1}, white});
+        const auto bricks =
+            BrickModel::createOfParts(createPartGrid({8 * static_cast<int>(numEarlier), 2, 3}, HEIGHT_OF_BRICK), parts);
+        const auto find = [&](int x, int z) {
+            return static_cast<std::uint32_t>(bricks->findPart({x, 0, z}) - bricks->getParts().data());
+        };
+        BuildingStep first;
+        for (std::size_t part = 0; part < numEarlier; ++part)
+            first.parts.push_back(find(8 * static_cast<int>(part), 0));
+        Submodel submodel{{createStep({find(0, 1), find(0, 2)})}};
+        const auto plan =
+            BuildingPlan::create(parts.size(), {first, createStep({find(4, 1), find(4, 2)}, {0})}, {submodel});
+        const BookletModel model(*bricks, *plan, {});
+        const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 1));
+        const StepPicture place({0, false}, parts, parts.size(), {pixels.getWidth(), pixels.getHeight()});
+        // The line between them is to the left of the seam, beside the black line of the parts. The one around both is
+        // to the left of the submodel.
+        const Color between = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
+        const Color around = pixels.getColor(place.find({0, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
+        const Color beside = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(12.0, 0.0), 0);
+        EXPECT_GT(beside.green, 0.4) << numEarlier;
+        EXPECT_LT(between.green, 0.5 * beside.green) << numEarlier;
+        EXPECT_NEAR(between.red, around.red, 0.1) << numEarlier;
+        EXPECT_NEAR(between.green, around.green, 0.1) << numEarlier;
+        EXPECT_NEAR(between.blue, around.blue, 0.1) << numEarlier;
+    }
 }
 
 TEST_F(BookletLookTest, TheFrontIsTheGivenViewForTheCoverAndForSteps)
