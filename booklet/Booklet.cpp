@@ -227,8 +227,7 @@ void BookletWriter::writeDownloads(const std::string& fileName, const std::vecto
 
 void checkFile(const std::string& fileName)
 {
-    checkBookletFolder(fileName);
-    checkBookletFolder(nameText(fileName));
+    checkBookletFiles({fileName, nameText(fileName)});
     findLDrawWriter();
 }
 

@@ -5,6 +5,7 @@
 #include <common/CompleteFile.h>
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace osgLego
@@ -26,33 +27,32 @@ fs::path folderOf(const std::string& fileName)
     return fs::path(fileName).parent_path();
 }
 
+/** @param path of the file, or of its folder. */
+void check(const std::string& fileName, const std::string& path)
+{
+    if (const std::string obstacle = findObstacleToWriting(path); !obstacle.empty())
+        throw cannotWrite(fileName, obstacle);
+}
+
 } // namespace
 
-BookletFolder::BookletFolder(const std::string& fileName) : _name(folderOf(fileName).string())
+BookletFolder::BookletFolder(const std::string& fileName) : _folder(folderOf(fileName))
 {
-    if (_name.empty()) return;
-    std::error_code error;
-    _isNew = fs::create_directory(_name, error);
-    if (error) throw cannotWrite(fileName, error.message());
+    if (_folder.getError()) throw cannotWrite(fileName, _folder.getError().message());
 }
 
-BookletFolder::~BookletFolder()
+void checkBookletFiles(const std::vector<std::string>& fileNames)
 {
+    const fs::path folder = folderOf(fileNames.front());
     std::error_code ignored;
-    if (_isNew) fs::remove(_name, ignored);
-}
-
-void checkBookletFolder(const std::string& fileName)
-{
-    std::error_code ignored;
-    const fs::path folder = folderOf(fileName);
-    // A folder that does not exist yet is created by the rules for a file in its place.
-    const bool isThere = folder.empty() || fs::exists(folder, ignored);
-    if (const std::string obstacle = findObstacleToWriting(isThere ? fileName : folder.string()); !obstacle.empty())
-        throw cannotWrite(fileName, obstacle);
-    if (isThere) return;
-    // Some file systems refuse folders for no reason that can be checked.
-    const BookletFolder attempt(fileName);
+    std::optional<BookletFolder> attempt;
+    if (!folder.empty() && !fs::exists(folder, ignored))
+    {
+        check(fileNames.front(), folder.string()); // created by the rules for a file in its place
+        attempt.emplace(fileNames.front());
+    }
+    for (const std::string& fileName : fileNames)
+        check(fileName, fileName);
 }
 
 void writeBookletFile(const std::string& fileName, const std::function<void(std::ostream&)>& write)

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <common/NewFolder.h>
+
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace osgLego
 {
@@ -12,20 +15,17 @@ class BookletFolder
 {
 public:
     explicit BookletFolder(const std::string& fileName);
-    BookletFolder(const BookletFolder&) = delete;
-    BookletFolder& operator=(const BookletFolder&) = delete;
-    ~BookletFolder();
 
-    void keep() { _isNew = false; }
+    void keep() { _folder.keep(); }
 
 private:
-    std::string _name;
-    bool _isNew = false;
+    NewFolder _folder;
 };
 
-/** Throws BookletFailure if a file can't be written in its folder, or in a new one, which is made and removed for that.
- */
-void checkBookletFolder(const std::string& fileName);
+/** Throws BookletFailure if files can't be written in their folder, or in a new one, which is made and removed for
+ * that.
+ * @param fileNames of one folder. */
+void checkBookletFiles(const std::vector<std::string>& fileNames);
 
 /** Write a file atomically by a function that may throw. Throws BookletFailure. */
 void writeBookletFile(const std::string& fileName, const std::function<void(std::ostream&)>& write);

@@ -70,11 +70,12 @@ std::string findObstacleToWriting(const std::string& fileName)
     const std::string name = "'" + folder.string() + "'";
     if (!fs::exists(folder, ignored)) return "there is no folder " + name + "; expected an existing one";
     if (!fs::is_directory(folder, ignored)) return name + " is a file; expected a folder";
-    if (access(folder.c_str(), W_OK) != 0)
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
         return "the folder " + name + " can't be written to: " + std::strerror(errno) + "; expected a writable folder";
-    std::error_code error; // such as a name that is too long
+    std::error_code error;
     const bool isThere = fs::exists(path, error);
-    if (error) return error.message() + "; expected another name";
+    if (error == std::errc::filename_too_long) return error.message() + "; expected another name";
+    if (error) return error.message();
     if (isThere && access(path.c_str(), W_OK) != 0)
         return std::string("it can't be replaced: ") + std::strerror(errno) + "; expected a writable file";
     return {};

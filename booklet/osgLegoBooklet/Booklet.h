@@ -78,7 +78,7 @@ struct BookletError
 
 /** Check whether writeBooklet() can write a file, as far as that is known without a model: its folder, and the plugin
  * osgdb_ldraw, with which booklets offer the model in LDraw's format. Call it before computations that take long, such
- * as that of a layout.
+ * as that of a layout. A folder that does not exist yet is created, and removed again.
  * @return nothing if it can. */
 OSGLEGOBOOKLET_EXPORT std::optional<BookletError> checkBookletFile(const std::string& fileName);
 

@@ -122,6 +122,10 @@ TEST_F(BookletTest, GivesTheReasonForAFailure)
     EXPECT_NE(error->message.find("can't write '" + pathOf("no/folder/tower.html") + "': there is no folder"),
               std::string::npos);
     EXPECT_FALSE(checkBookletFile(pathOf("new/tower.html")));
+    error = checkBookletFile(pathOf("new/" + std::string(251, 'a') + ".html"));
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->message.find("File name too long; expected another name"), std::string::npos) << error->message;
+    EXPECT_FALSE(std::filesystem::exists(pathOf("new")));
 
     BookletOptions options;
     options.modelName = "'tower.mpd'";
