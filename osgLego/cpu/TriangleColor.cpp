@@ -28,8 +28,10 @@ bool haveSameColor(const GridVertex& a, const GridVertex& b)
     return a.colorAndLevel[0] == b.colorAndLevel[0] && ((a.colorAndLevel[1] ^ b.colorAndLevel[1]) & BLUE) == 0;
 }
 
-/** Texels in a cell, for shaders/voxelization/dominant_color.frag's rule. */
-class PlainTexels
+} // namespace
+
+/** The texels of a triangle in a cell, for shaders/voxelization/dominant_color.frag's rule. */
+class TriangleColor::PlainTexels
 {
 public:
     /** In quarters of a cell from its centre. */
@@ -37,30 +39,43 @@ public:
                                                        glm::dvec2(1.0, -1.0), glm::dvec2(-1.0, 1.0),
                                                        glm::dvec2(-1.0, -1.0)};
 
-    /** @param size of the texture. @param level at which a cell is two texels wide. */
-    PlainTexels(const glm::ivec2& size, double level) : _quarter(0.5 * std::exp2(level) / glm::dvec2(size))
+    /** @param corners of the triangle, whose level is the one at which a cell is two texels wide. */
+    PlainTexels(const SurfaceTexture& texture, const GridVertex* corners)
     {
+        const glm::ivec2 size = texture.getSize();
+        const double level = corners[0].getLevel();
+        _quarter = 0.5 * std::exp2(level) / glm::dvec2(size);
         // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
         const int last = static_cast<int>(std::bit_width(static_cast<unsigned int>(std::max(size.x, size.y)))) - 1;
         _level = std::clamp(static_cast<int>(level) - 3, 0, last);
         _size = glm::max(size >> _level, 1);
+        const glm::dvec2 a = corners[0].coordinate;
+        const glm::dvec2 b = corners[1].coordinate;
+        const glm::dvec2 c = corners[2].coordinate;
+        _first = glm::floor(glm::min(glm::min(a, b), c) * _size);
+        _last = glm::ceil(glm::max(glm::max(a, b), c) * _size) - 1.0;
+        _last = glm::max(_last, _first);
     }
 
-    double getLevel() const { return _level; }
+    int getLevel() const { return _level; }
 
-    /** The centre of a texel, where it is not mixed with others. */
-    glm::dvec2 getCoordinate(const glm::dvec2& center, const glm::dvec2& offset) const
+    /** The number of a texel, or of the nearest one in the triangle's rectangle: others may belong to other surfaces.
+     */
+    glm::dvec2 findTexel(const glm::dvec2& center, const glm::dvec2& offset) const
     {
-        return (glm::floor((center + offset * _quarter) * _size) + 0.5) / _size;
+        return glm::clamp(glm::floor((center + offset * _quarter) * _size), _first, _last);
     }
+
+    /** The centre of a texel. */
+    glm::dvec2 getCoordinate(const glm::dvec2& texel) const { return (texel + 0.5) / _size; }
 
 private:
-    glm::dvec2 _quarter;
+    glm::dvec2 _quarter{0.0};
     int _level = 0;
     glm::dvec2 _size{1.0};
+    glm::dvec2 _first{0.0};
+    glm::dvec2 _last{0.0};
 };
-
-} // namespace
 
 TriangleColor::TriangleColor(const GridBatch& batch, const GridVertex* corners) :
     _batch(batch), _vertices(corners),
@@ -84,8 +99,9 @@ void TriangleColor::getColors(std::span<const CellPart> parts, glm::vec3* colors
 
 void TriangleColor::makePlain(std::span<const CellPart> parts, glm::vec3* colors) const
 {
+    const PlainTexels texels(*_batch.texture, _vertices);
     forEachPoint(parts, [&](std::size_t part, const glm::dvec3& shares)
-                 { colors[part] = getPlainColor(shares, colors[part]); });
+                 { colors[part] = getPlainColor(texels, shares, colors[part]); });
 }
 
 /** Call a function with the number of each part and the barycentric coordinates of the point nearest to its centre. */
@@ -117,24 +133,33 @@ glm::vec3 TriangleColor::getVertexColor(const glm::dvec3& shares) const
            static_cast<float>(shares.z) * _colors[2];
 }
 
-glm::vec3 TriangleColor::getPlainColor(const glm::dvec3& shares, const glm::vec3& filtered) const
+glm::vec3 TriangleColor::getPlainColor(const PlainTexels& texels, const glm::dvec3& shares,
+                                       const glm::vec3& filtered) const
 {
     const glm::vec3 vertexColor = getVertexColor(shares);
     const glm::dvec2 center = coordinateAt(_vertices, shares);
-    const PlainTexels texels(_batch.texture->getSize(), _vertices[0].getLevel());
+    const auto getColor = [&](const glm::dvec2& texel)
+    { return applyTexel(_batch, texels.getCoordinate(texel), texels.getLevel(), vertexColor); };
     glm::vec3 nearest(0.0f);
     float best = std::numeric_limits<float>::max();
     for (const glm::dvec2& offset : PlainTexels::OFFSETS)
     {
-        const glm::vec3 color =
-            applyTexture(_batch, texels.getCoordinate(center, offset), texels.getLevel(), vertexColor);
-        if (const float score = dominanceScore(color, filtered); score < best)
+        const glm::dvec2 texel = texels.findTexel(center, offset);
+        const glm::vec3 color = getColor(texel);
+        const float score = dominanceScore(color, filtered);
+        if (score >= best) continue;
+        // A texel on a border may be a mixture. Its neighbours on two sides of three differ.
+        const glm::vec3 a = getColor(texel + glm::dvec2(1.0, 0.0));
+        const glm::vec3 b = getColor(texel + glm::dvec2(-1.0, 1.0));
+        const glm::vec3 c = getColor(texel + glm::dvec2(-1.0, -1.0));
+        const float spread = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        if (score + spread < best)
         {
             nearest = color;
-            best = score;
+            best = score + spread;
         }
         // Most cells are inside areas of nearly one colour.
-        if (glm::distance(nearest, filtered) < CLOSE) break;
+        if (glm::distance(color, filtered) + spread < CLOSE) break;
     }
     return nearest;
 }

@@ -31,15 +31,17 @@ public:
 
     /** Whether a texture may mix several colours in a cell. */
     bool hasMixtures() const { return _batch.texture.valid(); }
-    /** Replace the colours of getColors(), for which the texture was filtered, by those of single texels: that in the
-     * middle of each cell if it is close to the filtered colour, otherwise the nearest of five. */
+    /** Replace the colours of getColors(), for which the texture was filtered, by those of single texels: of five in
+     * each cell, the nearest one to the filtered colour that is not on a border between colours, if there is one. */
     void makePlain(std::span<const CellPart> parts, glm::vec3* colors) const;
 
 private:
+    class PlainTexels;
+
     template <typename GetColor>
     void forEachPoint(std::span<const CellPart> parts, const GetColor& getColor) const;
     glm::vec3 getVertexColor(const glm::dvec3& shares) const;
-    glm::vec3 getPlainColor(const glm::dvec3& shares, const glm::vec3& filtered) const;
+    glm::vec3 getPlainColor(const PlainTexels& texels, const glm::dvec3& shares, const glm::vec3& filtered) const;
 
     const GridBatch& _batch;
     const GridVertex* _vertices;

@@ -32,6 +32,11 @@ glm::vec3 applyTexture(const GridBatch& batch, const glm::dvec2& coordinate, dou
     return joined(color, batch.texture->sample(coordinate, level), batch.environment);
 }
 
+glm::vec3 applyTexel(const GridBatch& batch, const glm::dvec2& coordinate, int level, const glm::vec3& color)
+{
+    return joined(color, batch.texture->getTexel(coordinate, level), batch.environment);
+}
+
 glm::dvec2 coordinateAt(const GridVertex* corners, const glm::dvec3& shares)
 {
     return shares.x * glm::dvec2(corners[0].coordinate) + shares.y * glm::dvec2(corners[1].coordinate) +

@@ -12,6 +12,9 @@ namespace osgLego
  * called from any thread. */
 glm::vec3 applyTexture(const GridBatch& batch, const glm::dvec2& coordinate, double level, const glm::vec3& color);
 
+/** Likewise, with the texel that contains the texture coordinate. */
+glm::vec3 applyTexel(const GridBatch& batch, const glm::dvec2& coordinate, int level, const glm::vec3& color);
+
 /** The texture coordinate of a point of a triangle. @param shares its barycentric coordinates. */
 glm::dvec2 coordinateAt(const GridVertex* corners, const glm::dvec3& shares);
 

@@ -177,6 +177,13 @@ glm::dvec4 SurfaceTexture::sample(const glm::dvec2& coordinate, double level) co
     return glm::mix(color, sampleLevel(_levels[fine + 1], coordinate), fraction);
 }
 
+glm::dvec4 SurfaceTexture::getTexel(const glm::dvec2& coordinate, int level) const
+{
+    const Level& own = _levels[static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(_levels.size()) - 1))];
+    return fetch(own, static_cast<int>(std::floor(inTexels(coordinate.x, own.size.x, _wrapS))),
+                 static_cast<int>(std::floor(inTexels(coordinate.y, own.size.y, _wrapT))));
+}
+
 glm::dvec4 SurfaceTexture::sampleLevel(const Level& level, const glm::dvec2& coordinate) const
 {
     const glm::dvec2 position(inTexels(coordinate.x, level.size.x, _wrapS) - 0.5,

@@ -53,6 +53,10 @@ public:
      * levels that exist. */
     glm::dvec4 sample(const glm::dvec2& coordinate, double level) const;
 
+    /** The colour of the texel that contains a texture coordinate, 0 to 1 per channel.
+     * @param level from 0; clamped to the levels that exist. */
+    glm::dvec4 getTexel(const glm::dvec2& coordinate, int level) const;
+
     /** The size of level 0, in texels. */
     glm::ivec2 getSize() const { return _levels.front().size; }
 

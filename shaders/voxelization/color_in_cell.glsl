@@ -13,6 +13,8 @@ struct SurfacePoint
     vec3 color; // of the vertices
     vec2 coordinate;
     float level;
+    vec2 lowest; // coordinate of the triangle
+    vec2 highest;
 };
 
 // The centre is that of the cell in the coordinates of positions.
@@ -34,7 +36,8 @@ SurfacePoint pointInCell(vec3 center)
     return SurfacePoint(weights.x * colorsAndLevels[0].rgb + weights.y * colorsAndLevels[1].rgb +
                             weights.z * colorsAndLevels[2].rgb,
                         weights.x * coordinates[0] + weights.y * coordinates[1] + weights.z * coordinates[2],
-                        colorsAndLevels[0].a);
+                        colorsAndLevels[0].a, min(min(coordinates[0], coordinates[1]), coordinates[2]),
+                        max(max(coordinates[0], coordinates[1]), coordinates[2]));
 }
 
 vec3 filteredColor(SurfacePoint point)

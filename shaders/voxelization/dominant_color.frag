@@ -21,30 +21,62 @@ float dominanceScore(vec3 color, vec3 mean)
     return distance(color, mean) + dot(color, vec3(RED_BIAS, GREEN_BIAS, BLUE_BIAS));
 }
 
-// The colour of one texel: that in the middle of the cell if it is close to the filtered colour, otherwise the nearest of
-// five.
+// The texels of a triangle at one level, as numbers. The rectangle is the triangle's: others may belong to other surfaces.
+struct PlainTexels
+{
+    int level;
+    vec2 size;
+    vec2 first;
+    vec2 last;
+};
+
+PlainTexels plainTexels(SurfacePoint point)
+{
+    ivec2 size = textureSize(surfaceTexture, 0);
+    // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
+    int level = clamp(int(point.level) - 3, 0, findMSB(max(size.x, size.y)));
+    vec2 levelSize = vec2(max(size >> level, 1));
+    vec2 first = floor(point.lowest * levelSize);
+    return PlainTexels(level, levelSize, first, max(ceil(point.highest * levelSize) - 1.0, first));
+}
+
+// At the centre of a texel, it is not mixed with others.
+vec3 texelColor(SurfacePoint point, PlainTexels texels, vec2 texel)
+{
+    return surfaceColor(point.color, (texel + 0.5) / texels.size, float(texels.level));
+}
+
+// How much the neighbours of a texel differ: on a border, where it may be a mixture, those on two sides of three do.
+float neighborSpread(SurfacePoint point, PlainTexels texels, vec2 texel)
+{
+    vec3 a = texelColor(point, texels, texel + vec2(1.0, 0.0));
+    vec3 b = texelColor(point, texels, texel + vec2(-1.0, 1.0));
+    vec3 c = texelColor(point, texels, texel + vec2(-1.0, -1.0));
+    return max(max(distance(a, b), distance(b, c)), distance(c, a));
+}
+
+// The colour of one texel: of five in the cell, the nearest one to the filtered colour that is not on a border, if any.
 vec3 plainColor(SurfacePoint point)
 {
     const vec2 OFFSETS[5] =
         vec2[](vec2(0.0), vec2(1.0, 1.0), vec2(1.0, -1.0), vec2(-1.0, 1.0), vec2(-1.0, -1.0)); // quarters of a cell
     if (textureEnvironment == 0) return point.color;
     vec3 filtered = filteredColor(point);
-    ivec2 size = textureSize(surfaceTexture, 0);
-    vec2 quarter = 0.5 * exp2(point.level) / vec2(size);
-    // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
-    int level = clamp(int(point.level) - 3, 0, findMSB(max(size.x, size.y)));
-    vec2 levelSize = vec2(max(size >> level, 1));
+    vec2 quarter = 0.5 * exp2(point.level) / vec2(textureSize(surfaceTexture, 0));
+    PlainTexels texels = plainTexels(point);
     vec3 nearest = vec3(0.0);
     float best = 1e9;
     for (int number = 0; number < 5; ++number)
     {
-        vec2 place = point.coordinate + OFFSETS[number] * quarter;
-        // At the centre of a texel, it is not mixed with others.
-        vec3 color = surfaceColor(point.color, (floor(place * levelSize) + 0.5) / levelSize, float(level));
+        vec2 texel = floor((point.coordinate + OFFSETS[number] * quarter) * texels.size);
+        texel = clamp(texel, texels.first, texels.last);
+        vec3 color = texelColor(point, texels, texel);
         float score = dominanceScore(color, filtered);
-        if (score < best) nearest = color;
-        best = min(best, score);
-        if (distance(nearest, filtered) < CLOSE) break; // as in most cells
+        if (score >= best) continue;
+        float spread = neighborSpread(point, texels, texel);
+        if (score + spread < best) nearest = color;
+        best = min(best, score + spread);
+        if (distance(color, filtered) + spread < CLOSE) break; // as in most cells
     }
     return nearest;
 }

@@ -166,53 +166,121 @@ TEST(DominantColors, AShadeBetweenOthersStandsForAGradualChange)
         EXPECT_NEAR(colors[cell][0], means[cell][0], 4) << cell;
 }
 
-/** A square of 8 x 8 cells whose texture is red on the left and white on the right. */
-osg::ref_ptr<osg::Geometry> createTexturedSquare(int numTexels, int numRed)
+constexpr Color GREEN{0, 100, 0};
+
+/** @param getColor of a column and a row, from 0 to 1. */
+template <typename GetColor>
+osg::ref_ptr<osg::Texture2D> createTexture(int numTexels, const GetColor& getColor)
 {
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(numTexels, numTexels, 1, GL_RGB, GL_UNSIGNED_BYTE);
     for (int row = 0; row < numTexels; ++row)
         for (int column = 0; column < numTexels; ++column)
-            std::ranges::copy(column < numRed ? RED : WHITE,
+            std::ranges::copy(getColor((column + 0.5) / numTexels, (row + 0.5) / numTexels),
                               image->data(static_cast<unsigned int>(column), static_cast<unsigned int>(row)));
+    return new osg::Texture2D(image);
+}
+
+/** A square of 8 x 8 cells. */
+osg::ref_ptr<osg::Geometry> createTexturedSquare(osg::Texture2D* texture)
+{
     osg::ref_ptr<osg::Geometry> square = osg::createTexturedQuadGeometry({0, 0, 0}, {8, 0, 0}, {0, 0, 8});
-    square->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+    square->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
     return square;
 }
 
-bool isMixed(const Color& color)
-{
-    return color != RED && color != WHITE;
-}
-
-TEST(DominantColors, ATextureIsRarelyMixed)
+osg::ref_ptr<const BrickModel> voxelizeEight(osg::Node& node, CellColor rule)
 {
     LegoSettings settings;
     settings.grid.resolution = 8;
-    std::size_t numMixed = 0;
+    return voxelizeOnCpu(*GridTriangles::create(*SceneTriangles::create(node), settings), rule);
+}
+
+std::size_t countMixed(const BrickModel& model)
+{
+    return static_cast<std::size_t>(std::count_if(model.getBricks().begin(), model.getBricks().end(),
+                                                  [](const Brick& brick)
+                                                  { return brick.color != RED && brick.color != WHITE; }));
+}
+
+/** Halfway between red and white, as at the smooth borders of painted textures. */
+constexpr Color PINK{228, 128, 128};
+
+TEST(DominantColors, ATextureOfTwoColorsIsNotMixed)
+{
     std::size_t numMixedMeans = 0;
     for (const int numTexels : {7, 16, 61, 256, 1000})
         for (const double border : {0.31, 0.36, 0.42, 0.45})
-        {
-            const int numRed = static_cast<int>(border * numTexels);
-            const osg::ref_ptr<const GridTriangles> triangles =
-                GridTriangles::create(*SceneTriangles::create(*createTexturedSquare(numTexels, numRed)), settings);
-            const osg::ref_ptr<const BrickModel> means = voxelizeOnCpu(*triangles);
-            const osg::ref_ptr<const BrickModel> model = voxelizeOnCpu(*triangles, CellColor::DOMINANT);
-            for (const Brick& brick : model->getBricks())
+            for (const bool isSmooth : {false, true})
             {
-                // Red has more than half of the cell's width.
-                const double width = 8.0 * numRed / numTexels - brick.cell[0];
-                if (std::abs(width - 0.5) > 0.15 && !isMixed(brick.color))
+                const double red = std::floor(border * numTexels) / numTexels;
+                const double end = red + (isSmooth ? 1.0 / numTexels : 0.0);
+                if (isSmooth && numTexels < 200) continue; // a wide stripe is no border
+                const osg::ref_ptr<osg::Geometry> square =
+                    createTexturedSquare(createTexture(numTexels, [&](double column, double)
+                                                       { return column < red   ? RED
+                                                                : column < end ? PINK
+                                                                               : WHITE; })
+                                             .get());
+                const osg::ref_ptr<const BrickModel> model = voxelizeEight(*square, CellColor::DOMINANT);
+                for (const Brick& brick : model->getBricks())
                 {
-                    EXPECT_EQ(brick.color == RED, width > 0.5) << numTexels << ' ' << width;
+                    // Red has more than half of the cell's width.
+                    const double width = 8.0 * red - brick.cell[0];
+                    if (std::abs(width - 0.5) > 0.15)
+                    {
+                        EXPECT_EQ(brick.color == RED, width > 0.5) << numTexels << ' ' << width;
+                    }
                 }
-                numMixed += isMixed(brick.color) ? 1 : 0;
-                numMixedMeans += isMixed(means->find(brick.getCell())->color) ? 1 : 0;
+                EXPECT_EQ(countMixed(*model), 0u) << numTexels << ' ' << border << ' ' << isSmooth;
+                numMixedMeans += countMixed(*voxelizeEight(*square, CellColor::MEAN));
             }
-        }
     EXPECT_GT(numMixedMeans, 150u);
-    EXPECT_LT(numMixed, numMixedMeans / 10);
+}
+
+TEST(DominantColors, SpotsOfATextureAreNotMixed)
+{
+    // White spots of one to two cells on red, on a surface of many triangles that stretches the texture.
+    const auto getColor = [](double column, double row)
+    {
+        const double radius = 0.06 + 0.06 * row;
+        const double x = std::remainder(column, 0.25);
+        const double y = std::remainder(row, 0.25);
+        return x * x + y * y < radius * radius ? WHITE : RED;
+    };
+    const osg::ref_ptr<osg::Texture2D> texture = createTexture(512, getColor);
+    constexpr int NUM = 40;
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    for (int piece = 0; piece < NUM; ++piece)
+    {
+        const float left = static_cast<float>(piece) / NUM;
+        const osg::ref_ptr<osg::Geometry> quad = osg::createTexturedQuadGeometry(
+            {8.0f * left, 0, 0}, {8.0f / NUM, 0, 0}, {0, 0, 3}, left, 0.0f, left + 1.0f / NUM, 1.0f);
+        quad->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+        geode->addDrawable(quad);
+    }
+    EXPECT_GT(countMixed(*voxelizeEight(*geode, CellColor::MEAN)), 10u);
+    EXPECT_EQ(countMixed(*voxelizeEight(*geode, CellColor::DOMINANT)), 0u);
+}
+
+TEST(DominantColors, TheOtherSideOfARepeatedTextureIsNotSeen)
+{
+    // The tip of a triangle is at the upper edge of the texture, whose lower half the triangle does not show.
+    const osg::ref_ptr<osg::Texture2D> texture =
+        createTexture(256, [](double, double row) { return row < 0.5 ? GREEN : RED; });
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
+    const osg::ref_ptr<osg::Geometry> triangle = test::createTriangle({0, 0, 0}, {8, 0, 0}, {4.5f, 0, 6.2f});
+    const osg::ref_ptr<osg::Vec2Array> coordinates = new osg::Vec2Array;
+    for (const osg::Vec2& coordinate : {osg::Vec2(0, 0.55f), osg::Vec2(1, 0.55f), osg::Vec2(0.5f, 1)})
+        coordinates->push_back(coordinate);
+    triangle->setTexCoordArray(0, coordinates);
+    triangle->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+    const osg::ref_ptr<const BrickModel> model = voxelizeEight(*triangle, CellColor::DOMINANT);
+    EXPECT_EQ(std::count_if(model->getBricks().begin(), model->getBricks().end(),
+                            [](const Brick& brick) { return brick.cell[2] == 6; }),
+              1);
+    EXPECT_EQ(countMixed(*model), 0u);
 }
 
 TEST(DominantColors, WithoutThemACellHasTheMean)

@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -93,7 +95,35 @@ TEST(SurfaceTexture, TexelsAndBordersThatAreNotFiniteAreReplaced)
     EXPECT_EQ(surface->sample({9.5, 0.5}, 0.0), glm::dvec4(1, 0, 0, 0.5));
     EXPECT_EQ(surface->getBorderColor(), osg::Vec4d(1, 0, 0, 0.5));
     for (const double coordinate : {static_cast<double>(nan), static_cast<double>(infinity)})
+    {
         EXPECT_EQ(surface->sample({coordinate, coordinate}, 0.0), surface->sample({0.0, 0.0}, 0.0));
+        EXPECT_EQ(surface->getTexel({coordinate, coordinate}, 0), surface->sample({0.5, 0.5}, 0.0));
+    }
+}
+
+TEST(SurfaceTexture, TheCentresOfTexelsHaveTheirColors)
+{
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(8, 4, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (unsigned int byte = 0; byte < image->getTotalSizeInBytes(); ++byte)
+        image->data()[byte] = static_cast<unsigned char>(37 * byte % 251);
+    for (const osg::Texture::WrapMode wrap :
+         {osg::Texture::REPEAT, osg::Texture::MIRROR, osg::Texture::CLAMP_TO_EDGE, osg::Texture::CLAMP_TO_BORDER})
+    {
+        const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+        texture->setWrap(osg::Texture::WRAP_S, wrap);
+        texture->setWrap(osg::Texture::WRAP_T, wrap);
+        const osg::ref_ptr<SurfaceTexture> surface = SurfaceTexture::create(*texture);
+        for (const int level : {0, 1, 2, 3, 9})
+            for (int column = -9; column < 17; ++column)
+                for (int row = -5; row < 9; ++row)
+                {
+                    const glm::dvec2 size = glm::max(glm::ivec2(8, 4) >> std::min(level, 3), 1);
+                    const glm::dvec2 center = (glm::dvec2(column, row) + 0.5) / size;
+                    const glm::dvec4 difference = surface->getTexel(center, level) - surface->sample(center, level);
+                    EXPECT_LT(glm::length(difference), 1e-9) << wrap << ' ' << level << ' ' << column << ' ' << row;
+                }
+    }
 }
 
 TEST(SurfaceTexture, UnreadableImagesGiveNoTexture)

