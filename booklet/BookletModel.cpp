@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
@@ -48,11 +49,32 @@ bool isOn(const Part& upper, const Part& lower, int up)
     return low.x < high.x && low[3 - up] < high[3 - up];
 }
 
-/** The parts of a step that are pressed on from below: below parts in place, and on none, nor on others of the step.
- * Parts that hang from others of the step are joined with them in a hand.
- * @param placed the parts in place before. */
-std::vector<std::uint32_t> findPressed(const BrickModel& model, const BuildingStep& step,
-                                       std::span<const std::uint32_t> placed)
+/** The height of the side of some parts on which they stand. */
+int findBaseHeight(const BrickModel& model, std::span<const std::uint32_t> parts, bool isFromBelow)
+{
+    const int up = model.getGrid().getUpIndex();
+    const auto findHeight = [&](std::uint32_t part)
+    {
+        const Part& own = model.getParts()[part];
+        return isFromBelow ? -own.getCell()[up] - own.getSize()[up] : own.getCell()[up];
+    };
+    int lowest = std::numeric_limits<int>::max();
+    for (const std::uint32_t part : parts)
+        lowest = std::min(lowest, findHeight(part));
+    return isFromBelow ? -lowest : lowest;
+}
+
+/** Parts of a step that are on no others, but below some. */
+struct HangingParts
+{
+    std::vector<std::uint32_t> pressed; // on from below: below parts in place
+    std::vector<std::uint32_t> joined;  // in a hand with others of the step, from which they hang
+};
+
+/** @param placed the parts in place before. @param base the height of the base: parts on it don't hang from others of
+ * the step. */
+HangingParts findHanging(const BrickModel& model, const BuildingStep& step, std::span<const std::uint32_t> placed,
+                         int base)
 {
     const int up = model.getGrid().getUpIndex();
     const auto touchesAny = [&](const Part& own, std::span<const std::uint32_t> others, bool isOwnUpper)
@@ -64,14 +86,18 @@ std::vector<std::uint32_t> findPressed(const BrickModel& model, const BuildingSt
                                return isOwnUpper != step.isFromBelow ? isOn(own, part, up) : isOn(part, own, up);
                            });
     };
-    std::vector<std::uint32_t> pressed;
+    HangingParts hanging;
     for (const std::uint32_t part : step.parts)
     {
         const Part& own = model.getParts()[part];
-        const bool isOnOther = touchesAny(own, placed, true) || touchesAny(own, step.parts, true);
-        if (!isOnOther && touchesAny(own, placed, false)) pressed.push_back(part);
+        if (touchesAny(own, placed, true) || touchesAny(own, step.parts, true)) continue;
+        const bool isOnBase = base == own.getCell()[up] + (step.isFromBelow ? own.getSize()[up] : 0);
+        if (touchesAny(own, placed, false))
+            hanging.pressed.push_back(part);
+        else if (!isOnBase && touchesAny(own, step.parts, false))
+            hanging.joined.push_back(part);
     }
-    return pressed;
+    return hanging;
 }
 
 /** The model of some parts of another, and for each of these its index there. */
@@ -146,9 +172,17 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
     {
         placed.push_back(plan.getPlacedParts(step));
         all.insert(all.end(), placed.back().begin(), placed.back().end());
+    }
+    const int baseHeight = findBaseHeight(*_model, all, steps.front().isFromBelow);
+    std::size_t numPlaced = 0;
+    for (std::size_t index = 0; index < steps.size(); ++index)
+    {
+        const BuildingStep& step = steps[index];
         BookletStep& own = chapter.steps.emplace_back();
         own.items = countKinds(step.parts);
-        own.pressed = countKinds(findPressed(*_model, step, std::span(all).first(all.size() - placed.back().size())));
+        const HangingParts hanging = findHanging(*_model, step, std::span(all).first(numPlaced), baseHeight);
+        own.pressed = countKinds(hanging.pressed);
+        own.joined = countKinds(hanging.joined);
         for (const std::uint32_t submodel : step.submodels)
             own.submodels.push_back(submodel + 1);
         own.turns = step.turns;
@@ -156,11 +190,11 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         own.stands = step.stands;
         const std::vector<std::uint32_t>& unheld = plan.getUnheldParts();
         own.numUnheld = static_cast<std::size_t>(std::count_if(
-            placed.back().begin(), placed.back().end(),
+            placed[index].begin(), placed[index].end(),
             [&unheld](std::uint32_t part) { return std::binary_search(unheld.begin(), unheld.end(), part); }));
         own.numDirect = step.parts.size();
-        own.numNew = placed.back().size();
-        own.numPlaced = all.size();
+        own.numNew = placed[index].size();
+        own.numPlaced = numPlaced += own.numNew;
     }
     markTurns(chapter.steps);
     chapter.items = countKinds(all);

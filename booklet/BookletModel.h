@@ -32,6 +32,7 @@ struct BookletStep
     std::string name;                 //!< such as "12", or "A3" in a submodel
     std::vector<BookletItem> items;   //!< the parts it adds, without those of submodels, in the order of kinds
     std::vector<BookletItem> pressed; //!< of these, those that parts in place hold from above, and nothing from below
+    std::vector<BookletItem> joined;  //!< likewise, those that only others of this step hold from above
     std::vector<std::size_t>
         submodels;             //!< chapters that are built before this step and attached in it, copies included
     int turns = 0;             //!< as BuildingStep::turns

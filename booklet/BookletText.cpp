@@ -70,7 +70,7 @@ std::string describeHold(const BookletChapter& chapter, const BookletStep& step)
                : std::string();
 }
 
-std::string describePieces(const BookletChapter& chapter, const BookletStep& step)
+std::string describePieces(const BookletChapter& chapter, const BookletStep& step, const std::string& advice)
 {
     const auto own = std::find_if(chapter.steps.begin(), chapter.steps.end(),
                                   [&step](const BookletStep& other) { return other.numPlaced == step.numPlaced; });
@@ -79,18 +79,27 @@ std::string describePieces(const BookletChapter& chapter, const BookletStep& ste
         std::find_if(own, chapter.steps.end(), [](const BookletStep& other) { return other.numPieces <= 1; });
     const bool isSoon = joining != chapter.steps.end() && joining - own < 2;
     if (!isFirst || isSoon) return {};
-    return "Pieces lie apart" + (joining == chapter.steps.end() ? "" : " until step " + joining->name) +
-           ": place them by the squares on the table, each a stud wide.";
+    return "Pieces lie apart" + (joining == chapter.steps.end() ? "" : " until step " + joining->name) + ": " + advice;
 }
 
 std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step)
 {
-    std::vector<std::string> pressed;
-    for (const BookletItem& item : step.pressed)
-        pressed.push_back(describeParts(model.getKinds()[item.kind], item.quantity));
-    std::string notes = pressed.empty() ? "" : "Press " + joinWords(pressed) + " on from below.";
-    for (const std::string& note : {describePieces(chapter, step), describeHold(chapter, step)})
+    const auto describe = [&model](const std::vector<BookletItem>& items)
+    {
+        std::vector<std::string> words;
+        for (const BookletItem& item : items)
+            words.push_back(describeParts(model.getKinds()[item.kind], item.quantity));
+        return joinWords(words);
+    };
+    std::string notes;
+    const auto add = [&notes](const std::string& note)
+    {
         if (!note.empty()) notes += (notes.empty() ? "" : " ") + note;
+    };
+    if (!step.joined.empty()) add("Join " + describe(step.joined) + " with the new parts above before you place them.");
+    if (!step.pressed.empty()) add("Press " + describe(step.pressed) + " on from below.");
+    add(describePieces(chapter, step, "place them by the squares on the table, each a stud wide."));
+    add(describeHold(chapter, step));
     return notes;
 }
 

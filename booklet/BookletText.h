@@ -30,12 +30,14 @@ std::string nameBuilt(const BookletChapter& chapter);
  * callouts, which a hand holds. */
 std::string describeHold(const BookletChapter& chapter, const BookletStep& step);
 
-/** A sentence that says how to place pieces that lie apart, for the first step after which they do; empty for others,
- * and if the next step joins the pieces. @param step of the chapter. */
-std::string describePieces(const BookletChapter& chapter, const BookletStep& step);
+/** A sentence that says until when pieces lie apart, and how to place them, for the first step after which they do;
+ * empty for others, and if the next step joins the pieces. @param step of the chapter. @param advice the end of the
+ * sentence. */
+std::string describePieces(const BookletChapter& chapter, const BookletStep& step, const std::string& advice);
 
-/** Sentences on what a picture of a step does not show: parts that are pressed on from below, pieces that lie apart,
- * and whether the builder must hold something afterwards. Empty if there is nothing to say. */
+/** Sentences on what a picture of a step does not show: parts that are joined with others before they are placed, or
+ * pressed on from below, pieces that lie apart, and whether the builder must hold something afterwards. Empty if there
+ * is nothing to say. */
 std::string describeNotes(const BookletModel& model, const BookletChapter& chapter, const BookletStep& step);
 
 /** The numbers of parts and submodels that a step adds, such as "4 parts + A". */

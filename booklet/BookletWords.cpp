@@ -247,6 +247,8 @@ void BookletWords::writeStep(const BookletChapter& chapter, const BookletStep& s
         writeSubmodel(submodel, places, part, step.isUpsideDown, isOnPlate);
         part += _model.getChapters()[submodel].model->getParts().size();
     }
+    const std::string pieces = describePieces(chapter, step, "keep to their columns and rows.");
+    if (!pieces.empty()) *_stream << pieces << "\n";
     if (!chapter.isCallout() && step.falls())
         *_stream << "Hold the " << nameBuilt(chapter) << ", it does not stand by itself yet.\n";
 }

@@ -73,6 +73,32 @@ TEST(BookletTextTest, NotesPartsThatArePressedOnFromBelowAndWhatToHold)
         "Press 1 red brick 1 x 1 on from below. Hold the model after this step: it does not stand by itself yet.");
 }
 
+TEST(BookletTextTest, NotesPartsThatHangFromOthersOfTheirStep)
+{
+    // A brick with a beam on it, and a brick below its free end, which is above the table: in one step, and in two.
+    const auto bricks =
+        BrickModel::createOfParts(test::createPartGrid({4, 1, 3}, 1.2), {{{0, 0, 0}, {1, 1, 1}, test::RED, 4},
+                                                                         {{0, 0, 1}, {1, 1, 1}, test::RED, 4},
+                                                                         {{3, 0, 1}, {1, 1, 1}, test::RED, 4},
+                                                                         {{0, 0, 2}, {4, 1, 1}, test::RED, 4}});
+    const auto createNotes = [&bricks](const std::vector<BuildingStep>& steps)
+    {
+        const BookletModel model(*bricks, *BuildingPlan::create(4, steps), Palette::getKnownColors());
+        std::vector<std::string> notes;
+        for (const BookletStep& step : model.getMainChapter().steps)
+            notes.push_back(describeNotes(model, model.getMainChapter(), step));
+        return notes;
+    };
+    const auto find = [&bricks](int x, int z) {
+        return static_cast<std::uint32_t>(bricks->findPart({x, 0, z}) - bricks->getParts().data());
+    };
+    using Notes = std::vector<std::string>;
+    EXPECT_EQ(createNotes({test::createStep({find(0, 0), find(0, 1), find(0, 2), find(3, 1)})}),
+              Notes{"Join 1 red brick 1 x 1 with the new parts above before you place them."});
+    EXPECT_EQ(createNotes({test::createStep({find(0, 0), find(0, 1), find(0, 2)}), test::createStep({find(3, 1)})}),
+              (Notes{"", "Press 1 red brick 1 x 1 on from below."}));
+}
+
 TEST(BookletTextTest, NotesPiecesThatLieApartForSeveralSteps)
 {
     // Three bricks side by side, one on the first, and beams that join the first two, and all.

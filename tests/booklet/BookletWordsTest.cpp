@@ -334,6 +334,29 @@ TEST(BookletWordsTest, SaysWhetherTheModelOrASubmodelMustBeHeld)
     EXPECT_EQ(text.find("Hold the model"), std::string::npos);
 }
 
+TEST(BookletWordsTest, SaysUntilWhichStepPiecesLieApart)
+{
+    // Two bricks, one on each of them, and a beam on both.
+    const auto bricks = BrickModel::createOfParts(createPartGrid({4, 1, 3}, 1.2), {{{0, 0, 0}, {1, 1, 1}, RED, 4},
+                                                                                   {{3, 0, 0}, {1, 1, 1}, RED, 4},
+                                                                                   {{0, 0, 1}, {1, 1, 1}, RED, 4},
+                                                                                   {{3, 0, 1}, {1, 1, 1}, RED, 4},
+                                                                                   {{0, 0, 2}, {4, 1, 1}, RED, 4}});
+    const auto describe = [&](BuildingBase base)
+    {
+        const auto plan =
+            BuildingPlan::create(5, {createStep({0, 1}), createStep({2}), createStep({3}), createStep({4})});
+        return write({*bricks, *plan, Palette::getKnownColors(), base});
+    };
+    const std::string text = describe(BuildingBase::TABLE);
+    const std::string note = "Pieces lie apart until step 4: keep to their columns and rows.\n";
+    const std::size_t place = text.find(note);
+    EXPECT_LT(text.find("\n1.2: "), place) << text;
+    EXPECT_LT(place, text.find("\nStep 2 of 4.")) << text;
+    EXPECT_EQ(text.find(note, place + 1), std::string::npos) << text;
+    EXPECT_EQ(describe(BuildingBase::PLATE).find("lie apart"), std::string::npos);
+}
+
 TEST(BookletWordsTest, DescribesEqualSubmodelsOfAStepOnce)
 {
     const std::string text = write(createTwins());
