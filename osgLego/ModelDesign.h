@@ -8,6 +8,7 @@
 #include <osgLego/StabilityReport.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct OSGLEGO_EXPORT ModelDesign
     /** The number of other settings, by which no models were made, since their drafts were clearly less like the mesh
      * than the best one. */
     std::size_t numOthers = 0;
+    /** The number of parts that models should not exceed; unset if the options gave a size and no number. */
+    std::optional<std::size_t> mostParts = std::nullopt;
 
     const DesignCandidate& getBest() const { return candidates.front(); }
     /** The settings, the size, the figures and the defects of the best model in a few lines of English, and why it was

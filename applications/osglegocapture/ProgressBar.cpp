@@ -1,6 +1,7 @@
 #include "ProgressBar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -23,6 +24,12 @@ ProgressBar::~ProgressBar()
     clear();
 }
 
+void ProgressBar::setRange(double first, double last)
+{
+    _first = first;
+    _last = last;
+}
+
 void ProgressBar::show(const std::string& work) const
 {
     if (!_isTerminal) return printSometimes(work + " ...");
@@ -33,7 +40,7 @@ void ProgressBar::show(const std::string& work) const
 void ProgressBar::show(double share, const std::string& work) const
 {
     constexpr double WIDTH = 30.0;
-    const double done = std::clamp(share, 0.0, 1.0);
+    const double done = std::lerp(_first, _last, std::clamp(share, 0.0, 1.0));
     if (!_isTerminal) return printSometimes(fmt::format("{:.0f} %  {}", 100.0 * done, work));
     const auto filled = static_cast<std::size_t>(WIDTH * done);
     fmt::print(stderr, "{}[{:<{}}] {:3.0f} %  {}", START_OF_EMPTY_LINE, std::string(filled, '#'),

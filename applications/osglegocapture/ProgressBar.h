@@ -24,6 +24,8 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
     ~ProgressBar();
 
+    /** Let the bars that follow be a part of the whole work: from `first` to `last`, shares of 0 to 1. */
+    void setRange(double first, double last);
     /** Show work that does not tell how much of it is done. */
     void show(const std::string& work) const;
     /** Show a bar.
@@ -37,6 +39,8 @@ private:
     void printSometimes(const std::string& text) const;
 
     bool _isTerminal;
+    double _first = 0.0;
+    double _last = 1.0;
     mutable std::chrono::steady_clock::time_point _printed; // the last line, if this is no terminal
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -24,6 +25,41 @@ constexpr double SHARE_OF_DRAFTS = 0.1;
 constexpr double SHARE_OF_MODELS = 0.5;
 constexpr double SHARE_OF_PLANS = 0.2;
 
+/** The progress of making a supported model in one or more tries, each a part of the whole. */
+class SupportProgress
+{
+public:
+    /** @param report is called with the shares of the work, 0 to 1, that have been done since the last call. */
+    explicit SupportProgress(std::function<void(double)> report) : _report(std::move(report)) {}
+
+    void operator()(const LegoProgress& progress)
+    {
+        if (progress.stage == LegoProgress::Stage::SUPPORT) // others take hardly any time
+            reportUpTo(std::lerp(_first, _last, static_cast<double>(progress.fraction)));
+    }
+
+    void beginNextTry()
+    {
+        _first = _last;
+        _last = 0.5 * (1.0 + _last);
+    }
+
+    void end() { reportUpTo(1.0); }
+
+private:
+    void reportUpTo(double done)
+    {
+        if (done <= _reported) return;
+        _report(done - _reported);
+        _reported = done;
+    }
+
+    std::function<void(double)> _report;
+    double _first = 0.0;
+    double _last = 0.7; // of the first try; others have fewer parts
+    double _reported = 0.0;
+};
+
 bool haveSameParts(const BrickModel& a, const BrickModel& b)
 {
     return a.getGrid() == b.getGrid() && a.getParts() == b.getParts();
@@ -36,15 +72,15 @@ DesignSearch::DesignSearch(const osg::Node& node, const DesignOptions& options) 
 {
 }
 
-std::size_t DesignSearch::getMostParts() const
+/** The number of parts that models should not exceed; unset if the options give a size and no number. */
+std::optional<std::size_t> DesignSearch::getMostParts() const
 {
-    return _options.numParts.value_or(DesignOptions::USUAL_PARTS);
+    return _options.numParts || !_settings.canChooseSize() ? _options.numParts : DesignOptions::USUAL_PARTS;
 }
 
 DesignRanking DesignSearch::createRanking() const
 {
-    return DesignRanking(_options.numParts.value_or(
-        _settings.canChooseSize() ? DesignOptions::USUAL_PARTS : std::numeric_limits<std::size_t>::max()));
+    return DesignRanking(getMostParts().value_or(std::numeric_limits<std::size_t>::max()));
 }
 
 ModelDesign DesignSearch::run()
@@ -54,7 +90,7 @@ ModelDesign DesignSearch::run()
     supportBetter();
     planBest();
     report(1.0);
-    return {std::move(_candidates), _others.size()};
+    return {std::move(_candidates), _others.size(), getMostParts()};
 }
 
 /** Make a model, and join its pieces unless they stand on a base plate that joins them. */
@@ -88,7 +124,7 @@ DesignSearch::Draft DesignSearch::makeDraft(LegoSettings settings) const
         if (!model) model = _maker.layDraft(settings);
         return model;
     };
-    ResolutionSearch search(getMostParts(), FIRST_RESOLUTION);
+    ResolutionSearch search(*getMostParts(), FIRST_RESOLUTION);
     while (const std::optional<unsigned int> resolution = search.getNext())
         search.add(*resolution, layWith(*resolution)->getParts().size());
     const unsigned int best = search.getBest();
@@ -102,7 +138,7 @@ DesignSearch::Draft DesignSearch::makeDraft(LegoSettings settings) const
 DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
 {
     if (!_settings.canChooseSize()) return _maker.measure(layJoined(settings));
-    ResolutionSearch search(getMostParts(), settings.grid.resolution);
+    ResolutionSearch search(*getMostParts(), settings.grid.resolution);
     Laid best;
     while (const std::optional<unsigned int> resolution = search.getNext())
     {
@@ -114,37 +150,28 @@ DesignCandidate DesignSearch::makeLargest(LegoSettings settings) const
     return _maker.measure(best);
 }
 
+/** @param settings of a model without support. @param share of the work. */
 DesignCandidate DesignSearch::makeSupported(LegoSettings settings, double share)
 {
     constexpr int MOST_TRIES = 3; // each is slow
     constexpr double USUAL_SHARE = 0.95;
-    constexpr double SHARE_OF_FIRST_TRY = 0.7; // of the time; others have fewer parts
     settings.parts.support = true;
-    double reported = 0.0;
-    const auto reportUpTo = [&](double done)
-    {
-        if (done <= reported) return;
-        report(share * (done - reported));
-        reported = done;
-    };
-    const auto tell = [&](const LegoProgress& progress)
-    {
-        if (progress.stage == LegoProgress::Stage::SUPPORT) // others take hardly any time
-            reportUpTo(SHARE_OF_FIRST_TRY * static_cast<double>(progress.fraction));
-    };
-    Laid laid = _maker.lay(settings, tell);
+    SupportProgress progress([&](double done) { report(share * done); });
+    Laid laid = _maker.lay(settings, std::ref(progress));
     for (int tries = 1; _settings.canChooseSize() && tries < MOST_TRIES; ++tries)
     {
-        if (laid.layout.numParts <= getMostParts() || settings.grid.resolution == 1) break;
+        const std::size_t mostParts = *getMostParts();
+        if (laid.layout.numParts <= mostParts || settings.grid.resolution == 1) break;
         // The number of parts grows about with the square of the resolution, and that of columns varies.
         const double scale =
-            std::sqrt(USUAL_SHARE * static_cast<double>(getMostParts()) / static_cast<double>(laid.layout.numParts));
+            std::sqrt(USUAL_SHARE * static_cast<double>(mostParts) / static_cast<double>(laid.layout.numParts));
         settings.grid.resolution =
             std::clamp(static_cast<unsigned int>(scale * settings.grid.resolution), 1u, settings.grid.resolution - 1);
-        laid = _maker.lay(settings, tell);
+        progress.beginNextTry();
+        laid = _maker.lay(settings, std::ref(progress));
     }
     DesignCandidate candidate = _maker.measure(laid);
-    reportUpTo(1.0);
+    progress.end();
     return candidate;
 }
 
@@ -337,8 +364,9 @@ void DesignSearch::supportHard(double share)
     }
 }
 
-/** Make a candidate again with support, and plan how that is built. If both exceed the limits and support helps, only
- * the supported model remains, since the other one is more like the mesh and would come first. */
+/** Make a candidate again with support, for a share of the work, and plan how that is built. If both exceed the limits
+ * and support helps, only the supported model remains, since the other one is more like the mesh and would come first.
+ */
 void DesignSearch::supportCandidate(std::size_t index, double share)
 {
     const DesignCandidate& candidate = _candidates[index];

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include <osg/Node>
@@ -40,7 +41,7 @@ private:
         double error = 0.0;                    // the smaller one of the models
     };
 
-    std::size_t getMostParts() const;
+    std::optional<std::size_t> getMostParts() const;
     DesignRanking createRanking() const;
     Laid layJoined(const LegoSettings& settings) const;
     Draft makeDraft(LegoSettings settings) const;

@@ -71,7 +71,7 @@ TEST(ModelDesigner, SettingsThatMakeNoModelWouldMakeNoBetterOne)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     DesignOptions options;
-    options.numParts = 120;
+    options.numParts = 60;
     options.settings = "colors=8";
     std::string error;
     const std::optional<ModelDesign> design = designModel(*car, options, error);
@@ -538,6 +538,23 @@ TEST(ModelDesigner, ACancelledDesignIsNone)
     DesignOptions options;
     options.isCancelled = [] { return true; };
     EXPECT_EQ(errorOf(*createRacingCar(), options), "");
+}
+
+TEST(ModelDesigner, TellsTheNumberOfPartsThatModelsShouldNotExceed)
+{
+    const osg::ref_ptr<osg::Geometry> box = makeBox(osg::Vec3(2, 1, 1));
+    const auto findMostParts = [&](const std::string& settings, std::optional<std::size_t> numParts)
+    {
+        DesignOptions options;
+        options.settings = settings;
+        options.numParts = numParts;
+        std::string error;
+        return designModel(*box, options, error).value().mostParts;
+    };
+    EXPECT_EQ(findMostParts("6,colors=1", std::nullopt), std::nullopt);
+    EXPECT_EQ(findMostParts("6,colors=1", 20), 20u);
+    EXPECT_EQ(findMostParts("proportions=brick,fill=surface,colors=1", 20), 20u);
+    EXPECT_EQ(findMostParts("proportions=brick,fill=surface,colors=1", std::nullopt), DesignOptions::USUAL_PARTS);
 }
 
 TEST(ModelDesigner, TheProgressGrowsToOne)
