@@ -10,6 +10,7 @@
 #include "ProgressBar.h"
 #include "ScenePicture.h"
 
+#include <common/NewFolder.h>
 #include <common/NumberText.h>
 #include <common/PictureBuffer.h>
 #include <osgLego/CpuLegolizer.h>
@@ -32,7 +33,8 @@ namespace osgLego
 namespace
 {
 
-constexpr double STUD_PITCH = 8.0; // millimetres
+constexpr double STUD_PITCH = 8.0;   // millimetres
+constexpr double DESIGN_SHARE = 0.8; // of the time; the booklet takes the rest
 
 /** The names of the files of a model. */
 class BuildFiles
@@ -50,8 +52,7 @@ public:
     void check(const CaptureOptions& options) const
     {
         checkInstructionsPlace(options); // the folder, too
-        std::error_code error;
-        if (!std::filesystem::exists(_folder, error)) return;
+        const NewFolder folder(_folder); // names may be too long for it
         for (const std::string& file : getAll())
             checkPlace(file);
     }
@@ -113,15 +114,13 @@ void checkLength(const CaptureOptions& options, const LegoNode& lego)
 }
 
 /** The mesh and the goals, for the report. */
-std::string describeGoals(const CaptureOptions& options, UpAxis upAxis)
+std::string describeGoals(const CaptureOptions& options, const ModelDesign& choice)
 {
     std::string goals = "wanted: a model of " + (options.mesh.empty() ? "the built-in mesh" : options.mesh);
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
-    const bool hasUsualSize = !options.buildLength && options.settingsText.empty();
-    if (options.buildParts || hasUsualSize)
-        goals += ", of at most " + counted(options.buildParts.value_or(DesignOptions::USUAL_PARTS), "part", "parts");
+    if (choice.mostParts) goals += ", of at most " + counted(*choice.mostParts, "part", "parts");
     if (!options.settingsText.empty()) goals += ", with the settings " + options.settingsText;
-    goals += fmt::format(", with its {} axis upwards", upAxis == UpAxis::Z ? "Z" : "Y");
+    goals += fmt::format(", with its {} axis upwards", choice.getBest().settings.grid.upAxis == UpAxis::Z ? "Z" : "Y");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
 }
 
@@ -187,28 +186,32 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     files.check(options);
 
     const Cancellation cancellation;
-    const ProgressBar progress;
+    ProgressBar progress;
     progress.show("reading");
     CaptureScene scene(options);
     LegoNode& lego = scene.getOnlyLegoNode();
     InputFiles::add(lego.getSettings().getPalette());
     files.checkReplaceNoInput();
     checkLength(options, lego);
+    progress.setRange(0.0, DESIGN_SHARE);
     const ModelDesign choice = design(options, lego, progress);
     const DesignCandidate& best = choice.getBest();
     lego.setSettings(best.settings);
     lego.setStoredBricks(best.model);
     checkInstructionsSize(options, lego);
 
+    progress.setRange(DESIGN_SHARE, 1.0);
     writeInstructions(options, lego, {best.stability, best.plan}, context, progress);
     if (options.base == BuildingBase::PLATE) scene.addBasePlate(*createBasePlate(*best.model));
     drawInto(options, scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
-    const std::string report = describeGoals(options, best.settings.grid.upAxis) + '\n' + choice.toString();
+    const std::string report = describeGoals(options, choice) + '\n' + choice.toString();
     const std::vector<std::string> defects = describeDefects(best, options);
+    const std::string missing = InputFiles::describeMissing(options.mesh); // printed when the mesh was read
     writeText(files.get("-report.txt"),
               [&](std::ostream& stream)
               {
+                  if (!missing.empty()) stream << "warning: " << missing << '\n';
                   for (const std::string& defect : defects)
                       stream << "warning: " << defect << '\n';
                   stream << report;

@@ -1,6 +1,7 @@
 #include "CaptureScene.h"
 
 #include "ExitCode.h"
+#include "InputFiles.h"
 #include "ModelSize.h"
 #include "ReadingGuard.h"
 #include "SceneReach.h"
@@ -129,6 +130,8 @@ CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
     {
         const osg::Timer_t start = osg::Timer::instance()->tick();
         _source = readMesh(options);
+        if (const std::string missing = InputFiles::describeMissing(options.mesh); !missing.empty())
+            fmt::print(stderr, "osglegocapture: warning: {}\n", missing);
         _readingTime = elapsed(start);
         _isRead = true;
         prepare();

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <osgDB/Callbacks>
+#include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
 
 namespace osgLego
@@ -31,7 +32,13 @@ public:
                              osgDB::CaseSensitivity sensitivity) override
     {
         std::string found = FindFileCallback::findDataFile(fileName, options, sensitivity);
-        if (!found.empty()) add(found);
+        if (found.empty())
+        {
+            const std::lock_guard lock(_mutex);
+            _missing.insert(fileName);
+        }
+        else
+            add(found);
         return found;
     }
 
@@ -47,10 +54,26 @@ public:
         return _found;
     }
 
+    std::set<std::string> getMissing()
+    {
+        const std::lock_guard lock(_mutex);
+        return _missing;
+    }
+
 private:
     std::mutex _mutex;
     std::set<std::string> _found;
+    std::set<std::string> _missing;
 };
+
+/** Whether a name is that of a material library or a picture, rather than of a model, for which plugins have several
+ * names. */
+bool isPartOfModel(const std::string& fileName)
+{
+    static const std::set<std::string> extensions{"bmp", "dds", "exr",  "gif", "hdr", "jpeg", "jpg", "mtl",
+                                                  "png", "rgb", "rgba", "sgi", "tga", "tif",  "tiff"};
+    return extensions.contains(osgDB::getLowerCaseFileExtension(fileName));
+}
 
 } // namespace
 
@@ -62,6 +85,21 @@ void InputFiles::record()
 void InputFiles::add(const std::string& fileName)
 {
     FindRecorder::get().add(fileName);
+}
+
+std::string InputFiles::describeMissing(const std::string& model)
+{
+    // Readers try several folders.
+    std::set<std::string> found;
+    for (const std::string& fileName : FindRecorder::get().getFound())
+        found.insert(osgDB::getSimpleFileName(fileName));
+    std::set<std::string> missing;
+    for (const std::string& fileName : FindRecorder::get().getMissing())
+        if (const std::string name = osgDB::getSimpleFileName(fileName); isPartOfModel(name) && !found.contains(name))
+            missing.insert("'" + name + "'");
+    if (missing.empty()) return {};
+    return fmt::format("'{}' names {}, which {} not there; its colours may be missing", model, fmt::join(missing, ", "),
+                       missing.size() == 1 ? "is" : "are");
 }
 
 void InputFiles::checkAreKept(const std::vector<std::string>& outputs)
