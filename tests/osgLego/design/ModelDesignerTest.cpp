@@ -542,7 +542,7 @@ TEST(ModelDesigner, ACancelledDesignIsNone)
 
 TEST(ModelDesigner, TellsTheNumberOfPartsThatModelsShouldNotExceed)
 {
-    const osg::ref_ptr<osg::Geometry> box = makeBox(osg::Vec3(2, 1, 1));
+    const osg::ref_ptr<osg::Node> box = makeBox(osg::Vec3(2, 1, 1));
     const auto findMostParts = [&](const std::string& settings, std::optional<std::size_t> numParts)
     {
         DesignOptions options;
