@@ -87,6 +87,7 @@ std::string describeNotes(const BookletModel& model, const BookletChapter& chapt
     const auto describe = [&model](const std::vector<BookletItem>& items)
     {
         std::vector<std::string> words;
+        words.reserve(items.size());
         for (const BookletItem& item : items)
             words.push_back(describeParts(model.getKinds()[item.kind], item.quantity));
         return joinWords(words);
