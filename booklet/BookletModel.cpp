@@ -49,19 +49,11 @@ bool isOn(const Part& upper, const Part& lower, int up)
     return low.x < high.x && low[3 - up] < high[3 - up];
 }
 
-/** The height of the side of some parts on which they stand. */
-int findBaseHeight(const BrickModel& model, std::span<const std::uint32_t> parts, bool isFromBelow)
+/** The height of the side on which a part is placed: the lower one or, upside down, the upper one, counted downwards.
+ */
+int findHeight(const Part& part, int up, bool isFromBelow)
 {
-    const int up = model.getGrid().getUpIndex();
-    const auto findHeight = [&](std::uint32_t part)
-    {
-        const Part& own = model.getParts()[part];
-        return isFromBelow ? -own.getCell()[up] - own.getSize()[up] : own.getCell()[up];
-    };
-    int lowest = std::numeric_limits<int>::max();
-    for (const std::uint32_t part : parts)
-        lowest = std::min(lowest, findHeight(part));
-    return isFromBelow ? -lowest : lowest;
+    return isFromBelow ? -part.getCell()[up] - part.getSize()[up] : part.getCell()[up];
 }
 
 /** Parts of a step that are on no others, but below some. */
@@ -71,8 +63,8 @@ struct HangingParts
     std::vector<std::uint32_t> joined;  // in a hand with others of the step, from which they hang
 };
 
-/** @param placed the parts in place before. @param base the height of the base: parts on it don't hang from others of
- * the step. */
+/** @param placed the parts in place before. @param base the least height of all parts: those on the base don't hang
+ * from others of the step. */
 HangingParts findHanging(const BrickModel& model, const BuildingStep& step, std::span<const std::uint32_t> placed,
                          int base)
 {
@@ -91,10 +83,9 @@ HangingParts findHanging(const BrickModel& model, const BuildingStep& step, std:
     {
         const Part& own = model.getParts()[part];
         if (touchesAny(own, placed, true) || touchesAny(own, step.parts, true)) continue;
-        const bool isOnBase = base == own.getCell()[up] + (step.isFromBelow ? own.getSize()[up] : 0);
         if (touchesAny(own, placed, false))
             hanging.pressed.push_back(part);
-        else if (!isOnBase && touchesAny(own, step.parts, false))
+        else if (findHeight(own, up, step.isFromBelow) != base && touchesAny(own, step.parts, false))
             hanging.joined.push_back(part);
     }
     return hanging;
@@ -173,14 +164,17 @@ BookletChapter BookletModel::createChapter(const BuildingPlan& plan, const std::
         placed.push_back(plan.getPlacedParts(step));
         all.insert(all.end(), placed.back().begin(), placed.back().end());
     }
-    const int baseHeight = findBaseHeight(*_model, all, steps.front().isFromBelow);
+    const int up = _model->getGrid().getUpIndex();
+    int least = std::numeric_limits<int>::max();
+    for (const std::uint32_t part : all)
+        least = std::min(least, findHeight(_model->getParts()[part], up, steps.front().isFromBelow));
     std::size_t numPlaced = 0;
     for (std::size_t index = 0; index < steps.size(); ++index)
     {
         const BuildingStep& step = steps[index];
         BookletStep& own = chapter.steps.emplace_back();
         own.items = countKinds(step.parts);
-        const HangingParts hanging = findHanging(*_model, step, std::span(all).first(numPlaced), baseHeight);
+        const HangingParts hanging = findHanging(*_model, step, std::span(all).first(numPlaced), least);
         own.pressed = countKinds(hanging.pressed);
         own.joined = countKinds(hanging.joined);
         for (const std::uint32_t submodel : step.submodels)

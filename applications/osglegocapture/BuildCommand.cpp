@@ -51,8 +51,8 @@ public:
     /** Throws CaptureError if one of the files can't be written. */
     void check(const CaptureOptions& options) const
     {
-        checkInstructionsPlace(options); // the folder, too
         const NewFolder folder(_folder); // names may be too long for it
+        checkInstructionsPlace(options); // whether there could be a folder, too
         for (const std::string& file : getAll())
             checkPlace(file);
     }
