@@ -191,7 +191,9 @@ TEST_P(PaletteOnTheGpu, GivesTheColoursOfTheCpu)
                     settings.toString().c_str(), numCommon, numDifferent, share, numWrong);
         EXPECT_EQ(numWrong, 0u);
         EXPECT_GT(numCommon, 500u);
-        EXPECT_LT(share, 0.1);
+        // Of a sphere, whose colours change smoothly: 0.02 % with llvmpipe, 0.2 % with an H200, whose sums round
+        // otherwise.
+        EXPECT_LT(share, 0.5);
     }
 }
 

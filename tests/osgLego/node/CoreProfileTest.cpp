@@ -23,10 +23,28 @@ namespace osgLego::test
 namespace
 {
 
+/** Whether NVIDIA's driver reports an error of OSG, as below. */
+bool isOfOsgOnNvidia(const std::string& message)
+{
+    constexpr std::array FUNCTIONS{"glMatrixMode", "glLoadMatrixd",   "glLoadIdentity", "glLightf",
+                                   "glLightfv",    "glLightModeli",   "glLightModelfv", "glMaterialf",
+                                   "glMaterialfv", "glColorMaterial", "glColor4fv",     "glFogi",
+                                   "glFogf",       "glFogfv"};
+    return message == "GL_INVALID_ENUM error generated. Cannot enable <cap> in the current profile." ||
+           std::ranges::any_of(FUNCTIONS,
+                               [&](const char* function)
+                               {
+                                   return message == std::string("GL_INVALID_OPERATION error generated. Function ") +
+                                                         function +
+                                                         " is deprecated and not available in preview contexts.";
+                               });
+}
+
 /** Whether OSG, built for fixed functions, causes an error in a core context: it applies lights, fog and materials,
  * also where no program uses them, and asks for mipmaps in the way of OpenGL 1.4. */
 bool isOfOsg(const std::string& message)
 {
+    if (isOfOsgOnNvidia(message)) return true;
     // Of glMatrixMode, glLoadMatrix, glLight, glLightModel, glMaterial, glColorMaterial and glFog.
     if (message.find("unsupported function called") != std::string::npos) return true;
     constexpr std::array MODES{"GL_LIGHTING", "GL_LIGHT0", "GL_LIGHT3", "GL_COLOR_MATERIAL", "GL_FOG"};
