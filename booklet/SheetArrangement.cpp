@@ -1,6 +1,7 @@
 #include "SheetArrangement.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -10,7 +11,9 @@ namespace osgLego
 namespace
 {
 
-constexpr double SMALL_PITCH = 1.5;            // millimetres; smaller studs need wider columns
+// Smaller studs need wider columns, in millimetres by the number of columns. Two become one only for the smallest ones,
+// since that doubles the number of sheets.
+constexpr std::array<double, SheetBlock::MOST_COLUMNS> SMALL_PITCHES{0.0, 1.5, 1.75};
 constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
 constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
 constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet
@@ -65,7 +68,7 @@ SheetArrangement::Choice SheetArrangement::choose(std::size_t mostColumns)
         for (int index = 0; index < NUM_SHARES; ++index)
         {
             _pitch = widest * (1.0 - (1.0 - LEAST_SHARE) * index / (NUM_SHARES - 1.0));
-            if (_numColumns > 1 && _pitch < SMALL_PITCH) break;
+            if (_pitch < SMALL_PITCHES[_numColumns - 1]) break;
             const double numSheets = plan().back().cost;
             if (numSheets >= SheetFilling::IMPOSSIBLE) continue;
             // Pictures that are larger by a tenth are worth a tenth more sheets.

@@ -189,6 +189,15 @@ TEST(SheetArrangementTest, WideModelsHaveOneColumnAndNarrowOnesSeveral)
     EXPECT_EQ(count(10.0), 3u);
 }
 
+TEST(SheetArrangementTest, StudsInSeveralColumnsAreNotTooSmallToCount)
+{
+    // In three columns, studs would have 1.68 mm; three columns of lists this long would save sheets.
+    const std::vector<SheetBlock> blocks(21, createBlock(60.0, {23.0, 23.0}));
+    const std::vector<Sheet> sheets = SheetArrangement(blocks, 0.0).getSheets();
+    EXPECT_EQ(sheets.front().numColumns, 2u);
+    EXPECT_GE(sheets.front().columns[0][0].pitch, 1.75);
+}
+
 TEST(SheetArrangementTest, ASheetOfFewBlocksHasFewerColumnsThanTheOthers)
 {
     // Two columns of two blocks on two sheets; two blocks would be less than half of the third sheet in columns.
