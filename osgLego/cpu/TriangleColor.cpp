@@ -28,6 +28,16 @@ bool haveSameColor(const GridVertex& a, const GridVertex& b)
     return a.colorAndLevel[0] == b.colorAndLevel[0] && ((a.colorAndLevel[1] ^ b.colorAndLevel[1]) & BLUE) == 0;
 }
 
+/** How much a colour is a mixture of two others: twice its distance from the nearer one if it lies between both, so
+ * that the nearer one stands better for an area of any mixture. */
+float measureMixture(const glm::vec3& color, const glm::vec3& a, const glm::vec3& b)
+{
+    const float toA = glm::distance(color, a);
+    const float toB = glm::distance(color, b);
+    const float detour = toA + toB - glm::distance(a, b);
+    return 2.0f * std::max(0.0f, std::min(toA, toB) - detour);
+}
+
 } // namespace
 
 /** The texels of a triangle in a cell, for shaders/voxelization/dominant_color.frag's rule. */
@@ -52,12 +62,17 @@ public:
         const glm::dvec2 a = corners[0].coordinate;
         const glm::dvec2 b = corners[1].coordinate;
         const glm::dvec2 c = corners[2].coordinate;
-        _first = glm::floor(glm::min(glm::min(a, b), c) * _size);
-        _last = glm::ceil(glm::max(glm::max(a, b), c) * _size) - 1.0;
-        _last = glm::max(_last, _first);
+        // Rounded coordinates of a border between texels may be beyond it.
+        constexpr double ROUNDING = 0.01;
+        _first = glm::floor(glm::min(glm::min(a, b), c) * _size + ROUNDING);
+        _last = glm::max(glm::ceil(glm::max(glm::max(a, b), c) * _size - ROUNDING) - 1.0, _first);
+        _mixtureCost = static_cast<float>(std::clamp(level, 0.0, 1.0));
     }
 
     int getLevel() const { return _level; }
+    /** 1, or less where a cell is less than four texels wide: there, texels may be what the picture shows, such as the
+     * shades of pixel art. */
+    float getMixtureCost() const { return _mixtureCost; }
 
     /** The number of a texel, or of the nearest one in the triangle's rectangle: others may belong to other surfaces.
      */
@@ -75,6 +90,7 @@ private:
     glm::dvec2 _size{1.0};
     glm::dvec2 _first{0.0};
     glm::dvec2 _last{0.0};
+    float _mixtureCost = 0.0f;
 };
 
 TriangleColor::TriangleColor(const GridBatch& batch, const GridVertex* corners) :
@@ -142,24 +158,27 @@ glm::vec3 TriangleColor::getPlainColor(const PlainTexels& texels, const glm::dve
     { return applyTexel(_batch, texels.getCoordinate(texel), texels.getLevel(), vertexColor); };
     glm::vec3 nearest(0.0f);
     float best = std::numeric_limits<float>::max();
+    glm::dvec2 last(std::numeric_limits<double>::quiet_NaN()); // differs from every texel
     for (const glm::dvec2& offset : PlainTexels::OFFSETS)
     {
         const glm::dvec2 texel = texels.findTexel(center, offset);
+        if (texel == last) continue;
+        last = texel;
         const glm::vec3 color = getColor(texel);
         const float score = dominanceScore(color, filtered);
         if (score >= best) continue;
-        // A texel on a border may be a mixture. Its neighbours on two sides of three differ.
-        const glm::vec3 a = getColor(texel + glm::dvec2(1.0, 0.0));
-        const glm::vec3 b = getColor(texel + glm::dvec2(-1.0, 1.0));
-        const glm::vec3 c = getColor(texel + glm::dvec2(-1.0, -1.0));
-        const float spread = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-        if (score + spread < best)
+        // A texel on a border between colours may be a mixture of those of its neighbours.
+        const auto measure = [&](const glm::dvec2& side)
+        { return measureMixture(color, getColor(texel - side), getColor(texel + side)); };
+        float mixture = texels.getMixtureCost();
+        if (mixture > 0.0f) mixture *= std::max(measure(glm::dvec2(1.0, 0.0)), measure(glm::dvec2(0.0, 1.0)));
+        if (score + mixture < best)
         {
             nearest = color;
-            best = score + spread;
+            best = score + mixture;
         }
         // Most cells are inside areas of nearly one colour.
-        if (glm::distance(color, filtered) + spread < CLOSE) break;
+        if (glm::distance(color, filtered) + mixture < CLOSE) break;
     }
     return nearest;
 }

@@ -32,7 +32,8 @@ public:
     /** Whether a texture may mix several colours in a cell. */
     bool hasMixtures() const { return _batch.texture.valid(); }
     /** Replace the colours of getColors(), for which the texture was filtered, by those of single texels: of five in
-     * each cell, the nearest one to the filtered colour that is not on a border between colours, if there is one. */
+     * each cell, the nearest one to the filtered colour. Texels that are mixtures of their neighbours count as farther
+     * away. */
     void makePlain(std::span<const CellPart> parts, glm::vec3* colors) const;
 
 private:

@@ -28,6 +28,7 @@ struct PlainTexels
     vec2 size;
     vec2 first;
     vec2 last;
+    float mixtureCost; // less than 1 where a cell is less than four texels wide: there, texels may be what the picture shows
 };
 
 PlainTexels plainTexels(SurfacePoint point)
@@ -36,8 +37,10 @@ PlainTexels plainTexels(SurfacePoint point)
     // Texels of a sixteenth of a cell: small enough for pure colours, and large enough to be typical of the cell.
     int level = clamp(int(point.level) - 3, 0, findMSB(max(size.x, size.y)));
     vec2 levelSize = vec2(max(size >> level, 1));
-    vec2 first = floor(point.lowest * levelSize);
-    return PlainTexels(level, levelSize, first, max(ceil(point.highest * levelSize) - 1.0, first));
+    const float ROUNDING = 0.01; // coordinates of a border between texels may be beyond it
+    vec2 first = floor(point.lowest * levelSize + ROUNDING);
+    vec2 last = max(ceil(point.highest * levelSize - ROUNDING) - 1.0, first);
+    return PlainTexels(level, levelSize, first, last, clamp(point.level, 0.0, 1.0));
 }
 
 // At the centre of a texel, it is not mixed with others.
@@ -46,16 +49,28 @@ vec3 texelColor(SurfacePoint point, PlainTexels texels, vec2 texel)
     return surfaceColor(point.color, (texel + 0.5) / texels.size, float(texels.level));
 }
 
-// How much the neighbours of a texel differ: on a border, where it may be a mixture, those on two sides of three do.
-float neighborSpread(SurfacePoint point, PlainTexels texels, vec2 texel)
+// How much a colour is a mixture of two others: twice its distance from the nearer one if it lies between both, so that
+// the nearer one stands better for an area of any mixture.
+float mixtureOf(vec3 color, vec3 a, vec3 b)
 {
-    vec3 a = texelColor(point, texels, texel + vec2(1.0, 0.0));
-    vec3 b = texelColor(point, texels, texel + vec2(-1.0, 1.0));
-    vec3 c = texelColor(point, texels, texel + vec2(-1.0, -1.0));
-    return max(max(distance(a, b), distance(b, c)), distance(c, a));
+    float toA = distance(color, a);
+    float toB = distance(color, b);
+    float detour = toA + toB - distance(a, b);
+    return 2.0 * max(0.0, min(toA, toB) - detour);
 }
 
-// The colour of one texel: of five in the cell, the nearest one to the filtered colour that is not on a border, if any.
+// How much a texel is a mixture of its neighbours, as on a border between colours.
+float texelMixture(SurfacePoint point, PlainTexels texels, vec2 texel, vec3 color)
+{
+    if (texels.mixtureCost == 0.0) return 0.0;
+    const vec2 RIGHT = vec2(1.0, 0.0);
+    const vec2 UP = vec2(0.0, 1.0);
+    float across = mixtureOf(color, texelColor(point, texels, texel - RIGHT), texelColor(point, texels, texel + RIGHT));
+    float up = mixtureOf(color, texelColor(point, texels, texel - UP), texelColor(point, texels, texel + UP));
+    return texels.mixtureCost * max(across, up);
+}
+
+// The colour of one texel: of five in the cell, the nearest one to the filtered colour; mixtures count as farther away.
 vec3 plainColor(SurfacePoint point)
 {
     const vec2 OFFSETS[5] =
@@ -66,17 +81,20 @@ vec3 plainColor(SurfacePoint point)
     PlainTexels texels = plainTexels(point);
     vec3 nearest = vec3(0.0);
     float best = 1e9;
+    vec2 last = vec2(0.0);
     for (int number = 0; number < 5; ++number)
     {
         vec2 texel = floor((point.coordinate + OFFSETS[number] * quarter) * texels.size);
         texel = clamp(texel, texels.first, texels.last);
+        if (number > 0 && texel == last) continue;
+        last = texel;
         vec3 color = texelColor(point, texels, texel);
         float score = dominanceScore(color, filtered);
         if (score >= best) continue;
-        float spread = neighborSpread(point, texels, texel);
-        if (score + spread < best) nearest = color;
-        best = min(best, score + spread);
-        if (distance(color, filtered) + spread < CLOSE) break; // as in most cells
+        float mixture = texelMixture(point, texels, texel, color);
+        if (score + mixture < best) nearest = color;
+        best = min(best, score + mixture);
+        if (distance(color, filtered) + mixture < CLOSE) break; // as in most cells
     }
     return nearest;
 }

@@ -263,6 +263,53 @@ TEST(DominantColors, SpotsOfATextureAreNotMixed)
     EXPECT_EQ(countMixed(*voxelizeEight(*geode, CellColor::DOMINANT)), 0u);
 }
 
+TEST(DominantColors, LinesOfPixelArtKeepTheirWidthAndShades)
+{
+    // Stripes one texel wide, some of them between their neighbours in colour.
+    constexpr Color GREY{120, 120, 120};
+    constexpr Color BLACK{20, 20, 20};
+    constexpr std::array STRIPES{WHITE, GREY, BLACK, WHITE, RED, WHITE, GREEN, GREY};
+    for (const int numCellsPerTexel : {1, 2, 4})
+        for (const bool isUpright : {false, true})
+        {
+            const int numTexels = 8 / numCellsPerTexel;
+            const auto colorAt = [&](double place) { return STRIPES[static_cast<std::size_t>(place * numTexels)]; };
+            const osg::ref_ptr<osg::Geometry> square = createTexturedSquare(
+                createTexture(numTexels, [&](double column, double row) { return colorAt(isUpright ? column : row); })
+                    .get());
+            const osg::ref_ptr<const BrickModel> model = voxelizeEight(*square, CellColor::DOMINANT);
+            EXPECT_EQ(model->getBricks().size(), 64u);
+            for (const Brick& brick : model->getBricks())
+                EXPECT_EQ(brick.color, colorAt((brick.cell[isUpright ? 0 : 2] + 0.5) / 8.0))
+                    << numCellsPerTexel << ' ' << isUpright << ' ' << brick.cell[0] << ' ' << brick.cell[2];
+        }
+}
+
+TEST(DominantColors, NoColorComesFromBesideATrianglesTexels)
+{
+    // A strip within the first column of cells shows a tenth of a texture, and ends at a border of texels. The nearest
+    // points to the cells' centres are on its right edge.
+    constexpr int NUM_TEXELS = 100;
+    for (int tenth = 0; tenth < 10; ++tenth)
+    {
+        const auto getColor = [&](double column, double)
+        { return static_cast<int>(10.0 * column) == tenth ? RED : GREEN; };
+        const osg::ref_ptr<osg::Geometry> strip =
+            osg::createTexturedQuadGeometry({0, 0, 0}, {0.3f, 0, 0}, {0, 0, 8}, 0.1f * static_cast<float>(tenth), 0.0f,
+                                            0.1f * static_cast<float>(tenth + 1), 1.0f);
+        strip->getOrCreateStateSet()->setTextureAttributeAndModes(0, createTexture(NUM_TEXELS, getColor));
+        const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+        geode->addDrawable(strip);
+        geode->addDrawable(test::createTriangle({7.9f, 0, 0}, {8, 0, 0}, {8, 0, 0.1f})); // white; the grid is square
+        const osg::ref_ptr<const BrickModel> model = voxelizeEight(*geode, CellColor::DOMINANT);
+        EXPECT_EQ(model->getBricks().size(), 9u);
+        EXPECT_EQ(std::count_if(model->getBricks().begin(), model->getBricks().end(),
+                                [](const Brick& brick) { return brick.color == RED; }),
+                  8)
+            << tenth;
+    }
+}
+
 TEST(DominantColors, TheOtherSideOfARepeatedTextureIsNotSeen)
 {
     // The tip of a triangle is at the upper edge of the texture, whose lower half the triangle does not show.
