@@ -104,11 +104,14 @@ std::string LayoutStatistics::toString() const
     if (lowerBound) text << "; the fewest possible, layer by layer: " << *lowerBound;
     text << std::setprecision(1) << "\nsize: " << 0.1 * size.x << " cm wide, " << 0.1 * size.y << " cm deep and "
          << 0.1 * size.z << " cm high\n"
-         << counted(numComponents, "piece", "pieces") << ", where the cells allow " << numComponentsPossible << "; ";
+         << counted(numComponents, "piece", "pieces");
+    if (numComponents > 1) text << " (these cells need at least " << numComponentsPossible << ")";
+    text << "; ";
     if (numFloating > 0) text << counted(numFloating, "part floats", "parts float") << "; ";
     text << "parts without which a piece would fall apart: " << numArticulationParts << '\n';
-    text << "stacked seams: " << 100.0 * stackedSeams << " %, a length of " << stackedLength
-         << "; colour error: " << meanColorError << " on average, at most " << maximumColorError << " in CIEDE2000";
+    text << "seams above seams: " << 100.0 * stackedSeams << " %, " << counted(stackedLength, "stud", "studs")
+         << " long; colour error: " << meanColorError << " on average, at most " << maximumColorError
+         << " in CIEDE2000";
     if (numUnavailable > 0)
         text << '\n'
              << counted(numUnavailable, "part has a size that was never made in its colour",

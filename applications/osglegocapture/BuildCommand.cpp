@@ -7,6 +7,7 @@
 #include "ExitCode.h"
 #include "InputFiles.h"
 #include "Instructions.h"
+#include "ModelSize.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
 
@@ -51,8 +52,8 @@ public:
     /** Throws CaptureError if one of the files can't be written. */
     void check(const CaptureOptions& options) const
     {
-        const NewFolder folder(_folder); // names may be too long for it
-        checkInstructionsPlace(options); // whether there could be a folder, too
+        const NewFolder folder(_folder); // a trial folder, so that the names of files in it can be checked
+        checkInstructionsPlace(options);
         for (const std::string& file : getAll())
             checkPlace(file);
     }
@@ -187,8 +188,10 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
 
     const Cancellation cancellation;
     ProgressBar progress;
+    warnOfModelSize(options.mesh);
     progress.show("reading");
     CaptureScene scene(options);
+    progress.warn(scene.getWarning());
     LegoNode& lego = scene.getOnlyLegoNode();
     InputFiles::add(lego.getSettings().getPalette());
     files.checkReplaceNoInput();
@@ -207,11 +210,10 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
     progress.show("printing the booklet");
     const std::string report = describeGoals(options, choice) + '\n' + choice.toString();
     const std::vector<std::string> defects = describeDefects(best, options);
-    const std::string missing = InputFiles::describeMissing(options.mesh); // printed when the mesh was read
     writeText(files.get("-report.txt"),
               [&](std::ostream& stream)
               {
-                  if (!missing.empty()) stream << "warning: " << missing << '\n';
+                  if (!scene.getWarning().empty()) stream << "warning: " << scene.getWarning() << '\n';
                   for (const std::string& defect : defects)
                       stream << "warning: " << defect << '\n';
                   stream << report;

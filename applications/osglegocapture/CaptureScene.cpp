@@ -2,7 +2,6 @@
 
 #include "ExitCode.h"
 #include "InputFiles.h"
-#include "ModelSize.h"
 #include "ReadingGuard.h"
 #include "SceneReach.h"
 
@@ -124,14 +123,12 @@ double elapsed(osg::Timer_t start)
 
 CaptureScene::CaptureScene(const CaptureOptions& options) : _options(options)
 {
-    warnOfModelSize(options.mesh);
     const ReadingGuard guard(options.mesh); // also of the walk over the scene, which may contain itself
     try
     {
         const osg::Timer_t start = osg::Timer::instance()->tick();
         _source = readMesh(options);
-        if (const std::string missing = InputFiles::describeMissing(options.mesh); !missing.empty())
-            fmt::print(stderr, "osglegocapture: warning: {}\n", missing);
+        _warning = InputFiles::describeMissing(options.mesh);
         _readingTime = elapsed(start);
         _isRead = true;
         prepare();

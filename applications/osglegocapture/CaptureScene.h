@@ -56,6 +56,8 @@ public:
     void addBasePlate(const BrickModel& plate);
     /** The node that adds ambient occlusion; null without ambient occlusion. */
     AmbientOcclusionScene* getOcclusionScene() const { return _occlusion.get(); }
+    /** A sentence on files that the mesh names but that were not found; empty if there are none. */
+    const std::string& getWarning() const { return _warning; }
     /** The time that reading the mesh took, in milliseconds. */
     double getReadingTime() const { return _readingTime; }
     /** The sphere about the scene according to which cameras are placed: that of the mesh, if there is one, not its
@@ -88,6 +90,7 @@ private:
     bool _isRead = false;       // the source is from a file,
     bool _hasOwnBricks = false; // and is in bricks there
     double _readingTime = 0.0;
+    std::string _warning;
 };
 
 } // namespace osgLego

@@ -2,11 +2,14 @@
 
 #include "ExitCode.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <system_error>
 
+#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <osgDB/Callbacks>
 #include <osgDB/FileNameUtils>
@@ -32,13 +35,9 @@ public:
                              osgDB::CaseSensitivity sensitivity) override
     {
         std::string found = FindFileCallback::findDataFile(fileName, options, sensitivity);
-        if (found.empty())
-        {
-            const std::lock_guard lock(_mutex);
-            _missing.insert(fileName);
-        }
-        else
-            add(found);
+        const std::lock_guard lock(_mutex);
+        (found.empty() ? _missing : _requested).insert(fileName);
+        if (!found.empty()) _found.insert(found);
         return found;
     }
 
@@ -54,24 +53,54 @@ public:
         return _found;
     }
 
+    /** The names that were searched in vain, without those of which a reader has found the end in another folder. */
     std::set<std::string> getMissing()
     {
         const std::lock_guard lock(_mutex);
-        return _missing;
+        std::set<std::string> missing = _missing;
+        std::erase_if(missing,
+                      [this](const std::string& name)
+                      {
+                          return std::ranges::any_of(_requested,
+                                                     [&](const std::string& requested) {
+                                                         return endsWith(name, requested) || endsWith(requested, name);
+                                                     });
+                      });
+        return missing;
     }
 
 private:
+    /** Whether a path ends with another one, folder by folder. */
+    static bool endsWith(const std::string& path, const std::string& end)
+    {
+        return path == end || path.ends_with('/' + end) || path.ends_with('\\' + end);
+    }
+
     std::mutex _mutex;
     std::set<std::string> _found;
+    std::set<std::string> _requested; // the names by which files were found
     std::set<std::string> _missing;
 };
 
-/** Whether a name is that of a material library or a picture, rather than of a model, for which plugins have several
- * names. */
+/** The extensions of material libraries and of all pictures that OpenImageIO reads. */
+std::set<std::string> findExtensions()
+{
+    std::set<std::string> extensions{"mtl"};
+    // "tiff:tif,tiff,tx;openexr:exr,sxr" and so on.
+    std::istringstream formats(OIIO::get_string_attribute("extension_list"));
+    for (std::string format; std::getline(formats, format, ';');)
+    {
+        std::istringstream names(format.substr(format.find(':') + 1));
+        for (std::string name; std::getline(names, name, ',');)
+            extensions.insert(name);
+    }
+    return extensions;
+}
+
+/** Whether a name is that of a material library or a picture. Plugins try others for the model itself. */
 bool isPartOfModel(const std::string& fileName)
 {
-    static const std::set<std::string> extensions{"bmp", "dds", "exr",  "gif", "hdr", "jpeg", "jpg", "mtl",
-                                                  "png", "rgb", "rgba", "sgi", "tga", "tif",  "tiff"};
+    static const std::set<std::string> extensions = findExtensions();
     return extensions.contains(osgDB::getLowerCaseFileExtension(fileName));
 }
 
@@ -89,17 +118,14 @@ void InputFiles::add(const std::string& fileName)
 
 std::string InputFiles::describeMissing(const std::string& model)
 {
-    // Readers try several folders.
-    std::set<std::string> found;
-    for (const std::string& fileName : FindRecorder::get().getFound())
-        found.insert(osgDB::getSimpleFileName(fileName));
+    const std::set<std::string> searched = FindRecorder::get().getMissing();
     std::set<std::string> missing;
-    for (const std::string& fileName : FindRecorder::get().getMissing())
-        if (const std::string name = osgDB::getSimpleFileName(fileName); isPartOfModel(name) && !found.contains(name))
-            missing.insert("'" + name + "'");
+    for (const std::string& name : searched)
+        if (isPartOfModel(name)) missing.insert("'" + osgDB::getSimpleFileName(name) + "'");
     if (missing.empty()) return {};
-    return fmt::format("'{}' names {}, which {} not there; its colours may be missing", model, fmt::join(missing, ", "),
-                       missing.size() == 1 ? "is" : "are");
+    return fmt::format("'{}' names {} found: {}; expected {} in its folder, or the model may lack colours", model,
+                       missing.size() == 1 ? "a file that was not" : "files that were not", fmt::join(missing, ", "),
+                       missing.size() == 1 ? "it" : "them");
 }
 
 void InputFiles::checkAreKept(const std::vector<std::string>& outputs)

@@ -55,6 +55,13 @@ void ProgressBar::clear() const
     std::fflush(stderr);
 }
 
+void ProgressBar::warn(const std::string& warning) const
+{
+    if (warning.empty()) return;
+    clear();
+    fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
+}
+
 void ProgressBar::printSometimes(const std::string& text) const
 {
     constexpr std::chrono::seconds INTERVAL(30);

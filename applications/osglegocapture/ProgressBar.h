@@ -34,6 +34,8 @@ public:
     void show(double share, const std::string& work) const;
     /** Remove the line. */
     void clear() const;
+    /** Remove the line, and print a warning, unless it is empty. */
+    void warn(const std::string& warning) const;
 
 private:
     void printSometimes(const std::string& text) const;

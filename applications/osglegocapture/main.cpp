@@ -9,6 +9,7 @@
 #include "InputFiles.h"
 #include "Instructions.h"
 #include "ModelBound.h"
+#include "ModelSize.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
 #include "SceneStability.h"
@@ -187,12 +188,14 @@ void checkParts(const CaptureOptions& options, const CaptureScene& scene)
 /** Read the scene, and make its parts. */
 std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
 {
+    warnOfModelSize(options.mesh);
     progress.show("reading");
     std::unique_ptr<CaptureScene> scene;
     {
         const Cancellation::Unasked unasked;
         scene = std::make_unique<CaptureScene>(options);
     }
+    progress.warn(scene->getWarning());
     for (const LegoNode* lego : scene->findLegoNodes())
         InputFiles::add(lego->getSettings().getPalette());
     InputFiles::checkAreKept({options.output, toFileName(options.statistics), options.cells,

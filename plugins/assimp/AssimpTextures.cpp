@@ -131,7 +131,8 @@ osg::ref_ptr<osg::Image> AssimpTextures::readFile(const std::string& reference, 
     std::replace(path.begin(), path.end(), '\\', '/');
     if (path.starts_with("//")) path.erase(0, 2); // Blender's prefix of relative paths
     // Files of FBX and others hold paths of the machine that wrote them.
-    for (const std::string& candidate : {path, unescape(path), osgDB::getSimpleFileName(path)})
+    const std::string plain = unescape(path);
+    for (const std::string& candidate : {plain, path, osgDB::getSimpleFileName(plain)})
     {
         const std::string found = osgDB::findDataFile(candidate, _options);
         if (found.empty()) continue;

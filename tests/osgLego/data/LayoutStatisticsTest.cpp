@@ -36,10 +36,12 @@ TEST(LayoutStatistics, TheReportNamesEveryFigure)
     EXPECT_EQ(layout.toString(),
               "997 parts in 24 colours for 2955 cells, 12 of them inside\n"
               "size: 20.8 cm wide, 16.0 cm deep and 19.2 cm high\n"
-              "3 pieces, where the cells allow 2; 5 parts float; parts without which a piece would fall apart: 1\n"
-              "stacked seams: 6.2 %, a length of 72; colour error: 3.5 on average, at most 12.1 in CIEDE2000");
+              "3 pieces (these cells need at least 2); 5 parts float; parts without which a piece would fall apart: 1\n"
+              "seams above seams: 6.2 %, 72 studs long; colour error: 3.5 on average, at most 12.1 in CIEDE2000");
     layout.lowerBound = 990;
     layout.numUnavailable = 2;
+    layout.numComponents = layout.numComponentsPossible = 1;
+    EXPECT_NE(layout.toString().find(" high\n1 piece; 5 parts float; "), std::string::npos) << layout.toString();
     EXPECT_NE(layout.toString().find("inside; the fewest possible, layer by layer: 990\n"), std::string::npos);
     EXPECT_NE(layout.toString().find("\n2 parts have sizes that were never made in their colour"), std::string::npos);
 }
