@@ -11,10 +11,10 @@ namespace osgLego
 namespace
 {
 
-// Smaller studs need wider columns, in millimetres by the number of columns. Two become one only for the smallest ones,
-// since that doubles the number of sheets.
+// The smallest studs in one, two and three columns, in millimetres. Below them, columns are fewer and wider; that of
+// two is smaller, since one column instead of two doubles the number of sheets.
 constexpr std::array<double, SheetBlock::MOST_COLUMNS> SMALL_PITCHES{0.0, 1.5, 1.75};
-constexpr double BIGGEST_PITCH = 8.0;          // likewise, true to life
+constexpr double BIGGEST_PITCH = 8.0;          // millimetres, true to life
 constexpr double USUAL_HEAD = 40.0;            // blocks with more above their pictures have smaller ones
 constexpr std::size_t MOST_BLOCKS = 40;        // of a sheet
 constexpr double COST_OF_COLUMN_PARTING = 0.3; // of a heading from its block: that of a column that is free by 55 %

@@ -71,7 +71,7 @@ TEST(ModelDesigner, SettingsThatMakeNoModelWouldMakeNoBetterOne)
 {
     const osg::ref_ptr<osg::Node> car = createRacingCar();
     DesignOptions options;
-    options.numParts = 60;
+    options.numParts = 60; // with 120, the draft of each setting is so much like the mesh that its model is made
     options.settings = "colors=8";
     std::string error;
     const std::optional<ModelDesign> design = designModel(*car, options, error);

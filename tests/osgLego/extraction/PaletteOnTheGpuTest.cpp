@@ -191,9 +191,8 @@ TEST_P(PaletteOnTheGpu, GivesTheColoursOfTheCpu)
                     settings.toString().c_str(), numCommon, numDifferent, share, numWrong);
         EXPECT_EQ(numWrong, 0u);
         EXPECT_GT(numCommon, 500u);
-        // Of a sphere, whose colours change smoothly: 0.02 % with llvmpipe, 0.2 % with an H200, whose sums round
-        // otherwise.
-        EXPECT_LT(share, 0.5);
+        // Sums of a GPU round otherwise: of the sphere, whose colours change smoothly, 0.2 % differ with an H200.
+        EXPECT_LT(share, isSoftware(*createContext()) ? 0.1 : 0.5);
     }
 }
 
