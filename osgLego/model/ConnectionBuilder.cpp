@@ -110,6 +110,16 @@ std::vector<glm::ivec3> findRecolored(const std::vector<LayoutCell>& cells, cons
     return recolored;
 }
 
+bool hasFailed(const Join& join, const LayoutPieces& pieces)
+{
+    return pieces.find(join.begin) != pieces.find(join.end);
+}
+
+auto countFailed(const std::vector<Join>& joins, const LayoutPieces& pieces)
+{
+    return std::count_if(joins.begin(), joins.end(), [&](const Join& join) { return hasFailed(join, pieces); });
+}
+
 } // namespace
 
 ConnectionBuilder::ConnectionBuilder(const LayoutOptions& options, const RecoloringCosts& costs) :
@@ -122,40 +132,51 @@ ConnectionBuilder::ConnectionBuilder(const LayoutOptions& options, const Recolor
 
 bool ConnectionBuilder::build(JoinedLayout& layout)
 {
-    _penalties = {};
-    std::optional<LayoutPieces> pieces(layout.parts);
     _statistics = {};
-    _statistics.numPiecesBefore = pieces->getCount();
+    _statistics.numPieces = _statistics.numPiecesBefore = LayoutPieces(layout.parts).getCount();
     const std::vector<LayoutCell> cells = layout.problem.cells;
     // Studs join no parts of a single layer: changed colours would only make fewer and larger ones of them.
-    if (layout.problem.size.z == 1)
-    {
-        _statistics.numPieces = pieces->getCount();
-        return true;
-    }
-    for (int numFailures = 0; pieces->getCount() > 1 && numFailures < MOST_FAILURES;)
-    {
-        const std::vector<Join> joins = findJoins(layout, *pieces);
-        if (isCancelled()) return false;
-        if (joins.empty()) break;
-        std::optional<JoinedLayout> joined = layAgain(layout, joins, numFailures % 2 == 0 ? glm::ivec3(0) : REACH);
-        if (!joined) return false;
-        const LayoutPieces found(joined->parts);
-        const bool isBetter = found.getCount() < pieces->getCount();
-        numFailures = isBetter ? 0 : numFailures + 1;
-        penalizeFailed(joins, found, isBetter, PENALTY * std::max(numFailures, 1));
-        if (!isBetter) continue;
-        layout = std::move(*joined);
-        pieces = found;
-        if (_progress)
-            _progress(1.0 - static_cast<double>(found.getCount()) / static_cast<double>(_statistics.numPiecesBefore));
-    }
+    if (layout.problem.size.z == 1) return true;
+    if (!joinPieces(layout)) return false;
     removeUnneededCells(layout);
     const std::vector<glm::ivec3> recolored = findRecolored(cells, layout.problem.cells);
     if (_options.effort > _roundOptions.effort && !improve(layout, recolored)) return false;
     _statistics.numAddedCells = layout.added.size();
     _statistics.numRecolored = recolored.size();
     _statistics.numPieces = LayoutPieces(layout.parts).getCount();
+    return true;
+}
+
+/** Join pieces in rounds. @return false if it was cancelled. */
+bool ConnectionBuilder::joinPieces(JoinedLayout& layout)
+{
+    _penalties = {};
+    LayoutPieces pieces(layout.parts);
+    std::optional<JoinedLayout> best; // if it is not this layout
+    for (int numFailures = 0; pieces.getCount() > 1 && numFailures < MOST_FAILURES;)
+    {
+        const std::vector<Join> joins = findJoins(layout, pieces);
+        if (isCancelled()) return false;
+        if (joins.empty()) break;
+        std::optional<JoinedLayout> joined = layAgain(layout, joins, numFailures % 2 == 0 ? glm::ivec3(0) : REACH);
+        if (!joined) return false;
+        LayoutPieces found(joined->parts);
+        const bool isBetter = found.getCount() < pieces.getCount();
+        numFailures = isBetter ? 0 : numFailures + 1;
+        penalizeFailed(joins, found, isBetter, PENALTY * std::max(numFailures, 1));
+        // If the joins hold, but other parts came loose instead, these may be easier to join.
+        const bool isOther = found.getCount() == pieces.getCount() && countFailed(joins, found) == 0;
+        if (!isBetter && !isOther) continue;
+        if (isBetter)
+            best.reset();
+        else if (!best)
+            best = std::move(layout);
+        layout = std::move(*joined);
+        pieces = std::move(found);
+        if (isBetter && _progress)
+            _progress(1.0 - static_cast<double>(pieces.getCount()) / static_cast<double>(_statistics.numPiecesBefore));
+    }
+    if (best) layout = std::move(*best);
     return true;
 }
 
@@ -191,10 +212,9 @@ std::optional<JoinedLayout> ConnectionBuilder::layAgain(const JoinedLayout& layo
 void ConnectionBuilder::penalizeFailed(const std::vector<Join>& joins, const LayoutPieces& pieces, bool isBetter,
                                        double penalty)
 {
-    const auto hasFailed = [&](const Join& join) { return pieces.find(join.begin) != pieces.find(join.end); };
-    const bool isAny = isBetter || std::any_of(joins.begin(), joins.end(), hasFailed);
+    const bool isAny = isBetter || countFailed(joins, pieces) > 0;
     for (const Join& join : joins)
-        if (!isAny || hasFailed(join)) penalize(join, penalty);
+        if (!isAny || hasFailed(join, pieces)) penalize(join, penalty);
 }
 
 /** Make the cells of a join more expensive, and direct steps where parts were laid again in vain. */

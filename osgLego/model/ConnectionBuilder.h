@@ -28,8 +28,9 @@ struct JoinedLayout
  *
  * In each round, every piece but the largest looks for its cheapest join to another one (JoinSearch): cells in another
  * colour, or additional cells, hidden ones first. Parts around these are laid again. Joins that fail become more
- * expensive. Rounds end when one piece is left, when no piece can be joined, or when MOST_FAILURES rounds in a row have
- * joined none. Rounds use at most normal effort; with Effort::BEST, parts around all changes are laid again at the end.
+ * expensive; if they hold but as many other parts come loose, the next round joins these. Rounds end when one piece is
+ * left, when no piece can be joined, or when MOST_FAILURES rounds in a row have joined none. Rounds use at most normal
+ * effort; with Effort::BEST, parts around all changes are laid again at the end.
  *
  * Usage:
  *
@@ -56,6 +57,7 @@ public:
 
 private:
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
+    bool joinPieces(JoinedLayout& layout);
     std::vector<Join> findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const;
     bool improve(JoinedLayout& layout, std::vector<glm::ivec3> changed);
     std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins,

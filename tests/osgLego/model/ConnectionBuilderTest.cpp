@@ -6,6 +6,8 @@
 
 #include "../layout/LaidModel.h"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -127,6 +129,26 @@ TEST(ConnectionBuilder, KeepsNoPartWithoutWhichTheModelIsOnePiece)
         LaidParts rest = layout.parts;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part));
         EXPECT_GT(LayoutPieces(rest).getCount(), 1u);
+    }
+}
+
+TEST(ConnectionBuilder, JoinsPartsThatComeLooseWhenOthersAreJoined)
+{
+    // Of 400 random models, those in which a last piece is joined only by parts that others need.
+    for (const unsigned seed : {44u, 270u, 316u})
+    {
+        std::mt19937 random(seed);
+        const unsigned side = 5 + seed % 4;
+        std::vector<std::vector<std::string>> layers(3 + seed % 2,
+                                                     std::vector<std::string>(side, std::string(side, 'a')));
+        for (std::vector<std::string>& layer : layers)
+            for (std::string& row : layer)
+                for (char& cell : row)
+                    cell = "aacb."[random() % 5];
+        ConnectionStatistics statistics;
+        connect(drawColoredCells(layers), statistics);
+        EXPECT_GT(statistics.numPiecesBefore, 5u);
+        EXPECT_EQ(statistics.numPieces, 1u) << seed;
     }
 }
 
