@@ -63,7 +63,7 @@ public:
                       {
                           return std::ranges::any_of(_requested,
                                                      [&](const std::string& requested) {
-                                                         return endsWith(name, requested) || endsWith(requested, name);
+                                                         return endsWith(name, requested);
                                                      });
                       });
         return missing;

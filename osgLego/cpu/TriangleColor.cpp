@@ -64,8 +64,10 @@ public:
         const glm::dvec2 c = corners[2].coordinate;
         // Rounded coordinates of a border between texels may be beyond it.
         constexpr double ROUNDING = 0.01;
-        _first = glm::floor(glm::min(glm::min(a, b), c) * _size + ROUNDING);
-        _last = glm::max(glm::ceil(glm::max(glm::max(a, b), c) * _size - ROUNDING) - 1.0, _first);
+        const glm::dvec2 lowest = glm::min(glm::min(a, b), c) * _size;
+        const glm::dvec2 highest = glm::max(glm::max(a, b), c) * _size;
+        _last = glm::max(glm::ceil(highest - ROUNDING) - 1.0, glm::floor(lowest));
+        _first = glm::min(glm::floor(lowest + ROUNDING), _last);
         _mixtureCost = static_cast<float>(std::clamp(level, 0.0, 1.0));
     }
 

@@ -157,7 +157,15 @@ bool ConnectionBuilder::joinPieces(JoinedLayout& layout)
     {
         const std::vector<Join> joins = findJoins(layout, pieces);
         if (isCancelled()) return false;
-        if (joins.empty()) break;
+        if (joins.empty())
+        {
+            if (!best) break;
+            layout = std::move(*best);
+            best.reset();
+            pieces = LayoutPieces(layout.parts);
+            ++numFailures;
+            continue;
+        }
         std::optional<JoinedLayout> joined = layAgain(layout, joins, numFailures % 2 == 0 ? glm::ivec3(0) : REACH);
         if (!joined) return false;
         LayoutPieces found(joined->parts);

@@ -125,21 +125,30 @@ osg::ref_ptr<osg::Image> AssimpTextures::read(const std::string& reference)
     return place->second;
 }
 
+/** The name by which a picture is found; without escapes if there is none. Applications that follow what is searched
+ * for (osgDB::FindFileCallback) get this name alone. */
+std::string AssimpTextures::chooseName(const std::string& path) const
+{
+    const std::string plain = unescape(path);
+    // Files of FBX and others hold paths of the machine that wrote them.
+    for (const std::string& name : {path, plain, osgDB::getSimpleFileName(plain)})
+        if (!osgDB::Registry::instance()->findDataFileImplementation(name, _options, osgDB::CASE_SENSITIVE).empty())
+            return name;
+    return plain;
+}
+
 osg::ref_ptr<osg::Image> AssimpTextures::readFile(const std::string& reference, std::string& error) const
 {
     std::string path = reference;
     std::replace(path.begin(), path.end(), '\\', '/');
     if (path.starts_with("//")) path.erase(0, 2); // Blender's prefix of relative paths
-    // Files of FBX and others hold paths of the machine that wrote them.
-    const std::string plain = unescape(path);
-    for (const std::string& candidate : {plain, path, osgDB::getSimpleFileName(plain)})
+    const std::string found = osgDB::findDataFile(chooseName(path), _options);
+    if (found.empty())
     {
-        const std::string found = osgDB::findDataFile(candidate, _options);
-        if (found.empty()) continue;
-        osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(found, _options);
-        if (!image) error = "'" + found + "' is not a picture that osgDB reads";
-        return image;
+        error = "there is no such file in the folder of the model or in osgDB's path";
+        return nullptr;
     }
-    error = "there is no such file in the folder of the model or in osgDB's path";
-    return nullptr;
+    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(found, _options);
+    if (!image) error = "'" + found + "' is not a picture that osgDB reads";
+    return image;
 }

@@ -38,8 +38,8 @@ PlainTexels plainTexels(SurfacePoint point)
     int level = clamp(int(point.level) - 3, 0, findMSB(max(size.x, size.y)));
     vec2 levelSize = vec2(max(size >> level, 1));
     const float ROUNDING = 0.01; // coordinates of a border between texels may be beyond it
-    vec2 first = floor(point.lowest * levelSize + ROUNDING);
-    vec2 last = max(ceil(point.highest * levelSize - ROUNDING) - 1.0, first);
+    vec2 last = max(ceil(point.highest * levelSize - ROUNDING) - 1.0, floor(point.lowest * levelSize));
+    vec2 first = min(floor(point.lowest * levelSize + ROUNDING), last);
     return PlainTexels(level, levelSize, first, last, clamp(point.level, 0.0, 1.0));
 }
 

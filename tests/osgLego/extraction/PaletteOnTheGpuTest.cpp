@@ -14,11 +14,14 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <random>
 #include <set>
 #include <unistd.h>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
+#include <osg/Geode>
+#include <osg/Texture2D>
 
 namespace osgLego::test
 {
@@ -32,6 +35,8 @@ struct Model
 {
     const char* name;
     std::function<osg::ref_ptr<osg::Node>()> create;
+    /** The percentage of cells in which several texels are nearly as good: GL filters with few bits. */
+    double nearlyEqualTexels = 0.0;
 };
 
 class PaletteOnTheGpu : public GlTest, public ::testing::WithParamInterface<Model>
@@ -189,10 +194,11 @@ TEST_P(PaletteOnTheGpu, GivesTheColoursOfTheCpu)
         const double share = 100.0 * static_cast<double>(numDifferent) / static_cast<double>(numCommon);
         std::printf("%-8s %-60s %6zu cells, %zu (%.2f %%) differ, %zu beyond near ties\n", GetParam().name,
                     settings.toString().c_str(), numCommon, numDifferent, share, numWrong);
-        EXPECT_EQ(numWrong, 0u);
+        const double ofTexels = GetParam().nearlyEqualTexels;
+        EXPECT_LE(100.0 * static_cast<double>(numWrong), ofTexels * static_cast<double>(numCommon));
         EXPECT_GT(numCommon, 500u);
         // Sums of a GPU round otherwise: of the sphere, whose colours change smoothly, 0.2 % differ with an H200.
-        EXPECT_LT(share, isSoftware(*createContext()) ? 0.1 : 0.5);
+        EXPECT_LT(share, ofTexels + (isSoftware(*createContext()) ? 0.1 : 0.5));
     }
 }
 
@@ -215,11 +221,44 @@ TEST_P(PaletteOnTheGpu, GivesEachPointThePalettesColourForItsOwn)
         }
 }
 
+/** A picture of random texels in five colours. */
+osg::ref_ptr<osg::Texture2D> createMosaic(int numTexels)
+{
+    constexpr std::array<Color, 5> COLORS{{{255, 255, 255}, {200, 0, 0}, {120, 120, 120}, {20, 20, 20}, {0, 100, 0}}};
+    std::mt19937 random(1);
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(numTexels, numTexels, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int texel = 0; texel < numTexels * numTexels; ++texel)
+        std::ranges::copy(COLORS[random() % COLORS.size()], image->data() + 3 * texel);
+    return new osg::Texture2D(image);
+}
+
+/** Squares with a texture whose texels are wider and narrower than cells, and strips of a part of one, which end at
+ * borders of texels before the centres of their cells. */
+osg::ref_ptr<osg::Node> createTexturedSquares()
+{
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    const auto add = [&](const osg::Vec3& corner, float width, int numTexels, float left, float right)
+    {
+        const osg::ref_ptr<osg::Geometry> square =
+            osg::createTexturedQuadGeometry(corner, {width, 0, 0}, {0, 0, 48}, left, 0.0f, right, 1.0f);
+        square->getOrCreateStateSet()->setTextureAttributeAndModes(0, createMosaic(numTexels));
+        geode->addDrawable(square);
+    };
+    int place = 0;
+    for (const int numTexels : {12, 48, 130, 333})
+        add(osg::Vec3(0.0f, 4.0f * static_cast<float>(place++), 0.0f), 48.0f, numTexels, 0.0f, 1.0f);
+    for (int tenth = 0; tenth < 10; ++tenth)
+        add(osg::Vec3(4.0f * static_cast<float>(tenth), 20.0f, 0.0f), 0.3f, 100, 0.1f * static_cast<float>(tenth),
+            0.1f * static_cast<float>(tenth + 1));
+    return geode;
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, PaletteOnTheGpu,
                          ::testing::Values(Model{"car", createRacingCar},
                                            Model{"sphere", [] { return createSphere(); }}, Model{"torus", createTorus},
                                            Model{"slivers", [] { return createSliverSoup(); }},
-                                           Model{"bunny", readBunny}),
+                                           Model{"textures", createTexturedSquares, 0.6}, Model{"bunny", readBunny}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 } // namespace
