@@ -137,7 +137,8 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
     const std::vector<LayoutCell> cells = layout.problem.cells;
     // Studs join no parts of a single layer: changed colours would only make fewer and larger ones of them.
     if (layout.problem.size.z == 1) return true;
-    if (!joinPieces(layout)) return false;
+    for (const bool joinsOthers : {false, true})
+        if (!joinPieces(layout, joinsOthers)) return false;
     removeUnneededCells(layout);
     const std::vector<glm::ivec3> recolored = findRecolored(cells, layout.problem.cells);
     if (_options.effort > _roundOptions.effort && !improve(layout, recolored)) return false;
@@ -147,8 +148,10 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
     return true;
 }
 
-/** Join pieces in rounds. @return false if it was cancelled. */
-bool ConnectionBuilder::joinPieces(JoinedLayout& layout)
+/** Join pieces in rounds.
+ * @param joinsOthers whether to go on from layouts in which all joins hold, but as many other parts came loose.
+ * @return false if it was cancelled. */
+bool ConnectionBuilder::joinPieces(JoinedLayout& layout, bool joinsOthers)
 {
     _penalties = {};
     LayoutPieces pieces(layout.parts);
@@ -157,23 +160,14 @@ bool ConnectionBuilder::joinPieces(JoinedLayout& layout)
     {
         const std::vector<Join> joins = findJoins(layout, pieces);
         if (isCancelled()) return false;
-        if (joins.empty())
-        {
-            if (!best) break;
-            layout = std::move(*best);
-            best.reset();
-            pieces = LayoutPieces(layout.parts);
-            ++numFailures;
-            continue;
-        }
+        if (joins.empty()) break;
         std::optional<JoinedLayout> joined = layAgain(layout, joins, numFailures % 2 == 0 ? glm::ivec3(0) : REACH);
         if (!joined) return false;
         LayoutPieces found(joined->parts);
         const bool isBetter = found.getCount() < pieces.getCount();
         numFailures = isBetter ? 0 : numFailures + 1;
         penalizeFailed(joins, found, isBetter, PENALTY * std::max(numFailures, 1));
-        // If the joins hold, but other parts came loose instead, these may be easier to join.
-        const bool isOther = found.getCount() == pieces.getCount() && countFailed(joins, found) == 0;
+        const bool isOther = joinsOthers && found.getCount() == pieces.getCount() && countFailed(joins, found) == 0;
         if (!isBetter && !isOther) continue;
         if (isBetter)
             best.reset();

@@ -28,9 +28,10 @@ struct JoinedLayout
  *
  * In each round, every piece but the largest looks for its cheapest join to another one (JoinSearch): cells in another
  * colour, or additional cells, hidden ones first. Parts around these are laid again. Joins that fail become more
- * expensive; if they hold but as many other parts come loose, the next round joins these. Rounds end when one piece is
- * left, when no piece can be joined, or when MOST_FAILURES rounds in a row have joined none. Rounds use at most normal
- * effort; with Effort::BEST, parts around all changes are laid again at the end.
+ * expensive. Rounds end when one piece is left, when no piece can be joined, or when MOST_FAILURES rounds in a row have
+ * joined none. They are then repeated once, and go on from layouts in which all joins hold but as many other parts came
+ * loose, which may be easier to join. Rounds use at most normal effort; with Effort::BEST, parts around all changes are
+ * laid again at the end.
  *
  * Usage:
  *
@@ -57,7 +58,7 @@ public:
 
 private:
     bool isCancelled() const { return _options.isCancelled && _options.isCancelled(); }
-    bool joinPieces(JoinedLayout& layout);
+    bool joinPieces(JoinedLayout& layout, bool joinsOthers);
     std::vector<Join> findJoins(const JoinedLayout& layout, const LayoutPieces& pieces) const;
     bool improve(JoinedLayout& layout, std::vector<glm::ivec3> changed);
     std::optional<JoinedLayout> layAgain(const JoinedLayout& layout, const std::vector<Join>& joins,
