@@ -59,12 +59,9 @@ public:
         const std::lock_guard lock(_mutex);
         std::set<std::string> missing = _missing;
         std::erase_if(missing,
-                      [this](const std::string& name)
-                      {
-                          return std::ranges::any_of(_requested,
-                                                     [&](const std::string& requested) {
-                                                         return endsWith(name, requested);
-                                                     });
+                      [this](const std::string& name) {
+                          return std::ranges::any_of(_requested, [&](const std::string& requested)
+                                                     { return endsWith(name, requested); });
                       });
         return missing;
     }
