@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 #include <OpenImageIO/imageio.h>
@@ -83,14 +82,8 @@ private:
 std::set<std::string> findExtensions()
 {
     std::set<std::string> extensions{"mtl"};
-    // "tiff:tif,tiff,tx;openexr:exr,sxr" and so on.
-    std::istringstream formats(OIIO::get_string_attribute("extension_list"));
-    for (std::string format; std::getline(formats, format, ';');)
-    {
-        std::istringstream names(format.substr(format.find(':') + 1));
-        for (std::string name; std::getline(names, name, ',');)
-            extensions.insert(name);
-    }
+    for (const auto& [format, names] : OIIO::get_extension_map())
+        extensions.insert(names.begin(), names.end());
     return extensions;
 }
 

@@ -160,12 +160,12 @@ glm::vec3 TriangleColor::getPlainColor(const PlainTexels& texels, const glm::dve
     { return applyTexel(_batch, texels.getCoordinate(texel), texels.getLevel(), vertexColor); };
     glm::vec3 nearest(0.0f);
     float best = std::numeric_limits<float>::max();
-    glm::dvec2 last(std::numeric_limits<double>::quiet_NaN()); // differs from every texel
+    glm::dvec2 previous(std::numeric_limits<double>::quiet_NaN()); // differs from every texel
     for (const glm::dvec2& offset : PlainTexels::OFFSETS)
     {
         const glm::dvec2 texel = texels.findTexel(center, offset);
-        if (texel == last) continue;
-        last = texel;
+        if (texel == previous) continue;
+        previous = texel;
         const glm::vec3 color = getColor(texel);
         const float score = dominanceScore(color, filtered);
         if (score >= best) continue;

@@ -1,6 +1,5 @@
 #include "ImageConversion.h"
 
-#include <sstream>
 
 #include <OpenImageIO/imageio.h>
 #include <osgDB/FileNameUtils>
@@ -19,16 +18,9 @@ public:
     ReaderWriterOiio()
     {
         supportsExtension("oiio", "Pseudo-loader: reads the file named before it with OpenImageIO");
-        // "tiff:tif,tiff,tx;openexr:exr,sxr" and so on.
-        std::istringstream formats(OIIO::get_string_attribute("extension_list"));
-        for (std::string format; std::getline(formats, format, ';');)
-        {
-            const auto colon = format.find(':');
-            if (colon == std::string::npos) continue;
-            std::istringstream extensions(format.substr(colon + 1));
-            for (std::string extension; std::getline(extensions, extension, ',');)
-                supportsExtension(extension, format.substr(0, colon) + " through OpenImageIO");
-        }
+        for (const auto& [format, extensions] : OIIO::get_extension_map())
+            for (const std::string& extension : extensions)
+                supportsExtension(extension, format + " through OpenImageIO");
     }
 
     const char* className() const override { return "OpenImageIO image reader and writer"; }

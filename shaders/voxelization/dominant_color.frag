@@ -81,13 +81,13 @@ vec3 plainColor(SurfacePoint point)
     PlainTexels texels = plainTexels(point);
     vec3 nearest = vec3(0.0);
     float best = 1e9;
-    vec2 last = vec2(0.0);
+    vec2 previous = vec2(0.0);
     for (int number = 0; number < 5; ++number)
     {
         vec2 texel = floor((point.coordinate + OFFSETS[number] * quarter) * texels.size);
         texel = clamp(texel, texels.first, texels.last);
-        if (number > 0 && texel == last) continue;
-        last = texel;
+        if (number > 0 && texel == previous) continue;
+        previous = texel;
         vec3 color = texelColor(point, texels, texel);
         float score = dominanceScore(color, filtered);
         if (score >= best) continue;
