@@ -1,6 +1,5 @@
 #include "ImageConversion.h"
 
-
 #include <OpenImageIO/imageio.h>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
