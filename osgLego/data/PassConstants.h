@@ -31,7 +31,9 @@ constexpr Real RED_BIAS = 0.010;
 constexpr Real GREEN_BIAS = 0.017;
 constexpr Real BLUE_BIAS = 0.004;
 
-// The mipmap level that a fraction of 1 denotes in a packed vertex.
+// The mipmap levels that fractions of 0 and 1 denote in a packed vertex. Negative ones tell how small a cell is in a
+// texel; 0 is a fraction that 16 bits hold exactly.
+constexpr Real MINIMUM_LEVEL = -14.0;
 constexpr Real MAXIMUM_LEVEL = 16.0;
 
 #ifdef __cplusplus

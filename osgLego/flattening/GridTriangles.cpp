@@ -54,12 +54,14 @@ double texelsPerCell(const Corners& corners, const glm::ivec2& textureSize)
     return std::sqrt(0.5 * (trace + root));
 }
 
-/** The mipmap level at which a cell is two texels wide: linear filtering then covers the width of one cell. */
+/** The mipmap level at which a cell is two texels wide: linear filtering then covers the width of one cell. Negative
+ * where a cell is less than two texels wide. */
 double textureLevel(const Corners& corners, const SurfaceTexture* texture)
 {
     if (!texture) return 0.0;
     const double texels = texelsPerCell(corners, texture->getSize());
-    return texels > 2.0 ? std::min(std::log2(0.5 * texels), PassConstants::MAXIMUM_LEVEL) : 0.0;
+    if (!(texels > 0.0)) return PassConstants::MINIMUM_LEVEL;
+    return std::clamp(std::log2(0.5 * texels), PassConstants::MINIMUM_LEVEL, PassConstants::MAXIMUM_LEVEL);
 }
 
 /** Converts triangles, appends them to batches, and begins another batch when one is full. */
@@ -102,8 +104,9 @@ private:
             result[corner].coordinate = corners[corner].coordinate;
             result[corner].triangle = triangle;
         }
+        constexpr double RANGE = PassConstants::MAXIMUM_LEVEL - PassConstants::MINIMUM_LEVEL;
         const auto level =
-            static_cast<float>(textureLevel(result, _source.texture.get()) / PassConstants::MAXIMUM_LEVEL);
+            static_cast<float>((textureLevel(result, _source.texture.get()) - PassConstants::MINIMUM_LEVEL) / RANGE);
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
             const glm::vec3& color = corners[corner].color;

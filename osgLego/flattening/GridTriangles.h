@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -18,9 +19,10 @@ namespace osgLego
 
 /** A corner of a triangle in a grid: 32 bytes, in the vertex layout of the passes' shaders.
  *
- * `colorAndLevel` packs four 16-bit fractions: red and green in the first word, blue and the texture level divided by
- * PassConstants::MAXIMUM_LEVEL in the second. At this mipmap level, a cell on the triangle is two texels wide, so that
- * linear filtering covers one cell; it is the same for all three corners.
+ * `colorAndLevel` packs four 16-bit fractions: red and green in the first word, blue and the texture level, between
+ * PassConstants::MINIMUM_LEVEL and MAXIMUM_LEVEL, in the second. At this mipmap level, a cell on the triangle is two
+ * texels wide, so that linear filtering covers one cell; it is negative where a cell is less than two texels wide. It
+ * is the same for all three corners.
  */
 struct GridVertex
 {
@@ -34,7 +36,11 @@ struct GridVertex
         const glm::vec2 redGreen = glm::unpackUnorm2x16(colorAndLevel[0]);
         return {redGreen.x, redGreen.y, glm::unpackUnorm2x16(colorAndLevel[1]).x};
     }
-    double getLevel() const { return PassConstants::MAXIMUM_LEVEL * glm::unpackUnorm2x16(colorAndLevel[1]).y; }
+    double getLevel() const
+    {
+        return glm::mix(PassConstants::MINIMUM_LEVEL, PassConstants::MAXIMUM_LEVEL,
+                        static_cast<double>(glm::unpackUnorm2x16(colorAndLevel[1]).y));
+    }
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 

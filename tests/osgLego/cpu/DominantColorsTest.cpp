@@ -189,11 +189,16 @@ osg::ref_ptr<osg::Geometry> createTexturedSquare(osg::Texture2D* texture)
     return square;
 }
 
-osg::ref_ptr<const BrickModel> voxelizeEight(osg::Node& node, CellColor rule)
+osg::ref_ptr<const BrickModel> voxelizeTextured(osg::Node& node, CellColor rule, unsigned int resolution)
 {
     LegoSettings settings;
-    settings.grid.resolution = 8;
+    settings.grid.resolution = resolution;
     return voxelizeOnCpu(*GridTriangles::create(*SceneTriangles::create(node), settings), rule);
+}
+
+osg::ref_ptr<const BrickModel> voxelizeEight(osg::Node& node, CellColor rule)
+{
+    return voxelizeTextured(node, rule, 8);
 }
 
 std::size_t countMixed(const BrickModel& model)
@@ -283,6 +288,30 @@ TEST(DominantColors, LinesOfPixelArtKeepTheirWidthAndShades)
                 EXPECT_EQ(brick.color, colorAt((brick.cell[isUpright ? 0 : 2] + 0.5) / 8.0))
                     << numCellsPerTexel << ' ' << isUpright << ' ' << brick.cell[0] << ' ' << brick.cell[2];
         }
+}
+
+TEST(DominantColors, DotsOfPixelArtKeepTheirShape)
+{
+    // One white texel amid red ones.
+    constexpr int NUM_TEXELS = 5;
+    const auto colorAt = [](double column, double row)
+    {
+        const bool isInMiddle = static_cast<int>(NUM_TEXELS * column) == 2 && static_cast<int>(NUM_TEXELS * row) == 2;
+        return isInMiddle ? WHITE : RED;
+    };
+    const osg::ref_ptr<osg::Geometry> square = createTexturedSquare(createTexture(NUM_TEXELS, colorAt).get());
+    for (const int numCellsPerTexel : {1, 2, 3, 4, 6, 40})
+    {
+        const int resolution = NUM_TEXELS * numCellsPerTexel;
+        const osg::ref_ptr<const BrickModel> model =
+            voxelizeTextured(*square, CellColor::DOMINANT, static_cast<unsigned int>(resolution));
+        EXPECT_EQ(model->getBricks().size(), static_cast<std::size_t>(resolution * resolution));
+        const auto numWrong = std::count_if(
+            model->getBricks().begin(), model->getBricks().end(),
+            [&](const Brick& brick)
+            { return brick.color != colorAt((brick.cell[0] + 0.5) / resolution, (brick.cell[2] + 0.5) / resolution); });
+        EXPECT_EQ(numWrong, 0) << numCellsPerTexel;
+    }
 }
 
 TEST(DominantColors, NoColorComesFromBesideATrianglesTexels)
