@@ -125,16 +125,17 @@ osg::ref_ptr<osg::Image> AssimpTextures::read(const std::string& reference)
     return place->second;
 }
 
-/** The name by which a picture is found; without escapes if there is none. Applications that follow what is searched
- * for (osgDB::FindFileCallback) get this name alone. */
-std::string AssimpTextures::chooseName(const std::string& path) const
+/** Find a picture by its path as it is written, or without escapes. An application's osgDB::FindFileCallback, which may
+ * find files that OSG does not, is asked for one of them only. */
+std::string AssimpTextures::find(const std::string& path) const
 {
-    const std::string plain = unescape(path);
-    // Files of FBX and others hold paths of the machine that wrote them.
-    for (const std::string& name : {path, plain, osgDB::getSimpleFileName(plain)})
-        if (!osgDB::Registry::instance()->findDataFileImplementation(name, _options, osgDB::CASE_SENSITIVE).empty())
-            return name;
-    return plain;
+    osgDB::Registry* registry = osgDB::Registry::instance();
+    const bool isWritten = !registry->findDataFileImplementation(path, _options, osgDB::CASE_SENSITIVE).empty();
+    const std::string name = isWritten ? path : unescape(path);
+    const std::string found = osgDB::findDataFile(name, _options);
+    const std::string simpleName = osgDB::getSimpleFileName(name);
+    if (!found.empty() || simpleName == name) return found;
+    return osgDB::findDataFile(simpleName, _options); // paths may be those of the machine that wrote the file
 }
 
 osg::ref_ptr<osg::Image> AssimpTextures::readFile(const std::string& reference, std::string& error) const
@@ -142,7 +143,7 @@ osg::ref_ptr<osg::Image> AssimpTextures::readFile(const std::string& reference, 
     std::string path = reference;
     std::replace(path.begin(), path.end(), '\\', '/');
     if (path.starts_with("//")) path.erase(0, 2); // Blender's prefix of relative paths
-    const std::string found = osgDB::findDataFile(chooseName(path), _options);
+    const std::string found = find(path);
     if (found.empty())
     {
         error = "there is no such file in the folder of the model or in osgDB's path";

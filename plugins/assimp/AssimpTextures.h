@@ -21,7 +21,7 @@ public:
     osg::ref_ptr<osg::Image> read(const std::string& reference);
 
 private:
-    std::string chooseName(const std::string& path) const;
+    std::string find(const std::string& path) const;
     osg::ref_ptr<osg::Image> readFile(const std::string& reference, std::string& error) const;
 
     const aiScene& _scene;

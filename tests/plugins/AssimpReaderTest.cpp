@@ -292,6 +292,41 @@ TEST_F(AssimpReader, FindsOtherFilesInOsgsPath)
     expectPicture(*content.geometries[0]);
 }
 
+/** Finds a picture of one name that is not in any folder, as those of archives do. */
+class PictureFinder : public osgDB::FindFileCallback
+{
+public:
+    explicit PictureFinder(std::string place) : _place(std::move(place)) {}
+
+    std::string findDataFile(const std::string& fileName, const osgDB::Options* options,
+                             osgDB::CaseSensitivity sensitivity) override
+    {
+        return fileName == "wood grain.png" ? _place : FindFileCallback::findDataFile(fileName, options, sensitivity);
+    }
+
+private:
+    std::string _place;
+};
+
+TEST_F(AssimpReader, AsksTheApplicationForPictures)
+{
+    write("stored.png", createPicture());
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    const osg::ref_ptr<PictureFinder> finder = new PictureFinder(pathOf("stored.png"));
+    options->setFindFileCallback(finder);
+    for (const std::string name : {"wood grain.png", "wood%20grain.png", "C:/work/wood%20grain.png"})
+    {
+        GltfDocument document = createTexturedSquare();
+        document.addPictureFile(name);
+        write("model.glb", document.toBinary());
+        const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf("model.glb"), options);
+        ASSERT_TRUE(node);
+        const Content content(*node);
+        ASSERT_EQ(content.geometries.size(), 1u);
+        expectPicture(*content.geometries[0]);
+    }
+}
+
 TEST_F(AssimpReader, WarnsOnceOfAMissingPicture)
 {
     GltfDocument document = createTexturedSquare();
