@@ -3,7 +3,9 @@
 #include "ExitCode.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 #include <osgDB/Callbacks>
 #include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
 namespace osgLego
@@ -34,9 +37,11 @@ public:
                              osgDB::CaseSensitivity sensitivity) override
     {
         std::string found = FindFileCallback::findDataFile(fileName, options, sensitivity);
+        if (osgDB::containsServerAddress(fileName)) return found; // its plugin reads it without a search
+        const bool isFile = !found.empty() && osgDB::fileType(found) != osgDB::DIRECTORY;
         const std::lock_guard lock(_mutex);
-        (found.empty() ? _missing : _requested).insert(fileName);
-        if (!found.empty()) _found.insert(found);
+        (isFile ? _requested : _missing).insert(fileName);
+        if (isFile) _found.insert(found);
         return found;
     }
 
@@ -52,26 +57,22 @@ public:
         return _found;
     }
 
-    /** The names that were searched in vain, without those of which a reader has found the end in another folder. */
+    /** The names that were searched in vain. Readers search for the simple name after the path: a path is found if its
+     * simple name is, and a simple name of a path is not a second file. */
     std::set<std::string> getMissing()
     {
         const std::lock_guard lock(_mutex);
         std::set<std::string> missing = _missing;
-        std::erase_if(missing,
-                      [this](const std::string& name) {
-                          return std::ranges::any_of(_requested, [&](const std::string& requested)
-                                                     { return endsWith(name, requested); });
-                      });
+        std::erase_if(missing, [this](const std::string& name)
+                      { return _requested.contains(name) || _requested.contains(osgDB::getSimpleFileName(name)); });
+        std::set<std::string> simpleNames;
+        for (const std::string& name : missing)
+            if (osgDB::getSimpleFileName(name) != name) simpleNames.insert(osgDB::getSimpleFileName(name));
+        std::erase_if(missing, [&](const std::string& name) { return simpleNames.contains(name); });
         return missing;
     }
 
 private:
-    /** Whether a path ends with another one, folder by folder. */
-    static bool endsWith(const std::string& path, const std::string& end)
-    {
-        return path == end || path.ends_with('/' + end) || path.ends_with('\\' + end);
-    }
-
     std::mutex _mutex;
     std::set<std::string> _found;
     std::set<std::string> _requested; // the names by which files were found
@@ -94,6 +95,15 @@ bool isPartOfModel(const std::string& fileName)
     return extensions.contains(osgDB::getLowerCaseFileExtension(fileName));
 }
 
+/** A name from a file, in quotes: without the folders of the machine that wrote it, and on one line. */
+std::string toText(const std::string& name)
+{
+    std::string text = osgDB::isAbsolutePath(name) ? osgDB::getSimpleFileName(name) : name;
+    std::ranges::replace_if(
+        text, [](unsigned char character) { return std::iscntrl(character) != 0; }, '?');
+    return "'" + text + "'";
+}
+
 } // namespace
 
 void InputFiles::record()
@@ -108,14 +118,18 @@ void InputFiles::add(const std::string& fileName)
 
 std::string InputFiles::describeMissing(const std::string& model)
 {
-    const std::set<std::string> searched = FindRecorder::get().getMissing();
-    std::set<std::string> missing;
-    for (const std::string& name : searched)
-        if (isPartOfModel(name)) missing.insert("'" + osgDB::getSimpleFileName(name) + "'");
-    if (missing.empty()) return {};
+    std::set<std::string> names;
+    for (const std::string& name : FindRecorder::get().getMissing())
+        if (isPartOfModel(name)) names.insert(toText(name));
+    if (names.empty()) return {};
+    constexpr std::size_t MOST_NAMES = 10;
+    const std::size_t numListed = std::min(names.size(), MOST_NAMES);
+    std::string list =
+        fmt::format("{}", fmt::join(names.begin(), std::next(names.begin(), static_cast<int>(numListed)), ", "));
+    if (names.size() > numListed) list += fmt::format(" and {} more", names.size() - numListed);
     return fmt::format("'{}' names {} found: {}; expected {} in its folder, or the model may lack colours", model,
-                       missing.size() == 1 ? "a file that was not" : "files that were not", fmt::join(missing, ", "),
-                       missing.size() == 1 ? "it" : "them");
+                       names.size() == 1 ? "a file that was not" : "files that were not", list,
+                       names.size() == 1 ? "it" : "them");
 }
 
 void InputFiles::checkAreKept(const std::vector<std::string>& outputs)
