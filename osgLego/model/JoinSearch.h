@@ -44,6 +44,8 @@ public:
     {
         std::unordered_map<CellKey, double> changes;     //!< of covering an empty cell, or changing a covered one
         std::unordered_map<CellKey, double> directSteps; //!< from a covered cell to the next piece, without a change
+
+        bool isEmpty() const { return changes.empty() && directSteps.empty(); }
     };
 
     JoinSearch(PieceMap& map, const CellExposure& exposure, const RecoloringCosts& costs, const Penalties& penalties) :
