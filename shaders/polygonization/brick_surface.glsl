@@ -39,7 +39,9 @@ struct Surface
     float openness; // 1; less in the gap of a joint
     float roughness;
     float lift; // where shadows are looked up above the surface, in eye coordinates
-    float line; // the share of the pixel that lines cover
+#if defined(LINES)
+    Drawing drawing;
+#endif
     // Of a brick whose faces are smaller than a pixel:
     float merged;    // how much they are shaded as one; 0: not at all
     vec3 faces;      // their shares of the area that is seen, for each axis; negative if they point against it
@@ -257,7 +259,6 @@ Surface surfaceHere(vec3 toEye)
     // The fourth power of the roughness is the mean square of the microfacets' slopes; the variance of the surface is added.
     surface.roughness = pow(roughness, 4.0) + bend.variance;
     surface.lift = 0.0;
-    surface.line = 0.0;
     surface.merged = 0.0;
     surface.faces = vec3(0.0);
     surface.wall = 0.0;
@@ -266,9 +267,10 @@ Surface surfaceHere(vec3 toEye)
     surface.shading = normalize(surface.shading);
     surface.roughness = min(sqrt(sqrt(surface.roughness)), 1.0);
 #if defined(LINES)
-    surface.line = lineHere(toEye);
-    surface.color = drawnColor(surface.color, surface.line);
-    surface.roughness = mix(isNew ? surface.roughness : max(surface.roughness, FADED_ROUGHNESS), 1.0, surface.line);
+    surface.drawing = drawingHere(toEye);
+    surface.color = drawnColor(surface.color, surface.drawing);
+    float unfaded = isNew ? surface.roughness : max(surface.roughness, FADED_ROUGHNESS);
+    surface.roughness = mix(unfaded, 1.0, surface.drawing.line);
 #endif
     return surface;
 }

@@ -23,6 +23,7 @@ const float OLD_LINE = 0.72;           // the brightness of a line on a faded pa
 // The widths of the smallest cells with lines at the edges of parts and at those of studs, in line widths.
 const float LEAST_CELL = 3.0;
 const float LEAST_STUDDED = 4.5;
+const float HOLLOW = 0.72;             // the brightness between the walls below a part, relative to theirs
 const float STUD_STEP = 6.283185307 / float(STUD_SIDES);
 
 float cellPixels()
@@ -63,6 +64,37 @@ float lineOnFace(int axis, bool isUpper, float width, vec3 toEye)
     return line;
 }
 
+// The distance from the walls, tubes and pins below a part, in pixels; negative on them. Real parts are hollow there, which
+// tells how many studs wide they are. `joined` has bits for the sides that the part extends beyond, `slope` are the
+// changes of the coordinate per pixel.
+float distanceFromWalls(uint joined, vec2 slope)
+{
+    vec4 sides = vec4(coordinate.x, 1.0 - coordinate.x, coordinate.y, 1.0 - coordinate.y);
+    bvec4 isJoined = notEqual(uvec4(joined) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+    vec4 distances = mix((sides - WALL_THICKNESS) / slope.xxyy, vec4(1e9), isJoined);
+    float nearest = min(min(distances.x, distances.y), min(distances.z, distances.w));
+    for (int corner = 0; corner < 4; ++corner)
+    {
+        ivec2 number = ivec2(corner & 1, corner >> 1);
+        bvec2 isInside = bvec2(isJoined[number.x], isJoined[2 + number.y]);
+        if (!all(isInside)) continue;
+        vec2 place = coordinate - vec2(number);
+        float radius = length(place);
+        float pixel = length(place / max(radius, 1e-5) * slope);
+        nearest = min(nearest, max(radius - TUBE_RADIUS, STUD_RADIUS - radius) / pixel);
+    }
+    for (int side = 0; side < 4; ++side)
+    {
+        int across = side < 2 ? 2 : 0;
+        if (!isJoined[side] || isJoined[across] || isJoined[across + 1]) continue;
+        vec2 place = vec2(sides[side], 0.5 - sides[across]);
+        if (side >= 2) place = place.yx;
+        float radius = length(place);
+        nearest = min(nearest, (radius - PIN_RADIUS) / length(place / max(radius, 1e-5) * slope));
+    }
+    return nearest;
+}
+
 // The part of the line around the foot of a stud that is on the face below.
 float lineAroundStud(float width)
 {
@@ -96,28 +128,40 @@ float lineOnWall(float width, vec3 toEye)
     return max(max(rim, foot), coverageAt(distance, width));
 }
 
-// The share of the pixel that lines cover.
-float lineHere(vec3 toEye)
+// What lines draw in a pixel.
+struct Drawing
+{
+    float line;   // the share of the pixel that lines cover
+    float hollow; // the share of the rest between the walls below a part
+};
+
+Drawing drawingHere(vec3 toEye)
 {
     float width = isNew ? lineWidth : oldLineWidth;
     float cell = cellPixels() / width;
     float near = clamp(cell / LEAST_CELL - 1.0, 0.0, 1.0);
     float nearStud = clamp(cell / LEAST_STUDDED - 1.0, 0.0, 1.0);
-    if (width == 0.0 || near == 0.0) return 0.0;
+    if (width == 0.0 || near == 0.0) return Drawing(0.0, 0.0);
     uint part = detail & 3u;
-    if (part == STUD_DISK) return nearStud * lineOnDisk(width, toEye);
-    if (part == STUD_WALL) return nearStud * lineOnWall(width, toEye);
+    if (part == STUD_DISK) return Drawing(nearStud * lineOnDisk(width, toEye), 0.0);
+    if (part == STUD_WALL) return Drawing(nearStud * lineOnWall(width, toEye), 0.0);
     int axis = int(detail >> 2 & 3u);
     bool isUpper = (detail >> 4 & 1u) != 0u;
     float line = near * lineOnFace(axis, isUpper, width, toEye);
-    return axis == upAxis && isUpper ? max(line, nearStud * lineAroundStud(width)) : line;
+    if (axis != upAxis) return Drawing(line, 0.0);
+    if (isUpper) return Drawing(max(line, nearStud * lineAroundStud(width)), 0.0);
+    vec2 slope = vec2(length(coordinateSlopes.xy), length(coordinateSlopes.zw)) + 1e-6;
+    float distance = distanceFromWalls(detail >> 12, slope);
+    return Drawing(max(line, nearStud * coverageAt(abs(distance), 0.5 * width)),
+                   nearStud * clamp(distance + 0.5, 0.0, 1.0));
 }
 
-// The colour of a part where lines cover a share of the pixel. `own` may vary from part to part.
-vec3 drawnColor(vec3 own, float line)
+// The colour of a part with its drawing. `own` may vary from part to part.
+vec3 drawnColor(vec3 own, Drawing drawing)
 {
     vec3 shown = isNew ? own : mix(own, vec3(FADED_RED, FADED_GREEN, FADED_BLUE), FADING);
+    shown *= mix(1.0, HOLLOW, drawing.hollow);
     bool isDark = dot(unpackUnorm4x8(color).rgb, vec3(0.299, 0.587, 0.114)) < DARK;
     vec3 ink = !isNew ? OLD_LINE * shown : isDark ? LIGHT_LINE : DARK_LINE;
-    return mix(shown, ink, line);
+    return mix(shown, ink, drawing.line);
 }

@@ -39,7 +39,7 @@ void main()
     if (!findFragment()) discard;
     vec3 albedo = unpackUnorm4x8(color).rgb;
 #if defined(LINES)
-    albedo = drawnColor(albedo, lineHere(towardsEye(eyePosition)));
+    albedo = drawnColor(albedo, drawingHere(towardsEye(eyePosition)));
 #endif
     vec3 shaded = shade(albedo);
     fragmentColor = vec4(mix(fogColor, shaded, transmittanceAt(eyePosition.z)), 1.0);

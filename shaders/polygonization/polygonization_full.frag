@@ -85,7 +85,7 @@ vec3 unlitColor(Surface surface)
 {
     vec3 own = unpackUnorm4x8(color).rgb;
 #if defined(LINES)
-    own = drawnColor(own, surface.line);
+    own = drawnColor(own, surface.drawing);
 #endif
     return own;
 }

@@ -226,6 +226,56 @@ TEST_P(BuildProgress, OutlinesHaveAConstantWidthBetweenPartsAndNoneIsInsideAPart
         }
 }
 
+TEST_P(BuildProgress, OutlinesShowPartsHollowFromBelow)
+{
+    std::vector<Part> parts(3);
+    parts[0].size = {4, 2, 1};
+    parts[1].cell = {0, 2, 0};
+    parts[1].size = {4, 1, 1};
+    parts[2].cell = {4, 0, 0};
+    parts[2].size = {1, 3, 1};
+    for (Part& part : parts)
+        part.color = {200, 200, 200};
+    const osg::ref_ptr<LegoNode> node = createNode(*BrickModel::createOfParts(createPartGrid({5, 3, 1}), parts));
+    BrickAppearance appearance;
+    appearance.variation = 0.0;
+    appearance.joints = false;
+    const Viewpoint below{{2.5, 1.5, -30}, {2.5, 1.5, 0}, {0, 1, 0}, 4};
+    const auto brightnessOf = [&](float outline)
+    {
+        appearance.outline = outline;
+        EXPECT_TRUE(node->setAppearance(appearance));
+        const osg::ref_ptr<osg::Image> image = draw(*node, below);
+        return [this, image](double x, double y) { return colorAt(*image, {x, y, 0.0}).y(); };
+    };
+    const auto flat = brightnessOf(0.0f);
+    const auto drawn = brightnessOf(0.5f);
+    const auto isHollow = [&](double x, double y)
+    {
+        const double relative = drawn(x, y) / flat(x, y);
+        EXPECT_TRUE(std::abs(relative - 1.0) < 0.1 || relative < 0.85) << x << " " << y << ": " << relative;
+        return relative < 0.85;
+    };
+    for (const double x : {1.0, 2.0, 3.0})
+    {
+        EXPECT_TRUE(isHollow(x, 1.0)) << "the hole of a tube";
+        EXPECT_FALSE(isHollow(x + 0.354, 1.0)) << "a tube";
+        EXPECT_FALSE(isHollow(x, 0.646)) << "a tube";
+        EXPECT_FALSE(isHollow(x, 2.5)) << "a pin";
+    }
+    for (const double x : {0.5, 1.5, 2.5, 3.5})
+    {
+        EXPECT_TRUE(isHollow(x, 0.4)) << "between walls and tubes";
+        EXPECT_TRUE(isHollow(x, 2.5)) << "between pins";
+        for (const double y : {0.09, 1.91, 2.09, 2.91})
+            EXPECT_FALSE(isHollow(x, y)) << "a wall";
+    }
+    for (const double y : {1.0, 2.0})
+        EXPECT_FALSE(isHollow(4.5, y)) << "a pin";
+    for (const double y : {0.5, 1.5, 2.5})
+        EXPECT_TRUE(isHollow(4.5, y)) << "between pins";
+}
+
 TEST_P(BuildProgress, OutlinesAreLeftOutWhereCellsAreAsSmallAsLines)
 {
     const osg::ref_ptr<LegoNode> node = createNode(*createModel());
