@@ -48,7 +48,10 @@ void BookletBlockMarkup::write(const BookletBlock& block, const PlacedBlock& pla
     if (block.isContents)
         writeContents(block, place);
     else
+    {
+        if (block.isSubmodel) drawSubmodel(block.chapter);
         writeStep(block.chapter, block.step, place);
+    }
 }
 
 /** Draw a finished submodel, as a symbol that the page uses several times. */

@@ -56,14 +56,20 @@ void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<boo
     const BookletChapter& own = model.getChapters()[block.chapter];
     BookletBlock contents = block;
     contents.isContents = true;
+    contents.isSubmodel = false;
     contents.step = 0;
     contents.quantity *= own.quantity;
     BookletBlock inner = contents;
-    if (own.isListed()) list(model, contents);
-    if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
-    _blocks.push_back(std::move(contents));
+    // A list and a picture of the same parts, twice, would seem to be twice the parts.
+    inner.isSubmodel = own.steps.size() == 1 && own.quantity == 1 && !isWhole[block.chapter];
+    if (!inner.isSubmodel)
+    {
+        if (own.isListed()) list(model, contents);
+        if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
+        _blocks.push_back(std::move(contents));
+    }
     inner.isContents = false;
-    ++inner.numOpen;
+    inner.numOpen += inner.isSubmodel ? 0 : 1;
     inner.isDivisible = inner.quantity == 1;
     for (inner.step = 0; inner.step < own.steps.size() && !isWhole[block.chapter]; ++inner.step)
         addStep(model, isWhole, inner);

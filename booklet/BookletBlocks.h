@@ -14,11 +14,12 @@ struct BookletBlock
     std::size_t chapter = 0;
     std::size_t step = 0;
     bool isContents = false;
-    std::size_t quantity = 1;           //!< how often it is built
-    std::size_t mainStep = 0;           //!< the step of the main model that it belongs to
-    std::size_t numOpen = 0;            //!< the submodels that have begun, but are not finished, before it
-    bool isDivisible = true;            //!< whether a bag may begin with it
-    std::vector<BookletItem> items;     //!< that contents list, without those of `submodels`; none if they are too many
+    bool isSubmodel = false;        //!< whether it is the only step of a submodel, which also stands for its contents
+    std::size_t quantity = 1;       //!< how often it is built
+    std::size_t mainStep = 0;       //!< the step of the main model that it belongs to
+    std::size_t numOpen = 0;        //!< the submodels that have begun, but are not finished, before it
+    bool isDivisible = true;        //!< whether a bag may begin with it
+    std::vector<BookletItem> items; //!< that contents list, without those of `submodels`; none if they are too many
     std::vector<std::size_t> submodels; //!< of many parts that contents list, likewise
     bool isContinued = false;           //!< whether the list is the rest of one that is too long for a sheet
     std::vector<BookletItem> placed;    //!< the parts that a builder places by it, in all copies

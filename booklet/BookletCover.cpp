@@ -1,11 +1,26 @@
 #include "BookletCover.h"
 
+#include "BookletText.h"
+
 #include <common/NumberText.h>
 
 #include <fmt/format.h>
 
 namespace osgLego
 {
+
+namespace
+{
+
+/** "steps 3, 7 and B2", for example, or only how many they are. */
+std::string nameSteps(const std::vector<std::string>& names)
+{
+    constexpr std::size_t MOST_NAMES = 10;
+    if (names.size() == 1) return "step " + names.front();
+    return names.size() > MOST_NAMES ? countOf(names.size(), "step") : "steps " + joinWords(names);
+}
+
+} // namespace
 
 std::vector<std::string> createWarnings(const BookletModel& model, const std::optional<StabilityReport>& stability,
                                         const BuildingPlan& plan, BuildingBase base)
@@ -37,9 +52,9 @@ std::vector<std::string> createWarnings(const BookletModel& model, const std::op
     if (model.getNumPieces() > 1)
         warnings.push_back(
             fmt::format("This model consists of {} that no stud connects.", countOf(model.getNumPieces(), "piece")));
-    if (const std::size_t numFalling = model.getNumFallingSteps())
-        warnings.push_back(fmt::format("After {} the model, or a submodel, does not stand by itself: hold it there.",
-                                       countOf(numFalling, "step")));
+    if (const std::vector<std::string> falling = model.getFallingSteps(); !falling.empty())
+        warnings.push_back(fmt::format("After {}, the model, or a submodel, does not stand by itself: hold it there.",
+                                       nameSteps(falling)));
     if (const std::size_t numUnchecked = plan.getNumUnchecked())
         warnings.push_back(fmt::format("Of {}, it was not computed whether the model stands after {}.",
                                        countOf(numUnchecked, "step"), numUnchecked == 1 ? "it" : "them"));

@@ -280,15 +280,13 @@ void BookletModel::addBasePlate(const BrickModel& model)
     _list.addExtra(_basePlate->createRow());
 }
 
-std::size_t BookletModel::getNumFallingSteps() const
+std::vector<std::string> BookletModel::getFallingSteps() const
 {
-    std::size_t number = 0;
+    std::vector<std::string> names;
     for (const BookletChapter& chapter : _chapters)
-        number += chapter.isCallout()
-                      ? 0
-                      : static_cast<std::size_t>(std::count_if(chapter.steps.begin(), chapter.steps.end(),
-                                                               [](const BookletStep& step) { return step.falls(); }));
-    return number;
+        for (const BookletStep& step : chapter.steps)
+            if (!chapter.isCallout() && step.falls()) names.push_back(step.name);
+    return names;
 }
 
 std::size_t BookletModel::getNumStepsOfSubmodels() const

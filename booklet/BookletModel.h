@@ -118,9 +118,9 @@ public:
     glm::dvec3 getSize() const;
     /** The number of parts that nothing holds when they are placed. */
     std::size_t getNumUnheld() const { return _numUnheld; }
-    /** The number of steps, also of submodels that are not callouts, after which parts fall, without steps that place
-     * unheld parts. */
-    std::size_t getNumFallingSteps() const;
+    /** The names of the steps, also of submodels that are not callouts, after which parts fall, without steps that
+     * place unheld parts. */
+    std::vector<std::string> getFallingSteps() const;
 
 private:
     void addBasePlate(const BrickModel& model);

@@ -94,7 +94,9 @@ TEST(BookletCoverTest, SaysIfItWasNotComputedWhetherAModelStands)
 TEST(BookletCoverTest, CountsUnheldPartsAndFallingSteps)
 {
     EXPECT_EQ(warningsOf(createReport(true, true), {.fallingSteps = {0, 1}}),
-              Lines{"After 2 steps the model, or a submodel, does not stand by itself: hold it there."});
+              Lines{"After steps 1 and 2, the model, or a submodel, does not stand by itself: hold it there."});
+    EXPECT_EQ(warningsOf(createReport(true, true), {.fallingSteps = {1}}),
+              Lines{"After step 2, the model, or a submodel, does not stand by itself: hold it there."});
     EXPECT_EQ(warningsOf(createReport(true, true), {.unheldParts = {5}}),
               Lines{"This model can't be built as it is: nothing holds 1 part when it is placed."});
     EXPECT_EQ(warningsOf(createReport(true, true), {.unheldParts = {4, 5}}),

@@ -50,7 +50,7 @@ BookletModel createTower(const TowerSetting& setting)
     return {*model, *plan, Palette::getKnownColors(), setting.base};
 }
 
-BookletModel createTwins(bool largeFalls)
+BookletModel createTwins(bool largeFalls, bool largeIsOneStep)
 {
     std::vector<Part> parts{{{0, 0, 0}, {8, 2, 1}, RED, RED_CODE}};
     for (std::uint16_t x = 0; x <= 2; x = static_cast<std::uint16_t>(x + 2))
@@ -68,9 +68,13 @@ BookletModel createTwins(bool largeFalls)
     for (const int x : {0, 2})
         submodels.push_back({{createStep({find(x, 1), find(x, 2)})}});
     submodels.push_back({});
+    std::vector<BuildingStep>& steps = submodels.back().steps;
     for (int z = 1; z <= 5; ++z)
-        submodels.back().steps.push_back(createStep({find(4, z)}));
-    submodels.back().steps[1].stands = !largeFalls;
+        if (largeIsOneStep && z > 1)
+            steps.back().parts.push_back(find(4, z));
+        else
+            steps.push_back(createStep({find(4, z)}));
+    if (largeFalls) steps[1].stands = false;
     const auto plan = BuildingPlan::create(
         parts.size(), {createStep({find(0, 0)}), createStep({}, {0, 1}), createStep({}, {2})}, submodels);
     return {*model, *plan, Palette::getKnownColors()};

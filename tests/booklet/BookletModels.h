@@ -37,7 +37,8 @@ BookletModel createTower(const TowerSetting& setting = {});
 
 /** The booklet of a red brick 2x8 on which step 2 attaches two equal submodels, each a blue brick 2x2 on a red one, and
  * step 3 one of five red bricks 2x2 that are placed one by one.
- * @param largeFalls whether the latter does not stand after its second step. */
-BookletModel createTwins(bool largeFalls = false);
+ * @param largeFalls whether the latter does not stand after its second step.
+ * @param largeIsOneStep whether its bricks are placed at once instead. */
+BookletModel createTwins(bool largeFalls = false, bool largeIsOneStep = false);
 
 } // namespace osgLego::test

@@ -139,6 +139,15 @@ TEST(BookletPage, ShowsNoStepsOfSubmodelsOfFewPartsIfTheirPictureShowsAllParts)
     EXPECT_EQ(nested.find("id=\"step-b1\""), std::string::npos);
 }
 
+TEST(BookletPage, ShowsSubmodelsOfOneStepOnce)
+{
+    const std::string html = write(createTwins(false, true));
+    EXPECT_EQ(html.find("id=\"submodel-b\""), std::string::npos) << "its list and picture would be those of its step";
+    EXPECT_EQ(toVisibleText(findElement(html, "step-b1")), " B1 5 parts 5× ");
+    EXPECT_NE(findElement(html, "step-3").find("<use href=\"#submodel-b-picture\"/>"), std::string::npos);
+    EXPECT_NE(html.find("<symbol id=\"submodel-b-picture\""), std::string::npos);
+}
+
 TEST(BookletPage, ListsTheQuantityOfEachKindAndAllThatIsNeededToOrderIt)
 {
     const std::string text = toVisibleText(findElement(write(createTower()), "parts"));
