@@ -166,9 +166,12 @@ void PartsList::writeCsv(std::ostream& stream) const
         quantity += row.quantity;
         mass += row.getMass();
     }
-    stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
     for (const Extra& extra : _extras)
+    {
         writeParts(extra.number, extra.name, extra.color, extra.quantity, ",");
+        quantity += extra.quantity;
+    }
+    stream << "total,,,,," << quantity << ",," << formatMass(mass) << '\n';
 }
 
 void PartsList::writeWantedList(std::ostream& stream) const

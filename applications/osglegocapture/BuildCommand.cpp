@@ -121,7 +121,9 @@ std::string describeGoals(const CaptureOptions& options, const ModelDesign& choi
     if (options.buildLength) goals += fmt::format(", {:g} cm along its longest side", *options.buildLength / 10.0);
     if (choice.mostParts) goals += ", of at most " + counted(*choice.mostParts, "part", "parts");
     if (!options.settingsText.empty()) goals += ", with the settings " + options.settingsText;
-    goals += fmt::format(", with its {} axis upwards", choice.getBest().settings.grid.upAxis == UpAxis::Z ? "Z" : "Y");
+    const bool isZ = choice.getBest().settings.grid.upAxis == UpAxis::Z;
+    goals += fmt::format(", with its {} axis upwards", isZ ? "Z" : "Y");
+    if (!options.mesh.empty()) goals += fmt::format(" (--legolize up={} if it lies on its side)", isZ ? "y" : "z");
     return goals + (options.base == BuildingBase::PLATE ? ", on a base plate" : ", on a table");
 }
 
@@ -137,7 +139,11 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
         defects.push_back(fmt::format("the model has {} parts, more than the {} of --parts", best.layout.numParts,
                                       *options.buildParts));
     const char* standing = best.isWhole() ? "the model stands" : "its pieces stand";
-    if (!best.isWhole()) defects.push_back(fmt::format("the model has {} pieces", best.numPieces));
+    if (!best.isWhole())
+        defects.push_back(fmt::format("the model has {} pieces{}", best.numPieces,
+                                      options.base == BuildingBase::TABLE && best.stability.stands
+                                          ? "; with --base plate, a plate joins those that stand on it"
+                                          : ""));
     if (best.stability.tips())
         defects.push_back(fmt::format("{} tips over: its centre of mass is not above its foot on the table",
                                       best.isWhole() ? "the model" : "a piece"));

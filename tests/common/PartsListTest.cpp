@@ -46,11 +46,11 @@ TEST(PartsList, TheTableCountsAndWeighsEachTypeInEachColour)
                                    "total,,,,,4,,9.15\n");
 }
 
-TEST(PartsList, WrittenListsEndWithPartsThatAreNotThoseOfTheModel)
+TEST(PartsList, WrittenListsEndWithPartsThatAreNotThoseOfTheModelAndCountThem)
 {
     PartsList list = createList();
     list.addExtra({"3857", "Base plate 16 x 32", {2, "Green", {}, 6}, 2});
-    EXPECT_NE(csvOf(list).find("\ntotal,,,,,4,,9.15\n3857,Base plate 16 x 32,2,Green,6,2,,\n"), std::string::npos)
+    EXPECT_NE(csvOf(list).find("\n3857,Base plate 16 x 32,2,Green,6,2,,\ntotal,,,,,6,,9.15\n"), std::string::npos)
         << csvOf(list);
     std::ostringstream wanted;
     list.writeWantedList(wanted);
