@@ -50,10 +50,20 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
     return size;
 }
 
-/** Outline the new parts of a step in its picture, and those that it places with a submodel apart: they would look like
- * some of the submodel's own. */
-void drawOutlines(const BookletChapter& chapter, const BookletStep& step, const BookletCamera& camera,
-                  const BookletFrame& frame, osg::Image& picture)
+/** The numbers of new parts of a step that it places one by one, if any, and of those that each submodel places. */
+std::vector<std::size_t> countGroups(const BookletModel& model, const BookletStep& step)
+{
+    std::vector<std::size_t> groups;
+    if (step.numDirect > 0) groups.push_back(step.numDirect);
+    for (const std::size_t submodel : step.submodels)
+        groups.push_back(model.getChapters()[submodel].model->getParts().size());
+    return groups;
+}
+
+/** Outline the new parts of a step in its picture, with lines between those of different groups: they would look like
+ * one submodel. */
+void drawOutlines(const BookletChapter& chapter, const BookletStep& step, const std::vector<std::size_t>& groups,
+                  const BookletCamera& camera, const BookletFrame& frame, osg::Image& picture)
 {
     const auto createOutline = [&](std::span<const std::uint32_t> placed, std::size_t numNew)
     {
@@ -62,12 +72,12 @@ void drawOutlines(const BookletChapter& chapter, const BookletStep& step, const 
     };
     const std::span<const std::uint32_t> placed = std::span(chapter.plan->getOrder()).first(step.numPlaced);
     std::vector<NewPartOutline> outlines{createOutline(placed, step.numNew)};
-    if (step.numDirect > 0 && step.numDirect < step.numNew)
+    std::vector<std::uint32_t> groupLast(placed.begin(), placed.end());
+    for (std::size_t group = 0; group + 1 < groups.size(); ++group)
     {
-        std::vector<std::uint32_t> directLast(placed.begin(), placed.end());
-        const auto direct = directLast.end() - static_cast<std::ptrdiff_t>(step.numNew);
-        std::rotate(direct, direct + static_cast<std::ptrdiff_t>(step.numDirect), directLast.end());
-        outlines.push_back(createOutline(directLast, step.numDirect));
+        const auto first = groupLast.end() - static_cast<std::ptrdiff_t>(step.numNew);
+        std::rotate(first, first + static_cast<std::ptrdiff_t>(groups[group]), groupLast.end());
+        outlines.push_back(createOutline(groupLast, groups[group]));
     }
     const PixelColor color = NewPartOutline::chooseColor(outlines, picture);
     for (const NewPartOutline& outline : outlines)
@@ -306,7 +316,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    drawOutlines(own, shown, camera, frame, *image);
+    drawOutlines(own, shown, countGroups(_model, shown), camera, frame, *image);
     if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)

@@ -99,12 +99,12 @@ TEST_F(BookletLookTest, NewPartsHaveAnOutlineOfEnoughContrastOnModelsOfOneColor)
     }
 }
 
-TEST_F(BookletLookTest, PartsThatAStepPlacesWithASubmodelHaveAnOutlineOfTheirOwnInTheSameColor)
+TEST_F(BookletLookTest, SubmodelsThatAStepPlacesAndItsOtherPartsHaveOutlinesOfTheirOwnInTheSameColor)
 {
-    // Two white stacks of two bricks side by side on earlier bricks; the left one is a submodel. In a longer row of
-    // earlier bricks, the picture is smaller.
+    // Two white stacks of two bricks side by side on earlier bricks; the left one is a submodel, or both are. In a
+    // longer row of earlier bricks, the picture is smaller.
     const std::array<std::uint8_t, 3> white{244, 244, 244};
-    for (const std::size_t numEarlier : {1u, 8u})
+    for (const auto& [numEarlier, areBothSubmodels] : {std::pair(1u, false), {8u, false}, {1u, true}})
     {
         std::vector<Part> parts;
         for (std::size_t part = 0; part < numEarlier; ++part)
@@ -120,17 +120,25 @@ TEST_F(BookletLookTest, PartsThatAStepPlacesWithASubmodelHaveAnOutlineOfTheirOwn
         BuildingStep first;
         for (std::size_t part = 0; part < numEarlier; ++part)
             first.parts.push_back(find(8 * static_cast<int>(part), 0));
-        Submodel submodel{{createStep({find(0, 1), find(0, 2)})}};
-        const auto plan =
-            BuildingPlan::create(parts.size(), {first, createStep({find(4, 1), find(4, 2)}, {0})}, {submodel});
+        const Submodel left{{createStep({find(0, 1), find(0, 2)})}};
+        const BuildingStep right = createStep({find(4, 1), find(4, 2)});
+        BuildingStep second = createStep({}, {0, 1});
+        std::vector<Submodel> submodels{left, {{right}}};
+        if (!areBothSubmodels)
+        {
+            second = createStep(right.parts, {0});
+            submodels.pop_back();
+        }
+        const auto plan = BuildingPlan::create(parts.size(), {first, second}, submodels);
         const BookletModel model(*bricks, *plan, {});
         const Pixels pixels(BookletPictures(model, _renderer).drawStep(0, 1));
         const StepPicture place({0, false}, parts, parts.size(), {pixels.getWidth(), pixels.getHeight()});
-        // The line between them is to the left of the seam, beside the black line of the parts. The one around both is
-        // to the left of the submodel.
-        const Color between = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
+        // The line between them is beside the black line of the parts at the seam: outside of the parts that the step
+        // places, or of the first submodel. The one around both is to the left of this submodel.
+        const double outwards = areBothSubmodels ? 1.0 : -1.0;
+        const Color between = pixels.getColor(place.find({4, 0, 1.5}) + glm::dvec2(areBothSubmodels ? 2.0 : -3.0, 0.0), 0);
         const Color around = pixels.getColor(place.find({0, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
-        const Color beside = pixels.getColor(place.find({4, 0, 1.5}) - glm::dvec2(12.0, 0.0), 0);
+        const Color beside = pixels.getColor(place.find({4, 0, 1.5}) + glm::dvec2(12.0 * outwards, 0.0), 0);
         EXPECT_GT(beside.green, 0.4) << numEarlier;
         EXPECT_LT(between.green, 0.5 * beside.green) << numEarlier;
         EXPECT_NEAR(between.red, around.red, 0.1) << numEarlier;
