@@ -60,8 +60,7 @@ double textureLevel(const Corners& corners, const SurfaceTexture* texture)
 {
     if (!texture) return 0.0;
     const double texels = texelsPerCell(corners, texture->getSize());
-    if (!(texels > 0.0)) return PassConstants::MINIMUM_LEVEL;
-    return std::clamp(std::log2(0.5 * texels), PassConstants::MINIMUM_LEVEL, PassConstants::MAXIMUM_LEVEL);
+    return texels > 0.0 ? std::log2(0.5 * texels) : PassConstants::MINIMUM_LEVEL;
 }
 
 /** Converts triangles, appends them to batches, and begins another batch when one is full. */
@@ -104,15 +103,9 @@ private:
             result[corner].coordinate = corners[corner].coordinate;
             result[corner].triangle = triangle;
         }
-        constexpr double RANGE = PassConstants::MAXIMUM_LEVEL - PassConstants::MINIMUM_LEVEL;
-        const auto level =
-            static_cast<float>((textureLevel(result, _source.texture.get()) - PassConstants::MINIMUM_LEVEL) / RANGE);
+        const double level = textureLevel(result, _source.texture.get());
         for (std::size_t corner = 0; corner < 3; ++corner)
-        {
-            const glm::vec3& color = corners[corner].color;
-            result[corner].colorAndLevel = {glm::packUnorm2x16({color.r, color.g}),
-                                            glm::packUnorm2x16({color.b, level})};
-        }
+            result[corner].setColorAndLevel(corners[corner].color, level);
         return result;
     }
 

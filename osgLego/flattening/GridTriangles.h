@@ -41,6 +41,13 @@ struct GridVertex
         return glm::mix(PassConstants::MINIMUM_LEVEL, PassConstants::MAXIMUM_LEVEL,
                         static_cast<double>(glm::unpackUnorm2x16(colorAndLevel[1]).y));
     }
+    /** @param level is clamped to what a fraction can denote. */
+    void setColorAndLevel(const glm::vec3& color, double level)
+    {
+        constexpr double RANGE = PassConstants::MAXIMUM_LEVEL - PassConstants::MINIMUM_LEVEL;
+        const auto fraction = static_cast<float>((level - PassConstants::MINIMUM_LEVEL) / RANGE);
+        colorAndLevel = {glm::packUnorm2x16({color.r, color.g}), glm::packUnorm2x16({color.b, fraction})};
+    }
 };
 static_assert(sizeof(GridVertex) == 32, "the vertex layout of the shaders");
 

@@ -136,7 +136,8 @@ TEST_F(BookletLookTest, SubmodelsThatAStepPlacesAndItsOtherPartsHaveOutlinesOfTh
         // The line between them is beside the black line of the parts at the seam: outside of the parts that the step
         // places, or of the first submodel. The one around both is to the left of this submodel.
         const double outwards = areBothSubmodels ? 1.0 : -1.0;
-        const Color between = pixels.getColor(place.find({4, 0, 1.5}) + glm::dvec2(areBothSubmodels ? 2.0 : -3.0, 0.0), 0);
+        const Color between =
+            pixels.getColor(place.find({4, 0, 1.5}) + glm::dvec2(areBothSubmodels ? 2.0 : -3.0, 0.0), 0);
         const Color around = pixels.getColor(place.find({0, 0, 1.5}) - glm::dvec2(3.0, 0.0), 0);
         const Color beside = pixels.getColor(place.find({4, 0, 1.5}) + glm::dvec2(12.0 * outwards, 0.0), 0);
         EXPECT_GT(beside.green, 0.4) << numEarlier;

@@ -19,6 +19,8 @@ namespace
 
 constexpr float CUBE = 64.0f;
 
+constexpr double TEXTURE_LEVEL = 4.0;
+
 using Corners = std::array<GridVertex, 3>;
 
 glm::vec2 coordinateAt(const glm::vec3& position)
@@ -33,12 +35,9 @@ glm::vec3 colorAt(const glm::vec3& position)
 
 GridVertex createVertex(const glm::vec3& position, std::uint32_t triangle)
 {
-    constexpr float LEVEL = 0.25f;
-    const glm::vec3 color = colorAt(position);
-    return {position,
-            triangle,
-            coordinateAt(position),
-            {glm::packUnorm2x16({color.r, color.g}), glm::packUnorm2x16({color.b, LEVEL})}};
+    GridVertex vertex{position, triangle, coordinateAt(position), {}};
+    vertex.setColorAndLevel(colorAt(position), TEXTURE_LEVEL);
+    return vertex;
 }
 
 /** Creates tetrahedra whose faces are counterclockwise, seen from outside or all from inside. */
@@ -214,7 +213,7 @@ void expectLinearAttributes(const GridVertices& triangles, double colorTolerance
     {
         ASSERT_LT(glm::distance(vertex.coordinate, coordinateAt(vertex.position)), 1e-4f);
         ASSERT_LT(glm::distance(glm::dvec3(vertex.getColor()), glm::dvec3(colorAt(vertex.position))), colorTolerance);
-        ASSERT_NEAR(vertex.getLevel(), 4.0, 1e-3);
+        ASSERT_NEAR(vertex.getLevel(), TEXTURE_LEVEL, 1e-3);
     }
 }
 
