@@ -141,7 +141,7 @@ std::vector<std::string> describeDefects(const DesignCandidate& best, const Capt
     const char* standing = best.isWhole() ? "the model stands" : "its pieces stand";
     if (!best.isWhole())
         defects.push_back(fmt::format("the model has {} pieces{}", best.numPieces,
-                                      options.base == BuildingBase::TABLE && best.stability.stands
+                                      options.base != BuildingBase::PLATE && best.stability.stands
                                           ? "; with --base plate, a plate joins those that stand on it"
                                           : ""));
     if (best.stability.tips())
