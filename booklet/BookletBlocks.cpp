@@ -38,9 +38,9 @@ void BookletBlocks::addStep(const BookletModel& model, const std::vector<bool>& 
     for (const std::size_t submodel : model.getOriginals(step))
     {
         if (model.getChapters()[submodel].isCallout()) continue;
-        BookletBlock contents = block;
-        contents.chapter = submodel;
-        addSubmodel(model, isWhole, contents);
+        BookletBlock own = block;
+        own.chapter = submodel;
+        addSubmodel(model, isWhole, std::move(own));
     }
     addCopies(step.items, block.quantity, block.placed);
     for (const std::size_t submodel : step.submodels)
@@ -51,28 +51,30 @@ void BookletBlocks::addStep(const BookletModel& model, const std::vector<bool>& 
 
 /** Add the contents of a submodel, and then its steps. No bag begins among those of a submodel that is built several
  * times. */
-void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block)
+void BookletBlocks::addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block)
 {
     const BookletChapter& own = model.getChapters()[block.chapter];
-    BookletBlock contents = block;
-    contents.isContents = true;
-    contents.isSubmodel = false;
-    contents.step = 0;
-    contents.quantity *= own.quantity;
-    BookletBlock inner = contents;
+    block.step = 0;
+    block.quantity *= own.quantity;
     // A list and a picture of the same parts, twice, would seem to be twice the parts.
-    inner.isSubmodel = own.steps.size() == 1 && own.quantity == 1 && !isWhole[block.chapter];
-    if (!inner.isSubmodel)
+    block.isSubmodel = own.steps.size() == 1 && own.quantity == 1 && !isWhole[block.chapter];
+    if (!block.isSubmodel)
     {
-        if (own.isListed()) list(model, contents);
-        if (isWhole[block.chapter]) addCopies(own.items, contents.quantity, contents.placed);
-        _blocks.push_back(std::move(contents));
+        addContents(model, isWhole, block);
+        ++block.numOpen;
     }
-    inner.isContents = false;
-    inner.numOpen += inner.isSubmodel ? 0 : 1;
-    inner.isDivisible = inner.quantity == 1;
-    for (inner.step = 0; inner.step < own.steps.size() && !isWhole[block.chapter]; ++inner.step)
-        addStep(model, isWhole, inner);
+    block.isDivisible = block.quantity == 1;
+    for (; block.step < own.steps.size() && !isWhole[block.chapter]; ++block.step)
+        addStep(model, isWhole, block);
+}
+
+void BookletBlocks::addContents(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block)
+{
+    const BookletChapter& own = model.getChapters()[block.chapter];
+    block.isContents = true;
+    if (own.isListed()) list(model, block);
+    if (isWhole[block.chapter]) addCopies(own.items, block.quantity, block.placed);
+    _blocks.push_back(std::move(block));
 }
 
 /** List the contents of a submodel. Parts of submodels of many parts within it are in the lists of these, so that the

@@ -44,7 +44,8 @@ public:
 
 private:
     void addStep(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
-    void addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, const BookletBlock& block);
+    void addSubmodel(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
+    void addContents(const BookletModel& model, const std::vector<bool>& isWhole, BookletBlock block);
     static void list(const BookletModel& model, BookletBlock& contents);
 
     std::vector<BookletBlock> _blocks;

@@ -51,7 +51,7 @@ glm::ivec2 roundToPixels(BookletFrame& frame, double pixels)
 }
 
 /** The numbers of new parts of a step that it places one by one, if any, and of those that each submodel places. */
-std::vector<std::size_t> countGroups(const BookletModel& model, const BookletStep& step)
+std::vector<std::size_t> countPartsOfGroups(const BookletModel& model, const BookletStep& step)
 {
     std::vector<std::size_t> groups;
     if (step.numDirect > 0) groups.push_back(step.numDirect);
@@ -316,7 +316,7 @@ BookletPicture BookletPictures::drawStep(std::size_t chapter, std::size_t step)
     BookletFrame frame = _frames.findFrame(chapter, step);
     const glm::ivec2 size = roundToPixels(frame, pixels);
     const osg::ref_ptr<osg::Image> image = _renderer.draw(camera, frame, size);
-    drawOutlines(own, shown, countGroups(_model, shown), camera, frame, *image);
+    drawOutlines(own, shown, countPartsOfGroups(_model, shown), camera, frame, *image);
     if (_frames.isCut(chapter, step)) fadeBottom(*image, static_cast<int>(FADING * pixels));
     BookletPicture picture = encode(*image, DENSITY, pixels);
     const auto toPixels = [&](const glm::dvec2& place)

@@ -52,7 +52,7 @@ struct OSGLEGO_EXPORT BrickAppearance
      * those of plastic. */
     bool materialSpecular = false;
     /** The width of lines at the edges of parts and studs, in pixels, 0 (none) to 8: dark, or light on dark parts, as
-     * in building instructions. Also in the plain look. */
+     * in building instructions. With them, parts are drawn hollow below. Also in the plain look. */
     double outline = 0.0;
     /** The occluders of bricks. The grid has no noise and takes no pass over the picture: near occlusion comes from one
      * cell to each side of a face, and three in front of it; of a model partly built, from those in place. Bricks

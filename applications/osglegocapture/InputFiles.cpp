@@ -2,10 +2,11 @@
 
 #include "ExitCode.h"
 
+#include <common/NameList.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -95,13 +96,13 @@ bool isPartOfModel(const std::string& fileName)
     return extensions.contains(osgDB::getLowerCaseFileExtension(fileName));
 }
 
-/** A name from a file, in quotes: without the folders of the machine that wrote it, and on one line. */
+/** A name from a file for a message: without the folders of the machine that wrote it, and on one line. */
 std::string toText(const std::string& name)
 {
     std::string text = osgDB::isAbsolutePath(name) ? osgDB::getSimpleFileName(name) : name;
     std::ranges::replace_if(
         text, [](unsigned char character) { return std::iscntrl(character) != 0; }, '?');
-    return "'" + text + "'";
+    return text;
 }
 
 } // namespace
@@ -123,12 +124,9 @@ std::string InputFiles::describeMissing(const std::string& model)
         if (isPartOfModel(name)) names.insert(toText(name));
     if (names.empty()) return {};
     constexpr std::size_t MOST_NAMES = 10;
-    const std::size_t numListed = std::min(names.size(), MOST_NAMES);
-    std::string list =
-        fmt::format("{}", fmt::join(names.begin(), std::next(names.begin(), static_cast<int>(numListed)), ", "));
-    if (names.size() > numListed) list += fmt::format(" and {} more", names.size() - numListed);
     return fmt::format("'{}' names {} found: {}; expected {} in its folder, or the model may lack colours", model,
-                       names.size() == 1 ? "a file that was not" : "files that were not", list,
+                       names.size() == 1 ? "a file that was not" : "files that were not",
+                       listNames(names, MOST_NAMES, [](const std::string& name) { return "'" + name + "'"; }),
                        names.size() == 1 ? "it" : "them");
 }
 

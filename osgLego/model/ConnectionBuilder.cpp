@@ -137,11 +137,9 @@ bool ConnectionBuilder::build(JoinedLayout& layout)
     const std::vector<LayoutCell> cells = layout.problem.cells;
     // Studs join no parts of a single layer: changed colours would only make fewer and larger ones of them.
     if (layout.problem.size.z == 1) return true;
-    for (const bool joinsOthers : {false, true})
-    {
-        if (joinsOthers && _penalties.isEmpty()) break; // the same joins would be found
-        if (!joinPieces(layout, joinsOthers)) return false;
-    }
+    if (!joinPieces(layout, false)) return false;
+    // Where no join has failed, the same ones would be found.
+    if (!_penalties.isEmpty() && !joinPieces(layout, true)) return false;
     removeUnneededCells(layout);
     const std::vector<glm::ivec3> recolored = findRecolored(cells, layout.problem.cells);
     if (_options.effort > _roundOptions.effort && !improve(layout, recolored)) return false;

@@ -125,8 +125,8 @@ osg::ref_ptr<osg::Image> AssimpTextures::read(const std::string& reference)
     return place->second;
 }
 
-/** Find a picture by its path as it is written, or without escapes. An application's osgDB::FindFileCallback, which may
- * find files that OSG does not, is asked for one of them only. */
+/** Find a picture by its path, as it is written or without escapes, or else by its simple name. An application's
+ * osgDB::FindFileCallback, which may find files that OSG does not, is asked for only one form of the path. */
 std::string AssimpTextures::find(const std::string& path) const
 {
     osgDB::Registry* registry = osgDB::Registry::instance();

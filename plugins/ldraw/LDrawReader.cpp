@@ -5,6 +5,7 @@
 #include "LDrawText.h"
 
 #include <common/BasePlate.h>
+#include <common/NameList.h>
 #include <osgLego/AmbientOcclusionScene.h>
 #include <osgLego/LegoNode.h>
 
@@ -44,20 +45,11 @@ std::string textOf(std::int32_t color)
     return std::to_string(color);
 }
 
-/** A list for a message, which is short for every file. */
 template <typename Entries>
 std::string join(const Entries& entries)
 {
     constexpr std::size_t MOST = 20;
-    std::string list;
-    std::size_t numListed = 0;
-    for (const auto& entry : entries)
-    {
-        if (numListed == MOST) return list + " and " + std::to_string(entries.size() - MOST) + " more";
-        list += (list.empty() ? "" : ", ") + textOf(entry);
-        ++numListed;
-    }
-    return list;
+    return listNames(entries, MOST, [](const auto& entry) { return textOf(entry); });
 }
 
 osg::ref_ptr<osg::Node> createLegoNode(const std::string& name, const BrickModel& model)

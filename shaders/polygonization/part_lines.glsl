@@ -128,7 +128,7 @@ float lineOnWall(float width, vec3 toEye)
     return max(max(rim, foot), coverageAt(distance, width));
 }
 
-// What lines draw in a pixel.
+// The drawing in a pixel.
 struct Drawing
 {
     float line;   // the share of the pixel that lines cover

@@ -91,7 +91,7 @@ TEST(BookletCoverTest, SaysIfItWasNotComputedWhetherAModelStands)
               Lines{"It was not computed whether this model stands, since it has so many parts."});
 }
 
-TEST(BookletCoverTest, CountsUnheldPartsAndFallingSteps)
+TEST(BookletCoverTest, CountsUnheldPartsAndNamesFallingSteps)
 {
     EXPECT_EQ(warningsOf(createReport(true, true), {.fallingSteps = {0, 1}}),
               Lines{"After steps 1 and 2, the model, or a submodel, does not stand by itself: hold it there."});

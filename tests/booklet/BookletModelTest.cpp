@@ -263,7 +263,7 @@ TEST_F(BookletModelTest, MeasuresModelsOfPlatesWithYUpwards)
     EXPECT_NEAR(model.getSize().z, 12.8, 1e-9);
 }
 
-TEST_F(BookletModelTest, CountsFallingStepsOfLargeSubmodelsButNotThoseOfUnheldParts)
+TEST_F(BookletModelTest, NamesFallingStepsOfLargeSubmodelsButNotThoseOfUnheldParts)
 {
     Submodel outer;
     outer.steps = {createStep({2}), createStep({}, {1})};
