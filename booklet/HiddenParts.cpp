@@ -1,6 +1,7 @@
 #include "HiddenParts.h"
 
 #include <common/BrickRayCaster.h>
+#include <osgLego/data/GrazingView.h>
 
 #include <algorithm>
 #include <iterator>
@@ -13,7 +14,7 @@ namespace osgLego
 namespace
 {
 
-/** The share of the faces of a part towards the eye from which a ray reaches the eye. */
+/** The share of the faces of a part towards the eye, those that are not grazing, from which a ray reaches the eye. */
 double findVisibleShare(const BrickRayCaster& caster, const Part& part, const glm::dvec3& toEye)
 {
     constexpr int SAMPLES = 3;     // along each edge of a cell; some are beside its stud
@@ -25,6 +26,7 @@ double findVisibleShare(const BrickRayCaster& caster, const Part& part, const gl
     int numVisible = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
+        if (isGrazing(toEye[axis])) continue;
         glm::ivec3 counts = SAMPLES * part.getSize();
         counts[axis] = 1;
         for (int z = 0; z < counts.z; ++z)

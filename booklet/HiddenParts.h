@@ -11,7 +11,8 @@
 namespace osgLego
 {
 
-/** A share of the faces of a part towards the eye: parts of which less is visible are hardly found. */
+/** A share of the faces of a part towards the eye, except grazing ones: parts of which less is visible are hardly
+ * found. */
 constexpr double HARDLY_VISIBLE = 1.0 / 16.0;
 
 /** The parts of which less than a share of the faces towards the eye is visible.

@@ -1,5 +1,7 @@
 #include <osgLego/building/StepViews.h>
 
+#include <osgLego/data/GrazingView.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -100,7 +102,7 @@ StepViews::Sight StepViews::look(const std::vector<std::uint32_t>& parts, int tu
     return sight;
 }
 
-/** The share of the faces of a part's cells, those towards the eye, that are visible. */
+/** The share of the faces of a part's cells, those towards the eye and not grazing, that are visible. */
 double StepViews::getVisibleShare(const BuildingBox& box, const glm::dvec3& toEye) const
 {
     constexpr double OUTSIDE = 1e-3; // cells
@@ -108,6 +110,7 @@ double StepViews::getVisibleShare(const BuildingBox& box, const glm::dvec3& toEy
     std::size_t numVisible = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
+        if (axis < 2 && isGrazing(toEye[axis])) continue; // tops are at least ten degrees from that
         BuildingBox face = box;
         (toEye[axis] > 0.0 ? face.lower : face.upper)[axis] =
             toEye[axis] > 0.0 ? box.upper[axis] - 1 : box.lower[axis] + 1;

@@ -31,7 +31,7 @@ public:
     int show(const std::vector<std::uint32_t>& parts);
 
     /** Whether there is a view in which no part, if all of them were put in place, would be hidden. Parts of which less
-     * than an eighth of the faces towards the eye is visible are hidden.
+     * than an eighth of the faces towards the eye is visible are hidden; faces that are seen edge-on don't count.
      * @param isTurning whether other views than the present one count. */
     bool canShow(const std::vector<std::uint32_t>& parts, bool isTurning);
 

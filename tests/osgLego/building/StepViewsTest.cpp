@@ -61,6 +61,21 @@ TEST(StepViews, APartIsVisibleIfAQuarterOfItsFacesIs)
     EXPECT_EQ(eighth.show({0}), 1) << "one of eight faces; from the right, two more behind";
 }
 
+TEST(StepViews, FacesSeenEdgeOnShowNoPart)
+{
+    // A wall in front of a part and a roof on it, seen straight from the front; its ends, which are open, are edge-on.
+    const std::vector<BuildingBox> boxes{{{0, 2, 0}, {2, 10, 1}}, {{0, 0, 0}, {2, 2, 3}}, {{0, 2, 1}, {2, 10, 2}}};
+    for (const double azimuth : {0.0, 180.0, 4.0})
+    {
+        std::vector<BuildingBox> turned = boxes;
+        if (azimuth == 180.0) turned[1] = {{0, 10, 0}, {2, 12, 3}};
+        StepViews views(turned, 1.2, {azimuth, 20.0});
+        EXPECT_EQ(views.show({1, 2}), 0) << azimuth;
+        EXPECT_FALSE(views.canShow({0}, false)) << azimuth;
+        EXPECT_EQ(views.show({0}), 1) << azimuth;
+    }
+}
+
 TEST(StepViews, StayWhenHalfOfTheNewPartsAreHiddenFromEverywhere)
 {
     // A pit, at the bottom of which a brick can't be seen.
