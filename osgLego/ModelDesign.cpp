@@ -45,14 +45,15 @@ std::string listCandidates(const std::vector<DesignCandidate>& candidates)
         width = std::max(width, candidate.settings.toString().size());
     std::ostringstream text;
     text << std::fixed << std::left << std::setw(static_cast<int>(width)) << "settings" << std::right
-         << "  parts pieces  stands submodel hold surface  colour unlikeness\n";
+         << "  parts pieces  stands submodel hold surface  colour   lost unlikeness\n";
     for (const DesignCandidate& candidate : candidates)
         text << std::left << std::setw(static_cast<int>(width)) << candidate.settings.toString() << std::right
              << std::setw(7) << candidate.layout.numParts << std::setw(7) << candidate.numPieces << std::setw(8)
              << describeStability(candidate) << std::setw(9) << describeSubmodels(candidate) << std::setw(5)
              << describeHeld(candidate) << std::setprecision(2) << std::setw(6) << 100.0 * candidate.surfaceError
-             << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError << std::setw(11)
-             << std::setprecision(2) << candidate.getError() << '\n';
+             << " %" << std::setw(8) << std::setprecision(1) << candidate.colorError << std::setw(5)
+             << 100.0 * candidate.lostSurface << " %" << std::setw(11) << std::setprecision(2) << candidate.getError()
+             << '\n';
     return text.str();
 }
 
@@ -117,7 +118,8 @@ std::string explainStability(const DesignCandidate& best)
 // Of the columns of listCandidates().
 constexpr const char* LEGEND = R"(surface: distance of the bricks from the mesh, in percent of its longest side
 colour: difference between mesh and bricks there, in CIEDE2000; the colour error above is that of parts and cells
-unlikeness: surface, and a tenth of colour
+lost: surface of the mesh in gaps that bricks close, in percent
+unlikeness: surface, a tenth of colour, and a quarter of lost
 submodel: parts of the largest, and how deep submodels are nested, or none, where building was planned
 hold: steps after which something has to be held, where building was planned
 The first model is the chosen one.

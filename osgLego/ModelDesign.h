@@ -35,10 +35,14 @@ struct OSGLEGO_EXPORT DesignCandidate
     double surfaceError = 0.0;
     /** The mean difference (CIEDE2000) between the outer sides of bricks and the nearest place of the mesh. */
     double colorError = 0.0;
+    /** The share of the outer surface of the mesh that the model does not show, since bricks close the gap in which it
+     * is, such as that between two legs: more than one and a quarter of the longest edge of a cell from all outer sides
+     * of bricks, 0 to 1. */
+    double lostSurface = 0.0;
 
-    /** The unlikeness of the model to the mesh, by which candidates are compared: `surfaceError` in percent, and a
-     * tenth of `colorError`. */
-    double getError() const { return 100.0 * surfaceError + 0.1 * colorError; }
+    /** The unlikeness of the model to the mesh, by which candidates are compared: `surfaceError` in percent, a tenth of
+     * `colorError`, and a quarter of `lostSurface` in percent. */
+    double getError() const { return 100.0 * surfaceError + 0.1 * colorError + 25.0 * lostSurface; }
     /** Whether the model is one piece, with its base plate if that is the base. */
     bool isWhole() const { return numPieces == 1; }
     /** Whether the model can be built and stays up: it is one piece and stands. */

@@ -86,6 +86,7 @@ void DesignMaker::setDifference(const BrickModel& model, DesignCandidate& candid
     const SurfaceDifference difference = _surface->compare(model);
     candidate.surfaceError = difference.distance / _longestSide;
     candidate.colorError = difference.color;
+    candidate.lostSurface = difference.lost;
 }
 
 void DesignMaker::planBuildingOf(DesignCandidate& candidate) const

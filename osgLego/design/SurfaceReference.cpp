@@ -4,10 +4,14 @@
 #include <osgLego/palette/CieLab.h>
 #include <osgLego/palette/ColorDifference.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <random>
 #include <string>
+#include <tuple>
 
 namespace osgLego
 {
@@ -44,6 +48,57 @@ osg::ref_ptr<const BrickModel> fillCavities(const BrickModel& model)
     return BrickModel::create(model.getGrid(), std::move(cells.bricks));
 }
 
+using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+using Box = boost::geometry::model::box<Place>;
+
+/** The side of a cell, as a flat box. @param middle of the side. @param axis of its normal. */
+Box findBox(const BrickGrid& grid, const glm::dvec3& middle, int axis)
+{
+    glm::dvec3 half = 0.5 * grid.cellSize;
+    half[axis] = 0.0;
+    const glm::dvec3 lower = middle - half;
+    const glm::dvec3 upper = middle + half;
+    return {{lower.x, lower.y, lower.z}, {upper.x, upper.y, upper.z}};
+}
+
+/** The share of places that are farther from all sides than a distance; 0 without places. */
+double findFarShare(const std::vector<Place>& places, const std::vector<Box>& sides, double distance)
+{
+    const boost::geometry::index::rtree<Box, boost::geometry::index::rstar<16>> tree(sides);
+    const auto isFar = [&](const Place& place)
+    {
+        Box nearest;
+        tree.query(boost::geometry::index::nearest(place, 1), &nearest);
+        return boost::geometry::comparable_distance(place, nearest) > distance * distance;
+    };
+    const auto number = std::count_if(places.begin(), places.end(), isFar);
+    return places.empty() ? 0.0 : static_cast<double>(number) / static_cast<double>(places.size());
+}
+
+/** Cells of the surface along each side of a block. */
+constexpr int BLOCK = 4;
+
+/** The blocks that have covered cells. */
+osg::ref_ptr<const BrickModel> joinCells(const BrickModel& cells)
+{
+    BrickGrid grid = cells.getGrid();
+    grid.dimensions = (grid.dimensions + BLOCK - 1) / BLOCK;
+    grid.cellSize *= BLOCK;
+    std::vector<Brick> blocks;
+    blocks.reserve(cells.getBricks().size());
+    for (Brick brick : cells.getBricks())
+    {
+        for (std::uint16_t& place : brick.cell)
+            place = static_cast<std::uint16_t>(place / BLOCK);
+        blocks.push_back(brick);
+    }
+    const auto rank = [](const Brick& brick) { return std::tuple(brick.cell[2], brick.cell[1], brick.cell[0]); };
+    std::sort(blocks.begin(), blocks.end(), [&](const Brick& a, const Brick& b) { return rank(a) < rank(b); });
+    const auto isSame = [](const Brick& a, const Brick& b) { return a.cell == b.cell; };
+    blocks.erase(std::unique(blocks.begin(), blocks.end(), isSame), blocks.end());
+    return BrickModel::create(grid, std::move(blocks));
+}
+
 } // namespace
 
 SurfaceReference::SurfaceReference(const BrickModel& cells)
@@ -57,6 +112,23 @@ SurfaceReference::SurfaceReference(const BrickModel& cells)
         _colors.push_back(toCieLab(brick.color));
     }
     _places = Tree(entries); // packed, which is faster than one by one
+    chooseOuterPlaces(cells);
+}
+
+/** Choose places that are seen from outside, not through gaps in which no model has cells. */
+void SurfaceReference::chooseOuterPlaces(const BrickModel& cells)
+{
+    constexpr std::size_t MOST_PLACES = 8192;
+    const osg::ref_ptr<const BrickModel> blocks = fillCavities(*joinCells(cells));
+    for (const Brick& brick : cells.getBricks())
+    {
+        const Brick* const block = blocks->find(brick.getCell() / BLOCK);
+        if (!block || block->openSides == 0) continue;
+        const glm::dvec3 middle = findMiddle(cells.getGrid(), brick);
+        _outerPlaces.emplace_back(middle.x, middle.y, middle.z);
+    }
+    std::shuffle(_outerPlaces.begin(), _outerPlaces.end(), std::mt19937(1));
+    _outerPlaces.resize(std::min(_outerPlaces.size(), MOST_PLACES));
 }
 
 SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
@@ -67,6 +139,7 @@ SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
     double area = 0.0;
     double squares = 0.0;
     double colors = 0.0;
+    std::vector<Box> sides;
     for (const Brick& brick : outside->getBricks())
     {
         if (brick.openSides == 0) continue;
@@ -77,6 +150,7 @@ SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
             glm::dvec3 middle = findMiddle(grid, brick);
             middle[side.axis] += side.offset * grid.cellSize[side.axis];
             const Place place(middle.x, middle.y, middle.z);
+            sides.push_back(findBox(grid, middle, side.axis));
             Entry nearest;
             _places.query(boost::geometry::index::nearest(place, 1), &nearest);
             area += areas[side.axis];
@@ -84,7 +158,10 @@ SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
             colors += areas[side.axis] * ciede2000(color, _colors[nearest.second]);
         }
     }
-    return {std::sqrt(squares / area), colors / area};
+    constexpr double FAR = 1.25; // cells: the surface is at most one below a side, but in concave edges
+    const double lost =
+        findFarShare(_outerPlaces, sides, FAR * std::max({grid.cellSize.x, grid.cellSize.y, grid.cellSize.z}));
+    return {std::sqrt(squares / area), colors / area, lost};
 }
 
 } // namespace osgLego

@@ -19,6 +19,9 @@ struct SurfaceDifference
      * their area. Their corners, edges and studs do not count, only the middle of each side of each cell. */
     double distance = 0.0;
     double color = 0.0; //!< the mean difference (CIEDE2000) to the nearest place of the surface, over the same area
+    /** The share of the surface, as far as it can be seen from outside, that is more than one and a quarter of the
+     * longest edge of a cell away from all outer sides: in gaps that bricks close, or where there are none. */
+    double lost = 0.0;
 };
 
 /** The surface of a mesh as the centres and colours of small cells, to which models of larger cells are compared.
@@ -39,7 +42,10 @@ private:
     using Entry = std::pair<Place, std::size_t>; // and the index of its colour
     using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
 
+    void chooseOuterPlaces(const BrickModel& cells);
+
     Tree _places;
+    std::vector<Place> _outerPlaces; // some of them, evenly spread
     std::vector<glm::dvec3> _colors; // in CIELAB
 };
 

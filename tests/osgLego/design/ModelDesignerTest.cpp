@@ -188,6 +188,19 @@ TEST(DesignRanking, FewEnoughPartsMatterMoreThanLikenessButLessThanStability)
     EXPECT_TRUE(ranking.isBetter(many, falling));
 }
 
+TEST(DesignRanking, AModelWithItsGapsMayBeFartherFromTheMeshThanOneThatClosesThem)
+{
+    DesignCandidate closed;
+    closed.surfaceError = 0.009;
+    closed.lostSurface = 0.03;
+    DesignCandidate open;
+    open.surfaceError = 0.013;
+    const DesignRanking ranking(200);
+    EXPECT_TRUE(ranking.isBetter(open, closed));
+    open.surfaceError = 0.02;
+    EXPECT_TRUE(ranking.isBetter(closed, open));
+}
+
 TEST(DesignRanking, OfEqualModelsThatWithTheFewestSettingsComesFirst)
 {
     DesignCandidate plain;

@@ -1,7 +1,13 @@
 #include <osgLego/design/SurfaceReference.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
+#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 
 namespace osgLego
@@ -73,6 +79,39 @@ TEST(SurfaceReference, TheDistanceIsTheRootOfTheMeanSquare)
     // On the top, the distance to the nearest side is that to the nearest edge of a square of 2 x 2: its mean square is
     // 1/6. The area of the top is 4, that of the rest 12.
     EXPECT_NEAR(reference.compare(*half).distance, std::sqrt(4.0 / 6.0 / 16.0), FINE_CELL);
+}
+
+TEST(SurfaceReference, TheSurfaceInAGapThatBricksCloseIsLost)
+{
+    // Two boxes of 0.8 x 2 x 2, 0.4 apart.
+    const auto isOnBox = [](const glm::ivec3& cell)
+    {
+        constexpr int END = FINE * 2 / 5;
+        const int x = std::min(cell.x, FINE - 1 - cell.x);
+        return x < END && (x == 0 || x == END - 1 || isOnSurface(FINE)(cell));
+    };
+    const SurfaceReference reference(*makeCube(FINE, RED, isOnBox));
+    const auto isInBox = [](const glm::ivec3& cell) { return cell.x < 4 || cell.x >= 6; };
+    EXPECT_EQ(reference.compare(*makeCube(10, RED, isInBox)).lost, 0.0);
+    const SurfaceDifference closed = reference.compare(*makeCube(10, RED, [](const glm::ivec3&) { return true; }));
+    // Lost is what is more than 0.25 from the edges of the two squares in the gap.
+    EXPECT_NEAR(closed.lost, 2.0 * 1.5 * 1.5 / 28.8, 0.02);
+    EXPECT_LE(closed.distance, 0.2) << "the bricks in the gap are near the surface";
+}
+
+TEST(SurfaceReference, ASurfaceThatIsNotSeenFromOutsideIsNotLost)
+{
+    // A cube in a cube.
+    const auto isOnEither = [](const glm::ivec3& cell)
+    {
+        constexpr int MARGIN = FINE / 4;
+        const glm::ivec3 inner = cell - MARGIN;
+        const bool isInside = glm::all(glm::greaterThanEqual(inner, glm::ivec3(0))) &&
+                              glm::all(glm::lessThan(inner, glm::ivec3(FINE - 2 * MARGIN)));
+        return isOnSurface(FINE)(cell) || (isInside && isOnSurface(FINE - 2 * MARGIN)(inner));
+    };
+    const SurfaceReference reference(*makeCube(FINE, RED, isOnEither));
+    EXPECT_EQ(reference.compare(*makeCube(10, RED, [](const glm::ivec3&) { return true; })).lost, 0.0);
 }
 
 TEST(SurfaceReference, TheColorIsThatOfTheNearestPlace)
