@@ -22,7 +22,7 @@ public:
         const bool isArray = value._type == JsonValue::Type::ARRAY;
         if (!isArray && !value.isObject())
         {
-            text += toJson(value).dump();
+            text += dump(toJson(value));
             return;
         }
         const auto startLine = [&](int newLevel)
@@ -36,7 +36,7 @@ public:
         {
             if (index > 0) text += ',';
             startLine(level + 1);
-            if (!isArray) text += Json(value._names[index]).dump() + (indent < 0 ? ":" : ": ");
+            if (!isArray) text += dump(value._names[index]) + (indent < 0 ? ":" : ": ");
             append(value._elements[index], indent, level + 1, text);
         }
         if (!value._elements.empty()) startLine(level);
@@ -66,6 +66,9 @@ public:
     }
 
 private:
+    /** Names of files may have bytes that are no UTF-8, which no JSON can contain. */
+    static std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
     static Json toJson(const JsonValue& value)
     {
         switch (value._type)

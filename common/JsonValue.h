@@ -46,7 +46,8 @@ public:
     /** Read a JSON text. @return empty on an error of syntax. */
     static std::optional<JsonValue> parse(const std::string& text);
 
-    /** @param indent the number of spaces for each level; negative: all on one line. */
+    /** @param indent the number of spaces for each level; negative: all on one line.
+     * @return UTF-8; bytes of texts that are not, such as those of some names of files, become U+FFFD. */
     std::string toString(int indent = -1) const;
 
     bool isObject() const { return _type == Type::OBJECT; }

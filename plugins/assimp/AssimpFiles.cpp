@@ -18,7 +18,8 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode)
 
 std::string AssimpFiles::find(const char* name) const
 {
-    if (DefaultIOSystem::Exists(name)) return name;
+    // A search for a path that exists finds it, and tells the application's FindFileCallback that it is read.
+    if (DefaultIOSystem::Exists(name)) return osgDB::findDataFile(name, _options);
     // Importers put the folder of the model before the name.
     for (const std::string& folder : _options->getDatabasePathList())
     {

@@ -180,28 +180,39 @@ bool isDeepB3d(std::string_view bytes)
     return false;
 }
 
-/** The array of nodes in the JSON text of glTF, itself as text. */
-std::string_view findNodes(std::string_view json)
+/** Whether a text ends with a key of JSON, which may be escaped, and a colon. */
+bool endsWithKey(std::string_view text, std::string_view key)
 {
-    constexpr std::string_view KEY = "\"nodes\"";
     constexpr const char* SPACE = " \t\r\n";
+    const std::size_t colon = text.find_last_not_of(SPACE);
+    if (colon == std::string_view::npos || text[colon] != ':') return false;
+    text = text.substr(0, text.find_last_not_of(SPACE, colon - 1) + 1);
+    if (text.size() < 2) return false;
+    const std::size_t begin = text.find_last_of('"', text.size() - 2);
+    if (begin == std::string_view::npos) return false;
+    const std::optional<JsonValue> name = JsonValue::parse(std::string(text.substr(begin)));
+    return name && name->toText() == key;
+}
+
+/** The arrays of nodes in the JSON text of glTF, themselves as text. */
+std::vector<std::string_view> findNodes(std::string_view json)
+{
     std::size_t begin = std::string_view::npos;
-    std::string_view nodes;
+    std::vector<std::string_view> arrays;
     const auto visit = [&](std::size_t place, std::size_t level)
     {
         if (level != 2) return true;
-        if (json[place] == '[')
+        if (json[place] == '[' && endsWithKey(json.substr(0, place), "nodes"))
+            begin = place;
+        else if (json[place] == ']' && begin != std::string_view::npos)
         {
-            const std::size_t colon = json.find_last_not_of(SPACE, place - 1);
-            const std::size_t key = json[colon] == ':' ? json.find_last_not_of(SPACE, colon - 1) : colon;
-            if (json.substr(0, key + 1).ends_with(KEY)) begin = place;
+            arrays.push_back(json.substr(begin, place + 1 - begin));
+            begin = std::string_view::npos;
         }
-        else if (begin != std::string_view::npos)
-            nodes = json.substr(begin, place + 1 - begin);
-        return nodes.empty();
+        return true;
     };
     forEachBracket(json, Comment::NONE, visit);
-    return nodes;
+    return arrays;
 }
 
 /** The number of the node above each node. @return nothing if a node has two, or does not exist. */
@@ -240,7 +251,10 @@ std::string describe(const std::string& elements)
 std::string findObstacleOfNodes(std::string_view json)
 try
 {
-    const std::optional<JsonValue> nodes = JsonValue::parse(std::string(findNodes(json)));
+    const std::vector<std::string_view> arrays = findNodes(json);
+    if (arrays.size() > 1) return "it has several lists of nodes; expected one";
+    const std::optional<JsonValue> nodes =
+        arrays.empty() ? std::nullopt : JsonValue::parse(std::string(arrays.front()));
     if (!nodes) return {}; // no JSON, as Assimp notices
     const std::optional<std::vector<std::size_t>> parents = findParents(nodes->getElements());
     if (!parents) return "a node is listed twice among the children of nodes; expected one parent for each node";

@@ -5,6 +5,7 @@
 #include <common/ReadableFile.h>
 #include <gltf/GltfWriter.h>
 
+#include <exception>
 #include <functional>
 #include <new>
 #include <sstream>
@@ -124,6 +125,10 @@ private:
         {
             error = "there is not enough memory for it";
         }
+        catch (const std::exception& exception)
+        {
+            error = exception.what();
+        }
         return ReadResult("osgLego: can't read '" + name + "': " + error);
     }
 
@@ -138,6 +143,10 @@ private:
         catch (const std::bad_alloc&)
         {
             error = "there is not enough memory for it";
+        }
+        catch (const std::exception& exception)
+        {
+            error = exception.what();
         }
         if (!error.empty()) return WriteResult("osgLego: can't write '" + name + "': " + error);
         for (const std::string& warning : writer.getWarnings())

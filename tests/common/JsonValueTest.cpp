@@ -43,6 +43,14 @@ TEST(JsonValue, ReplacesMembersOfTheSameNameInPlace)
     EXPECT_EQ(value.toString(), R"({"a":3,"b":"five","c":4})");
 }
 
+TEST(JsonValue, ReplacesBytesThatAreNotUtf8)
+{
+    const JsonValue value{{"a\xff", "b\xfc"
+                                    "c"}};
+    EXPECT_EQ(value.toString(), "{\"a\xef\xbf\xbd\":\"b\xef\xbf\xbd"
+                                "c\"}");
+}
+
 TEST(JsonValue, RefusesToReadAnotherType)
 {
     const JsonValue value{{"text", "1"}, {"integer", 1}};

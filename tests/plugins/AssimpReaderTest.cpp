@@ -171,6 +171,22 @@ TEST_F(AssimpReader, TurnsTrianglesUprightBelowTheirTransforms)
     EXPECT_EQ(content.corners, (std::vector<osg::Vec3>{{10, -30, 20}, {12, -30, 20}, {10, -30, 23}}));
 }
 
+TEST_F(AssimpReader, KeepsTheLengthOfNormalsBelowScales)
+{
+    for (const std::string scale : {"1,1,1", "100,100,100", "1,1,0.5"})
+    {
+        GltfDocument document = createTriangle();
+        document.nodes = R"([{"translation":[10,20,30],"children":[1]},{"scale":[)" + scale + R"(],"mesh":0}])";
+        write("model.glb", document.toBinary());
+        const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(pathOf("model.glb"));
+        ASSERT_TRUE(node);
+        EXPECT_FALSE(node->getStateSet()) << scale;
+        const osg::StateSet* states = node->asGroup()->getChild(0)->getStateSet();
+        const bool isNormalized = states && states->getMode(GL_NORMALIZE) == osg::StateAttribute::ON;
+        EXPECT_EQ(isNormalized, scale != "1,1,1") << scale;
+    }
+}
+
 TEST_F(AssimpReader, PlacesInstances)
 {
     GltfDocument document = createTriangle();

@@ -133,6 +133,25 @@ TEST_F(Nesting, OfMoreElementsBesideEachOtherIsNoError)
     EXPECT_EQ(errorOf("fbx", repeat("A: {\n}\n", 1000)).find("nested"), std::string::npos);
 }
 
+TEST_F(Nesting, OfNodesWithAnEscapedNameIsAnErrorToo)
+{
+    std::string escaped = createGltfChain(501);
+    const std::string key = "\"nodes\" : [";
+    const std::size_t place = escaped.find(key);
+    ASSERT_NE(place, std::string::npos);
+    escaped.replace(place, key.size(), R"("\u006eodes" : [)");
+    EXPECT_NE(errorOf("gltf", escaped).find("nested too deeply"), std::string::npos);
+}
+
+TEST_F(Nesting, OfNodesInTwoListsIsAnError)
+{
+    // Of two values with one name, Assimp uses the first, and the reader of instances the last.
+    const std::string harmless = toGltfOfNodes("{}");
+    const std::string twice =
+        harmless.substr(0, harmless.rfind('}')) + R"(,"nodes":[{"children":[1]},{"children":[0]}]})";
+    EXPECT_NE(errorOf("gltf", twice).find("several lists of nodes; expected one"), std::string::npos);
+}
+
 TEST_F(Nesting, OfANodeInTwoNodesIsAnError)
 {
     // Each node twice in the one before: 2^30 nodes in all.
