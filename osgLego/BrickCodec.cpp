@@ -78,7 +78,7 @@ void writeGrid(const BrickGrid& grid, ByteWriter& writer)
 }
 
 /** @return one sentence if a grid has too many cells, or cells so long that tables of the space around bricks would not
- * fit into memory; otherwise empty. */
+ * fit into memory, or is so far away that nothing could draw it; otherwise empty. */
 std::string findObstacle(const glm::dvec3& cells, const BrickGrid& grid)
 {
     std::ostringstream text;
@@ -90,6 +90,14 @@ std::string findObstacle(const glm::dvec3& cells, const BrickGrid& grid)
     if (!(longest <= GridLimits::MOST_STRETCH * shortest))
         text << "the cells of the bricks are " << longest / shortest << " times as long as wide; expected at most "
              << GridLimits::MOST_STRETCH << " times in stored bricks";
+    // Meshes end at SceneVertex::MAXIMUM_COORDINATE; a cell may be as long as they are, and begin a cell before them.
+    constexpr double MOST_DISTANCE = 4e18;
+    const glm::dvec3 end = grid.origin + cells * grid.cellSize;
+    for (int axis = 0; axis < 3 && text.str().empty(); ++axis)
+        if (const double farthest = std::max(std::abs(grid.origin[axis]), std::abs(end[axis]));
+            farthest > MOST_DISTANCE)
+            text << "the bricks reach " << farthest << " model units; expected at most " << MOST_DISTANCE
+                 << " in stored bricks";
     return text.str();
 }
 

@@ -36,7 +36,7 @@ BrickGrid createGrid(const glm::ivec3& dimensions)
 {
     BrickGrid grid;
     grid.dimensions = dimensions;
-    grid.origin = {-1.1, 1e-300, 1e300};
+    grid.origin = {-1.1, 1e-300, 1e18};
     grid.cellSize = {0.1, 0.1, 0.04};
     return grid;
 }
@@ -173,6 +173,18 @@ TEST_F(BrickCodec, ImpossibleValuesAreErrorsEvenIfTheCheckSumIsRight)
                                           forge(_bytes, DATA_SIZE + 8, "no zlib data")};
     for (std::size_t index = 0; index < forged.size(); ++index)
         EXPECT_NE(errorOf(forged[index]).find("contradict"), std::string::npos) << index;
+}
+
+TEST_F(BrickCodec, GridsTooFarAwayToBeDrawnAreNotRead)
+{
+    for (const std::string& forged : {forge(_bytes, ORIGIN, toBytes(-1e300)), forge(_bytes, ORIGIN + 8, toBytes(5e18))})
+        EXPECT_NE(errorOf(forged).find("model units; expected at most 4e+18"), std::string::npos) << errorOf(forged);
+    std::string large = _bytes;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        large = forge(large, CELL_SIZE + 8 * axis, toBytes(1e300));
+    EXPECT_NE(errorOf(large).find("model units; expected at most 4e+18"), std::string::npos) << errorOf(large);
+    std::string error;
+    EXPECT_TRUE(decodeBricks(forge(_bytes, ORIGIN, toBytes(-1e18)), error)) << error;
 }
 
 TEST_F(BrickCodec, GridsBeyondTheLimitsAreNeitherWrittenNorRead)
