@@ -30,7 +30,8 @@ fs::path followLinks(fs::path path)
     return path;
 }
 
-/** Whether a name is that of a device or a pipe, which is written directly. */
+/** Whether a name is that of a device or a pipe, which is written directly; also by links of the system, such as
+ * /dev/stdout, whose targets have no names. */
 bool isSpecial(const fs::path& path)
 {
     std::error_code ignored;
@@ -61,11 +62,11 @@ std::string writeDevice(const std::string& name, const std::function<std::string
 
 std::string findObstacleToWriting(const std::string& fileName)
 {
+    if (isSpecial(fileName)) return {};
     std::error_code ignored;
     const fs::path path = followLinks(fileName);
     if (fs::is_symlink(path, ignored)) return "its symbolic links refer to each other; expected a file";
     if (fs::is_directory(path, ignored)) return "it is a folder; expected a file";
-    if (isSpecial(path)) return {};
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const std::string name = "'" + folder.string() + "'";
     if (!fs::exists(folder, ignored)) return "there is no folder " + name + "; expected an existing one";
@@ -91,9 +92,8 @@ bool isSameFile(const std::string& fileName, const std::string& otherName)
 std::string writeCompleteFile(const std::string& fileName, const std::function<std::string(std::ostream&)>& write)
 {
     if (std::string obstacle = findObstacleToWriting(fileName); !obstacle.empty()) return obstacle;
-    const fs::path path = followLinks(fileName); // replace the target of a link, not the link
-    if (isSpecial(path)) return writeDevice(fileName, write);
-    TemporaryFile file(path.string());
+    if (isSpecial(fileName)) return writeDevice(fileName, write);
+    TemporaryFile file(followLinks(fileName).string()); // replace the target of a link, not the link
     if (file.getDescriptor() < 0) return std::strerror(errno);
     std::string why = writeTo(file.getDescriptor(), write);
     return why.empty() ? file.publish() : why;

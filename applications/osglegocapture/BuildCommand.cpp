@@ -7,9 +7,10 @@
 #include "ExitCode.h"
 #include "InputFiles.h"
 #include "Instructions.h"
-#include "ModelSize.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
+#include "SceneReading.h"
+#include "StandardError.h"
 
 #include <common/NewFolder.h>
 #include <common/NumberText.h>
@@ -23,7 +24,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -183,6 +186,25 @@ void drawInto(const CaptureOptions& given, const CaptureScene& scene, const std:
     writePicture(file, image);
 }
 
+/** Print a booklet. If that fails or is cancelled, an older PDF is removed, which would seem to be that of the new
+ * page.
+ * @return why there is no PDF, or an empty text. */
+std::string printOrRemove(const std::string& page, const std::string& pdf)
+{
+    std::error_code ignored;
+    try
+    {
+        std::string why = printBooklet(page, pdf);
+        if (!why.empty()) std::filesystem::remove(pdf, ignored);
+        return why;
+    }
+    catch (const CaptureError&)
+    {
+        std::filesystem::remove(pdf, ignored);
+        throw;
+    }
+}
+
 } // namespace
 
 void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
@@ -194,12 +216,8 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
 
     const Cancellation cancellation;
     ProgressBar progress;
-    warnOfModelSize(options.mesh);
-    progress.show("reading");
-    CaptureScene scene(options);
-    progress.warn(scene.getWarning());
-    LegoNode& lego = scene.getOnlyLegoNode();
-    InputFiles::add(lego.getSettings().getPalette());
+    const std::unique_ptr<CaptureScene> scene = readScene(options, progress);
+    LegoNode& lego = scene->getOnlyLegoNode();
     files.checkReplaceNoInput();
     checkLength(options, lego);
     progress.setRange(0.0, DESIGN_SHARE);
@@ -211,31 +229,29 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
 
     progress.setRange(DESIGN_SHARE, 1.0);
     writeInstructions(options, lego, {best.stability, best.plan}, context, progress);
-    if (options.base == BuildingBase::PLATE) scene.addBasePlate(*createBasePlate(*best.model));
-    drawInto(options, scene, files.get(".png"), context, progress);
+    if (options.base == BuildingBase::PLATE) scene->addBasePlate(*createBasePlate(*best.model));
+    drawInto(options, *scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
     const std::string report = describeGoals(options, choice) + '\n' + choice.toString();
     const std::vector<std::string> defects = describeDefects(best, options);
     writeText(files.get("-report.txt"),
               [&](std::ostream& stream)
               {
-                  if (!scene.getWarning().empty()) stream << "warning: " << scene.getWarning() << '\n';
+                  if (!scene->getWarning().empty()) stream << "warning: " << scene->getWarning() << '\n';
                   for (const std::string& defect : defects)
                       stream << "warning: " << defect << '\n';
                   stream << report;
               });
-    std::error_code ignored;
-    std::filesystem::remove(files.get(".pdf"), ignored); // else it remains if printing fails or is cancelled
-    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
+    const std::string unprinted = printOrRemove(files.get(".html"), files.get(".pdf"));
     progress.clear();
 
     fmt::print("{}\n", report);
     fmt::print("wrote '{}' and, with other endings, .html, .txt, {}.mpd, .csv, .xml and -report.txt\n",
                files.get(".png"), unprinted.empty() ? ".pdf, " : "");
     std::fflush(stdout); // before the warnings, where both are the same file
-    if (!unprinted.empty()) fmt::print(stderr, "osglegocapture: warning: there is no PDF: {}\n", unprinted);
+    if (!unprinted.empty()) printError("osglegocapture: warning: there is no PDF: {}\n", unprinted);
     for (const std::string& defect : defects)
-        fmt::print(stderr, "osglegocapture: warning: {}\n", defect);
+        printError("osglegocapture: warning: {}\n", defect);
 }
 
 } // namespace osgLego

@@ -190,8 +190,8 @@ void addCamera(CLI::App& app, CaptureOptions& options)
            "--view", toCallback([&](const std::string& text) { return readView(text, options); }),
            "The camera: degrees around the mesh, degrees above the horizon, and the distance from the middle of the "
            "mesh's bounding sphere in radii of that sphere. Without a distance, the mesh and its bricks just fit "
-           "in (30,25). For --instructions, the view of the cover and of the first step, 10 to 80 degrees above the "
-           "horizon (33,30)")
+           "in (30,25). For --instructions and --build, the view of the cover and of the steps until the model is "
+           "turned by quarters, 10 to 80 degrees above the horizon (33,30)")
         ->type_name("AZIMUTH,ELEVATION[,DISTANCE]");
     app.add_flag("--orthographic", options.view.orthographic, "Draw without perspective");
     app.add_option(

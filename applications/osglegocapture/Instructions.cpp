@@ -2,6 +2,7 @@
 
 #include "Cancellation.h"
 #include "ExitCode.h"
+#include "StandardError.h"
 
 #include <common/NumberText.h>
 #include <osgLego/BuildingPlanner.h>
@@ -105,7 +106,7 @@ void writeInstructions(const CaptureOptions& options, const LegoNode& lego, cons
     progress.clear();
     if (!options.build.empty()) return;
     // The user has not typed the names. Standard output may be that of a list or of statistics.
-    fmt::print(stderr, "osglegocapture: wrote '{}' and '{}'\n", files.front(), files.back());
+    printError("osglegocapture: wrote '{}' and '{}'\n", files.front(), files.back());
 }
 
 } // namespace osgLego

@@ -1,5 +1,7 @@
 #include "ModelSize.h"
 
+#include "StandardError.h"
+
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -32,8 +34,7 @@ void warnOfModelSize(const std::string& fileName)
     constexpr double MEMORY_PER_BYTE = 21.0; // of a binary PLY file, the densest of the usual formats
     const auto size = static_cast<double>(findModelSize(fileName));
     if (size * MEMORY_PER_BYTE < NOTABLE) return;
-    fmt::print(stderr,
-               "osglegocapture: warning: reading '{}' may take {:.0f} GB of memory and minutes; Ctrl+C cancels it\n",
+    printError("osglegocapture: warning: reading '{}' may take {:.0f} GB of memory and minutes; Ctrl+C cancels it\n",
                fileName, size * MEMORY_PER_BYTE / GIGABYTE);
 }
 

@@ -30,7 +30,8 @@ std::string readSize(const std::string& text, CaptureOptions& options)
     int width = 0;
     int height = 0;
     char rest = 0;
-    const bool isRead = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+    // Numbers of more digits would overflow; they are too large, or their rest is not read.
+    const bool isRead = std::sscanf(text.c_str(), "%9dx%9d%c", &width, &height, &rest) == 2;
     if (!isRead || width < 1 || height < 1 || width > MAXIMUM_SIZE || height > MAXIMUM_SIZE)
         return badValue("--size", text, "WIDTHxHEIGHT in pixels, each 1 to 8192");
     options.width = width;
@@ -44,7 +45,9 @@ std::string readView(const std::string& text, CaptureOptions& options)
     CaptureView read;
     char rest = 0;
     const int count = std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &read.azimuth, &read.elevation, &read.distance, &rest);
-    const bool isFinite = std::isfinite(read.azimuth) && std::isfinite(read.elevation) && std::isfinite(read.distance);
+    constexpr double MOST_AZIMUTH = 360000.0; // a thousand turns: sines of huge angles are meaningless
+    const bool isFinite =
+        std::abs(read.azimuth) <= MOST_AZIMUTH && std::isfinite(read.elevation) && std::isfinite(read.distance);
     const bool isWhole = count == 3 || (count == 2 && text.find_last_of(',') == text.find(','));
     if (!isWhole || !isFinite || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
         return badValue("--view", text,
@@ -143,6 +146,7 @@ std::string readSteps(const std::string& text, CaptureOptions& options)
     unsigned long last = 0;
     char rest = 0;
     const bool isRead = text.find_first_not_of("0123456789-") == std::string::npos &&
+                        text.find('-') == text.rfind('-') &&
                         std::sscanf(text.c_str(), "%9lu-%9lu%c", &first, &last, &rest) == 2;
     if (!isRead || first < 1 || last < first)
         return badValue("--steps", text, "FIRST-LAST, such as 1-50, with FIRST from 1 to LAST");

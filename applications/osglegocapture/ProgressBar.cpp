@@ -1,5 +1,7 @@
 #include "ProgressBar.h"
 
+#include "StandardError.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,7 +35,7 @@ void ProgressBar::setRange(double first, double last)
 void ProgressBar::show(const std::string& work) const
 {
     if (!_isTerminal) return printSometimes(work + " ...");
-    fmt::print(stderr, "{}{} ...", START_OF_EMPTY_LINE, work);
+    printError("{}{} ...", START_OF_EMPTY_LINE, work);
     std::fflush(stderr);
 }
 
@@ -43,15 +45,15 @@ void ProgressBar::show(double share, const std::string& work) const
     const double done = std::lerp(_first, _last, std::clamp(share, 0.0, 1.0));
     if (!_isTerminal) return printSometimes(fmt::format("{:.0f} %  {}", 100.0 * done, work));
     const auto filled = static_cast<std::size_t>(WIDTH * done);
-    fmt::print(stderr, "{}[{:<{}}] {:3.0f} %  {}", START_OF_EMPTY_LINE, std::string(filled, '#'),
-               static_cast<int>(WIDTH), 100.0 * done, work);
+    printError("{}[{:<{}}] {:3.0f} %  {}", START_OF_EMPTY_LINE, std::string(filled, '#'), static_cast<int>(WIDTH),
+               100.0 * done, work);
     std::fflush(stderr);
 }
 
 void ProgressBar::clear() const
 {
     if (!_isTerminal) return;
-    fmt::print(stderr, "{}", START_OF_EMPTY_LINE);
+    printError("{}", START_OF_EMPTY_LINE);
     std::fflush(stderr);
 }
 
@@ -59,7 +61,7 @@ void ProgressBar::warn(const std::string& warning) const
 {
     if (warning.empty()) return;
     clear();
-    fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
+    printError("osglegocapture: warning: {}\n", warning);
 }
 
 void ProgressBar::printSometimes(const std::string& text) const
@@ -68,7 +70,7 @@ void ProgressBar::printSometimes(const std::string& text) const
     const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
     if (now - _printed < INTERVAL) return;
     _printed = now;
-    fmt::print(stderr, "osglegocapture: {}\n", text);
+    printError("osglegocapture: {}\n", text);
 }
 
 } // namespace osgLego

@@ -2,6 +2,7 @@
 
 #include "Cancellation.h"
 #include "ExitCode.h"
+#include "StandardError.h"
 
 #include <common/ColorName.h>
 #include <osgLego/Palette.h>
@@ -84,8 +85,7 @@ void warnOfTime(std::size_t numParts)
 {
     constexpr std::size_t NOTABLE = 10'000; // take more than ten seconds; 50,000, more than ten minutes
     if (numParts < NOTABLE) return;
-    fmt::print(stderr,
-               "osglegocapture: warning: computing whether {} parts stand may take minutes; Ctrl+C cancels it\n",
+    printError("osglegocapture: warning: computing whether {} parts stand may take minutes; Ctrl+C cancels it\n",
                numParts);
 }
 

@@ -9,10 +9,11 @@
 #include "InputFiles.h"
 #include "Instructions.h"
 #include "ModelBound.h"
-#include "ModelSize.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
+#include "SceneReading.h"
 #include "SceneStability.h"
+#include "StandardError.h"
 #include "StandardOutput.h"
 #include "StatisticsFile.h"
 #include "ThreadSupply.h"
@@ -21,14 +22,18 @@
 #include <offscreen/OffscreenContext.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <osgDB/Registry>
 #include <unistd.h>
@@ -54,8 +59,7 @@ void warnOfMemory(const CaptureScene& scene, const CaptureOptions& options)
     constexpr double NOTABLE = 2.0 * GIGABYTE;
     const double bytes = ScenePicture::estimateMemory(options, scene);
     if (bytes < NOTABLE) return;
-    fmt::print(stderr,
-               "osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size {}\n",
+    printError("osglegocapture: warning: drawing {} x {} pixels takes about {:.0f} GB of memory; a smaller --size {}\n",
                options.width, options.height, bytes / GIGABYTE,
                options.hasOcclusion ? "and --occlusion off take less" : "takes less");
 }
@@ -69,8 +73,8 @@ void addBound(const LegoNode& lego, std::optional<LayoutStatistics>& layout, con
     if (bound > 0)
         layout->lowerBound = bound;
     else
-        fmt::print(stderr, "osglegocapture: warning: --bound has nothing to count; expected a mesh in parts=bricks and "
-                           "proportions=brick\n");
+        printError("osglegocapture: warning: --bound has nothing to count; expected a mesh in parts=bricks and "
+                   "proportions=brick\n");
 }
 
 /** Print the figures of parts. @return nothing if there are no parts. */
@@ -128,7 +132,7 @@ void writePartsList(const CaptureOptions& options, const CaptureScene& scene, co
     else
         writePartsList(options.partsList, list);
     for (const std::string& warning : {list.describeNeverMade(), list.describeWithoutNumber()})
-        if (!warning.empty()) fmt::print(stderr, "osglegocapture: warning: {}\n", warning);
+        if (!warning.empty()) printError("osglegocapture: warning: {}\n", warning);
 }
 
 /** Compute and print whether the parts stand, if the options request it. */
@@ -159,7 +163,12 @@ void checkPlaces(const CaptureOptions& options)
     checkPlace(options.cells);
     checkPartsListPlace(partsFile);
     if (!options.instructions.empty()) checkInstructionsPlace(options);
-    checkAreDistinct({options.output, statisticsFile, options.cells, partsFile});
+    std::vector<std::string> outputs{options.output, statisticsFile, options.cells, partsFile};
+    if (!options.reference.empty()) outputs.push_back(differenceNameOf(options));
+    if (!options.instructions.empty())
+        for (const std::string& file : getInstructionsFiles(options))
+            outputs.push_back(file);
+    checkAreDistinct(outputs);
 }
 
 /** @return an empty picture without --compare. */
@@ -188,16 +197,7 @@ void checkParts(const CaptureOptions& options, const CaptureScene& scene)
 /** Read the scene, and make its parts. */
 std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
 {
-    warnOfModelSize(options.mesh);
-    progress.show("reading");
-    std::unique_ptr<CaptureScene> scene;
-    {
-        const Cancellation::Unasked unasked;
-        scene = std::make_unique<CaptureScene>(options);
-    }
-    progress.warn(scene->getWarning());
-    for (const LegoNode* lego : scene->findLegoNodes())
-        InputFiles::add(lego->getSettings().getPalette());
+    std::unique_ptr<CaptureScene> scene = readScene(options, progress);
     InputFiles::checkAreKept({options.output, toFileName(options.statistics), options.cells,
                               toFileName(options.partsList),
                               options.reference.empty() ? "" : differenceNameOf(options)});
@@ -285,8 +285,20 @@ void checkPrinted()
         throw CaptureError(EXIT_BAD_OUTPUT, std::string("can't write to standard output: ") + std::strerror(errno));
 }
 
+/** Occupy closed standard streams, so that no file that is opened later takes their place and messages. What is written
+ * to them still fails. */
+void keepStandardStreams()
+{
+    int descriptor = 0;
+    while (descriptor >= 0 && descriptor <= STDERR_FILENO)
+        descriptor = open("/dev/null", O_RDONLY); // without O_CLOEXEC, since another program may continue
+    if (descriptor > STDERR_FILENO) close(descriptor);
+}
+
 int run(int argc, char** argv)
 {
+    keepStandardStreams();
+    std::signal(SIGXFSZ, SIG_IGN); // a file that becomes too large is an error of writing
     adaptToThreadSupply();
     findOwnPlugins();
     InputFiles::record();
@@ -319,25 +331,26 @@ int main(int argc, char** argv)
     }
     catch (const osgLego::CaptureError& error)
     {
-        fmt::print(stderr, "osglegocapture: {}\n", error.what());
+        osgLego::printError("osglegocapture: {}\n", error.what());
         return error.getCode();
     }
     catch (const std::bad_alloc&)
     {
-        fmt::print(stderr, "osglegocapture: out of memory; expected a lower resolution, or a smaller picture\n");
+        osgLego::printError("osglegocapture: out of memory; expected a lower resolution, or a smaller picture\n");
         return osgLego::EXIT_BAD_INPUT;
     }
     catch (const std::system_error& error)
     {
         const bool isThread = error.code() == std::errc::resource_unavailable_try_again;
-        fmt::print(stderr, "osglegocapture: {}\n",
-                   isThread ? "the system can't start a thread; expected higher limits of processes and of memory"
-                            : error.what());
+        osgLego::printError("osglegocapture: {}\n",
+                            isThread
+                                ? "the system can't start a thread; expected higher limits of processes and of memory"
+                                : error.what());
         return osgLego::EXIT_BAD_INPUT;
     }
     catch (const std::exception& error)
     {
-        fmt::print(stderr, "osglegocapture: {}\n", error.what());
+        osgLego::printError("osglegocapture: {}\n", error.what());
         return std::ferror(stdout) != 0 ? osgLego::EXIT_BAD_OUTPUT : osgLego::EXIT_BAD_INPUT;
     }
 }
