@@ -36,8 +36,8 @@ struct OSGLEGO_EXPORT DesignCandidate
     /** The mean difference (CIEDE2000) between the outer sides of bricks and the nearest place of the mesh. */
     double colorError = 0.0;
     /** The share of the outer surface of the mesh that the model does not show, since bricks close the gap in which it
-     * is, such as that between two legs: more than one and a quarter of the longest edge of a cell from all outer sides
-     * of bricks, 0 to 1. */
+     * is, such as that between two legs, or the grid cuts it off: more than one and a quarter of the longest edge of a
+     * cell from all outer sides of bricks, 0 to 1. */
     double lostSurface = 0.0;
 
     /** The unlikeness of the model to the mesh, by which candidates are compared: `surfaceError` in percent, a tenth of

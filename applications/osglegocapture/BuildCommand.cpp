@@ -186,25 +186,6 @@ void drawInto(const CaptureOptions& given, const CaptureScene& scene, const std:
     writePicture(file, image);
 }
 
-/** Print a booklet. If that fails or is cancelled, an older PDF is removed, which would seem to be that of the new
- * page.
- * @return why there is no PDF, or an empty text. */
-std::string printOrRemove(const std::string& page, const std::string& pdf)
-{
-    std::error_code ignored;
-    try
-    {
-        std::string why = printBooklet(page, pdf);
-        if (!why.empty()) std::filesystem::remove(pdf, ignored);
-        return why;
-    }
-    catch (const CaptureError&)
-    {
-        std::filesystem::remove(pdf, ignored);
-        throw;
-    }
-}
-
 } // namespace
 
 void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
@@ -229,6 +210,8 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
 
     progress.setRange(DESIGN_SHARE, 1.0);
     writeInstructions(options, lego, {best.stability, best.plan}, context, progress);
+    std::error_code ignored;
+    std::filesystem::remove(files.get(".pdf"), ignored); // an older one would seem to be that of the new page
     if (options.base == BuildingBase::PLATE) scene->addBasePlate(*createBasePlate(*best.model));
     drawInto(options, *scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");
@@ -242,7 +225,7 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
                       stream << "warning: " << defect << '\n';
                   stream << report;
               });
-    const std::string unprinted = printOrRemove(files.get(".html"), files.get(".pdf"));
+    const std::string unprinted = printBooklet(files.get(".html"), files.get(".pdf"));
     progress.clear();
 
     fmt::print("{}\n", report);

@@ -46,12 +46,13 @@ std::string readView(const std::string& text, CaptureOptions& options)
     char rest = 0;
     const int count = std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &read.azimuth, &read.elevation, &read.distance, &rest);
     constexpr double MOST_AZIMUTH = 360000.0; // a thousand turns: sines of huge angles are meaningless
-    const bool isFinite =
+    const bool isInRange =
         std::abs(read.azimuth) <= MOST_AZIMUTH && std::isfinite(read.elevation) && std::isfinite(read.distance);
     const bool isWhole = count == 3 || (count == 2 && text.find_last_of(',') == text.find(','));
-    if (!isWhole || !isFinite || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
+    if (!isWhole || !isInRange || std::abs(read.elevation) > 90.0 || (count == 3 && !(read.distance > 0.0)))
         return badValue("--view", text,
-                        "AZIMUTH,ELEVATION[,DISTANCE]: degrees, degrees from -90 to 90, and radii of the mesh above 0");
+                        "AZIMUTH,ELEVATION[,DISTANCE]: degrees up to 360000, degrees from -90 to 90, and radii of the "
+                        "mesh above 0");
     options.view = read;
     options.isViewGiven = true;
     return {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +14,9 @@ namespace osgLego
 template <typename... Arguments>
 void printError(fmt::format_string<Arguments...> format, Arguments&&... arguments)
 {
-    std::fputs(fmt::format(format, std::forward<Arguments>(arguments)...).c_str(), stderr);
+    fmt::memory_buffer text; // on the stack, also if there is no more memory
+    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
+    std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 } // namespace osgLego

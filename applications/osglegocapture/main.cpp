@@ -153,22 +153,27 @@ std::string toFileName(const std::string& name)
     return name == CaptureOptions::STANDARD_OUTPUT ? std::string() : name;
 }
 
-/** Throws CaptureError if an output can't be written. Called before the work, which may take long. */
-void checkPlaces(const CaptureOptions& options)
+/** The names of all files that may be written; some are empty. */
+std::vector<std::string> getOutputs(const CaptureOptions& options)
 {
-    const std::string statisticsFile = toFileName(options.statistics);
-    const std::string partsFile = toFileName(options.partsList);
-    checkPicturePlace(options.output, options.transparent);
-    checkPlace(statisticsFile);
-    checkPlace(options.cells);
-    checkPartsListPlace(partsFile);
-    if (!options.instructions.empty()) checkInstructionsPlace(options);
-    std::vector<std::string> outputs{options.output, statisticsFile, options.cells, partsFile};
+    std::vector<std::string> outputs{options.output, toFileName(options.statistics), options.cells,
+                                     toFileName(options.partsList)};
     if (!options.reference.empty()) outputs.push_back(differenceNameOf(options));
     if (!options.instructions.empty())
         for (const std::string& file : getInstructionsFiles(options))
             outputs.push_back(file);
-    checkAreDistinct(outputs);
+    return outputs;
+}
+
+/** Throws CaptureError if an output can't be written. Called before the work, which may take long. */
+void checkPlaces(const CaptureOptions& options)
+{
+    checkPicturePlace(options.output, options.transparent);
+    checkPlace(toFileName(options.statistics));
+    checkPlace(options.cells);
+    checkPartsListPlace(toFileName(options.partsList));
+    if (!options.instructions.empty()) checkInstructionsPlace(options);
+    checkAreDistinct(getOutputs(options));
 }
 
 /** @return an empty picture without --compare. */
@@ -198,10 +203,7 @@ void checkParts(const CaptureOptions& options, const CaptureScene& scene)
 std::unique_ptr<CaptureScene> prepareScene(const CaptureOptions& options, const ProgressBar& progress)
 {
     std::unique_ptr<CaptureScene> scene = readScene(options, progress);
-    InputFiles::checkAreKept({options.output, toFileName(options.statistics), options.cells,
-                              toFileName(options.partsList),
-                              options.reference.empty() ? "" : differenceNameOf(options)});
-    if (!options.instructions.empty()) InputFiles::checkAreKept(getInstructionsFiles(options));
+    InputFiles::checkAreKept(getOutputs(options));
     checkParts(options, *scene);
     // Also for pictures: laying parts takes longest, and can be cancelled.
     for (LegoNode* lego : scene->findLegoNodes())
@@ -285,8 +287,8 @@ void checkPrinted()
         throw CaptureError(EXIT_BAD_OUTPUT, std::string("can't write to standard output: ") + std::strerror(errno));
 }
 
-/** Occupy closed standard streams, so that no file that is opened later takes their place and messages. What is written
- * to them still fails. */
+/** Occupy closed standard streams, so that no file that is opened later takes their place and receives their messages.
+ * What is written to them still fails. */
 void keepStandardStreams()
 {
     int descriptor = 0;

@@ -110,7 +110,7 @@ double StepViews::getVisibleShare(const BuildingBox& box, const glm::dvec3& toEy
     std::size_t numVisible = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
-        if (axis < 2 && isGrazing(toEye[axis])) continue; // tops are at least ten degrees from that
+        if (axis < 2 && isGrazing(toEye[axis])) continue; // along z, which counts layers, it is no cosine
         BuildingBox face = box;
         (toEye[axis] > 0.0 ? face.lower : face.upper)[axis] =
             toEye[axis] > 0.0 ? box.upper[axis] - 1 : box.lower[axis] + 1;

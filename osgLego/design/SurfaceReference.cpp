@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <random>
 #include <string>
 #include <tuple>
 
@@ -115,20 +114,22 @@ SurfaceReference::SurfaceReference(const BrickModel& cells)
     chooseOuterPlaces(cells);
 }
 
-/** Choose places that are seen from outside, not through gaps in which no model has cells. */
+/** Choose places that are seen from outside through gaps of about two blocks. */
 void SurfaceReference::chooseOuterPlaces(const BrickModel& cells)
 {
     constexpr std::size_t MOST_PLACES = 8192;
+    std::vector<Place> places;
     const osg::ref_ptr<const BrickModel> blocks = fillCavities(*joinCells(cells));
     for (const Brick& brick : cells.getBricks())
     {
         const Brick* const block = blocks->find(brick.getCell() / BLOCK);
         if (!block || block->openSides == 0) continue;
         const glm::dvec3 middle = findMiddle(cells.getGrid(), brick);
-        _outerPlaces.emplace_back(middle.x, middle.y, middle.z);
+        places.emplace_back(middle.x, middle.y, middle.z);
     }
-    std::shuffle(_outerPlaces.begin(), _outerPlaces.end(), std::mt19937(1));
-    _outerPlaces.resize(std::min(_outerPlaces.size(), MOST_PLACES));
+    const std::size_t number = std::min(places.size(), MOST_PLACES);
+    for (std::size_t index = 0; index < number; ++index)
+        _outerPlaces.push_back(places[places.size() * index / number]);
 }
 
 SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
@@ -158,7 +159,7 @@ SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
             colors += areas[side.axis] * ciede2000(color, _colors[nearest.second]);
         }
     }
-    constexpr double FAR = 1.25; // cells: the surface is at most one below a side, but in concave edges
+    constexpr double FAR = 1.25; // cells: the surface is at most one below a side, except in concave edges
     const double lost =
         findFarShare(_outerPlaces, sides, FAR * std::max({grid.cellSize.x, grid.cellSize.y, grid.cellSize.z}));
     return {std::sqrt(squares / area), colors / area, lost};

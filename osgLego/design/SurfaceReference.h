@@ -45,7 +45,7 @@ private:
     void chooseOuterPlaces(const BrickModel& cells);
 
     Tree _places;
-    std::vector<Place> _outerPlaces; // some of them, evenly spread
+    std::vector<Place> _outerPlaces; // some of those that are seen from outside
     std::vector<glm::dvec3> _colors; // in CIELAB
 };
 

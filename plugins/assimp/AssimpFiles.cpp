@@ -1,5 +1,7 @@
 #include "AssimpFiles.h"
 
+#include <common/ReadAnnouncement.h>
+
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 
@@ -18,8 +20,11 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode)
 
 std::string AssimpFiles::find(const char* name) const
 {
-    // A search for a path that exists finds it, and tells the application's FindFileCallback that it is read.
-    if (DefaultIOSystem::Exists(name)) return osgDB::findDataFile(name, _options);
+    if (DefaultIOSystem::Exists(name))
+    {
+        osgLego::announceReading(name, _options);
+        return name;
+    }
     // Importers put the folder of the model before the name.
     for (const std::string& folder : _options->getDatabasePathList())
     {

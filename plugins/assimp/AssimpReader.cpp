@@ -43,12 +43,15 @@ osg::Matrixd toOsg(const aiMatrix4x4& m)
     return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
 
-bool isScaled(const osg::Matrixd& matrix)
+/** Whether a transform keeps all lengths. */
+bool isRigid(const osg::Matrixd& matrix)
 {
     constexpr double ROUNDING = 1e-6;
-    const osg::Vec3d scale = matrix.getScale();
-    return std::abs(scale.x() - 1.0) > ROUNDING || std::abs(scale.y() - 1.0) > ROUNDING ||
-           std::abs(scale.z() - 1.0) > ROUNDING;
+    const auto getRow = [&matrix](int row) { return osg::Vec3d(matrix(row, 0), matrix(row, 1), matrix(row, 2)); };
+    for (int row = 0; row < 3; ++row)
+        for (int other = row; other < 3; ++other)
+            if (std::abs(getRow(row) * getRow(other) - (row == other ? 1.0 : 0.0)) > ROUNDING) return false;
+    return true;
 }
 
 /** Creates the nodes of a scene. */
@@ -101,7 +104,7 @@ private:
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(matrix);
         node->setName(source.mName.C_Str());
         // Lighting needs normals of length 1.
-        if (isScaled(matrix)) node->getOrCreateStateSet()->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
+        if (!isRigid(matrix)) node->getOrCreateStateSet()->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
         if (!osgLego::isFinite(matrix) && _error.empty())
             _error = "the transform of the node '" + node->getName() +
                      "' is infinite or not a number; expected finite values";

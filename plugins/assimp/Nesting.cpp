@@ -187,8 +187,15 @@ bool endsWithKey(std::string_view text, std::string_view key)
     const std::size_t colon = text.find_last_not_of(SPACE);
     if (colon == std::string_view::npos || text[colon] != ':') return false;
     text = text.substr(0, text.find_last_not_of(SPACE, colon - 1) + 1);
-    if (text.size() < 2) return false;
-    const std::size_t begin = text.find_last_of('"', text.size() - 2);
+    if (text.size() < 2 || text.back() != '"') return false;
+    const auto isEscaped = [text](std::size_t quote)
+    {
+        const std::size_t before = text.substr(0, quote).find_last_not_of('\\');
+        return (quote - (before == std::string_view::npos ? 0 : before + 1)) % 2 == 1;
+    };
+    std::size_t begin = text.find_last_of('"', text.size() - 2);
+    while (begin != std::string_view::npos && begin > 0 && isEscaped(begin))
+        begin = text.find_last_of('"', begin - 1);
     if (begin == std::string_view::npos) return false;
     const std::optional<JsonValue> name = JsonValue::parse(std::string(text.substr(begin)));
     return name && name->toText() == key;

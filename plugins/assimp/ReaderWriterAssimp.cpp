@@ -113,13 +113,13 @@ private:
         return options ? options->cloneOptions() : new Options;
     }
 
-    static ReadResult createNode(const std::string& name, const Options& options, const Read& read)
+    /** The reason why some work fails. OSG expects no exceptions of its plugins. */
+    static std::string findError(const std::function<void(std::string& error)>& work)
     {
         std::string error;
         try
         {
-            AssimpReader reader(name, options);
-            if (const osg::ref_ptr<osg::Node> node = read(reader, error)) return node.get();
+            work(error);
         }
         catch (const std::bad_alloc&)
         {
@@ -129,25 +129,29 @@ private:
         {
             error = exception.what();
         }
-        return ReadResult("osgLego: can't read '" + name + "': " + error);
+        return error;
+    }
+
+    static ReadResult createNode(const std::string& name, const Options& options, const Read& read)
+    {
+        osg::ref_ptr<osg::Node> node;
+        const std::string error = findError(
+            [&](std::string& why)
+            {
+                AssimpReader reader(name, options);
+                node = read(reader, why);
+            });
+        return node ? ReadResult(node.get()) : ReadResult("osgLego: can't read '" + name + "': " + error);
     }
 
     static WriteResult writeBricks(const osg::Node& node, const std::string& name, const Write& write)
     {
         osgLego::GltfWriter writer;
-        std::string error;
-        try
-        {
-            if (writer.add(node, error)) error = write(writer);
-        }
-        catch (const std::bad_alloc&)
-        {
-            error = "there is not enough memory for it";
-        }
-        catch (const std::exception& exception)
-        {
-            error = exception.what();
-        }
+        const std::string error = findError(
+            [&](std::string& why)
+            {
+                if (writer.add(node, why)) why = write(writer);
+            });
         if (!error.empty()) return WriteResult("osgLego: can't write '" + name + "': " + error);
         for (const std::string& warning : writer.getWarnings())
             OSG_WARN << "osgLego: '" << name << "': " << warning << std::endl;

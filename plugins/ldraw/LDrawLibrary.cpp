@@ -3,7 +3,7 @@
 #include "LDrawParser.h"
 #include "LDrawText.h"
 
-#include <osgDB/FileUtils>
+#include <common/ReadAnnouncement.h>
 
 namespace osgLego
 {
@@ -11,10 +11,10 @@ namespace osgLego
 namespace
 {
 
-/** Read a text. The application's FindFileCallback learns of it, as of all files that OSG's readers open. */
-std::optional<std::string> readFoundText(const std::string& path, std::string& error)
+std::optional<std::string> readAnnouncedText(const std::string& path, std::string& error)
 {
-    return readText(osgDB::findDataFile(path), error);
+    announceReading(path);
+    return readText(path, error);
 }
 
 } // namespace
@@ -49,7 +49,7 @@ std::unique_ptr<LDrawDocument> LDrawLibrary::read(const std::string& name)
         const std::string path = _lookup.findFile(folder, name);
         if (path.empty()) continue;
         std::string error;
-        const std::optional<std::string> text = readFoundText(path, error);
+        const std::optional<std::string> text = readAnnouncedText(path, error);
         std::optional<LDrawDocument> document;
         if (text) document = LDrawParser::parse(*text, error);
         if (document)
@@ -68,7 +68,7 @@ std::vector<LDrawColorDefinition> LDrawLibrary::readColors()
     if (!_hasParts) return {};
     std::string error;
     const std::string path = _lookup.findFile(_libraryFolder, "ldconfig.ldr");
-    const std::optional<std::string> text = path.empty() ? std::nullopt : readFoundText(path, error);
+    const std::optional<std::string> text = path.empty() ? std::nullopt : readAnnouncedText(path, error);
     const std::optional<LDrawDocument> document = text ? LDrawParser::parse(*text, error) : std::nullopt;
     return document ? document->getColors() : std::vector<LDrawColorDefinition>();
 }

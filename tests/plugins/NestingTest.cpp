@@ -152,6 +152,16 @@ TEST_F(Nesting, OfNodesInTwoListsIsAnError)
     EXPECT_NE(errorOf("gltf", twice).find("several lists of nodes; expected one"), std::string::npos);
 }
 
+TEST_F(Nesting, OfDamagedKeysTakesNoLongerThanTheirText)
+{
+    // Quadratic time would be hours.
+    for (const std::string key : {":[]", "\"a\":[]", "\"\\\"nodes\":[],\"\\\"nodes\":[]"})
+    {
+        const std::string error = errorOf("gltf", "{" + repeat(key, 1000000) + "}");
+        EXPECT_EQ(error.find("several lists"), std::string::npos) << error;
+    }
+}
+
 TEST_F(Nesting, OfANodeInTwoNodesIsAnError)
 {
     // Each node twice in the one before: 2^30 nodes in all.

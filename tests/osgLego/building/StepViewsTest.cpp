@@ -74,6 +74,11 @@ TEST(StepViews, FacesSeenEdgeOnShowNoPart)
         EXPECT_FALSE(views.canShow({0}, false)) << azimuth;
         EXPECT_EQ(views.show({0}), 1) << azimuth;
     }
+    // From above, the top always counts.
+    const std::vector<BuildingBox> open(boxes.begin(), boxes.end() - 1);
+    StepViews above(open, 0.4, {33.0, BuildingView::MOST_ELEVATION});
+    EXPECT_EQ(above.show({1}), 0);
+    EXPECT_TRUE(above.canShow({0}, false));
 }
 
 TEST(StepViews, StayWhenHalfOfTheNewPartsAreHiddenFromEverywhere)

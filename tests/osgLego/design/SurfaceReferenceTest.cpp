@@ -99,6 +99,19 @@ TEST(SurfaceReference, TheSurfaceInAGapThatBricksCloseIsLost)
     EXPECT_LE(closed.distance, 0.2) << "the bricks in the gap are near the surface";
 }
 
+TEST(SurfaceReference, TheSurfaceInAHairlineGapIsNotLost)
+{
+    // Two boxes that are two fine cells apart.
+    const auto isOnBox = [](const glm::ivec3& cell)
+    {
+        constexpr int END = FINE / 2 - 1;
+        const int x = std::min(cell.x, FINE - 1 - cell.x);
+        return x < END && (x == 0 || x == END - 1 || isOnSurface(FINE)(cell));
+    };
+    const SurfaceReference reference(*makeCube(FINE, RED, isOnBox));
+    EXPECT_EQ(reference.compare(*makeCube(10, RED, [](const glm::ivec3&) { return true; })).lost, 0.0);
+}
+
 TEST(SurfaceReference, ASurfaceThatIsNotSeenFromOutsideIsNotLost)
 {
     // A cube in a cube.
