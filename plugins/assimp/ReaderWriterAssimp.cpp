@@ -114,7 +114,8 @@ private:
     }
 
     /** The reason why some work fails. OSG expects no exceptions of its plugins. */
-    static std::string findError(const std::function<void(std::string& error)>& work)
+    template <typename Work> // no std::function, which takes memory before any exception is caught
+    static std::string findError(const Work& work)
     {
         std::string error;
         try
