@@ -2,11 +2,9 @@
 
 #include "StandardError.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
-#include <fmt/format.h>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 

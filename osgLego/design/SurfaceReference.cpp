@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
-#include <tuple>
 
 namespace osgLego
 {
@@ -47,7 +46,7 @@ osg::ref_ptr<const BrickModel> fillCavities(const BrickModel& model)
     return BrickModel::create(model.getGrid(), std::move(cells.bricks));
 }
 
-using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+using Place = SurfaceReference::Place;
 using Box = boost::geometry::model::box<Place>;
 
 /** The side of a cell, as a flat box. @param middle of the side. @param axis of its normal. */
@@ -91,10 +90,8 @@ osg::ref_ptr<const BrickModel> joinCells(const BrickModel& cells)
             place = static_cast<std::uint16_t>(place / BLOCK);
         blocks.push_back(brick);
     }
-    const auto rank = [](const Brick& brick) { return std::tuple(brick.cell[2], brick.cell[1], brick.cell[0]); };
-    std::sort(blocks.begin(), blocks.end(), [&](const Brick& a, const Brick& b) { return rank(a) < rank(b); });
-    const auto isSame = [](const Brick& a, const Brick& b) { return a.cell == b.cell; };
-    blocks.erase(std::unique(blocks.begin(), blocks.end(), isSame), blocks.end());
+    std::ranges::sort(blocks, {}, &Brick::cell);
+    blocks.erase(std::ranges::unique(blocks, {}, &Brick::cell).begin(), blocks.end());
     return BrickModel::create(grid, std::move(blocks));
 }
 

@@ -30,6 +30,8 @@ struct SurfaceDifference
 class SurfaceReference
 {
 public:
+    using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+
     /** @param cells the cells that the mesh covers, much smaller than those of models, in the colours of the mesh. Not
      * empty. */
     explicit SurfaceReference(const BrickModel& cells);
@@ -38,7 +40,6 @@ public:
     SurfaceDifference compare(const BrickModel& model) const;
 
 private:
-    using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
     using Entry = std::pair<Place, std::size_t>; // and the index of its colour
     using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
 
