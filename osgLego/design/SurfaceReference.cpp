@@ -91,7 +91,8 @@ osg::ref_ptr<const BrickModel> joinCells(const BrickModel& cells)
         blocks.push_back(brick);
     }
     std::ranges::sort(blocks, {}, &Brick::cell);
-    blocks.erase(std::ranges::unique(blocks, {}, &Brick::cell).begin(), blocks.end());
+    const auto isSame = [](const Brick& a, const Brick& b) { return a.cell == b.cell; };
+    blocks.erase(std::unique(blocks.begin(), blocks.end(), isSame), blocks.end());
     return BrickModel::create(grid, std::move(blocks));
 }
 
