@@ -1,3 +1,6 @@
+// Boost.Geometry includes such a header itself, which would print a note with every build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+
 #include <osgLego/design/SurfaceReference.h>
 
 #include <osgLego/layout/CellFill.h>
@@ -10,6 +13,12 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <glm/vec3.hpp>
 
 namespace osgLego
 {
@@ -46,8 +55,15 @@ osg::ref_ptr<const BrickModel> fillCavities(const BrickModel& model)
     return BrickModel::create(model.getGrid(), std::move(cells.bricks));
 }
 
-using Place = SurfaceReference::Place;
+using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 using Box = boost::geometry::model::box<Place>;
+using Entry = std::pair<Place, std::size_t>; // and the index of its colour
+using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
+
+Place toPlace(const glm::dvec3& place)
+{
+    return {place.x, place.y, place.z};
+}
 
 /** The side of a cell, as a flat box. @param middle of the side. @param axis of its normal. */
 Box findBox(const BrickGrid& grid, const glm::dvec3& middle, int axis)
@@ -96,24 +112,8 @@ osg::ref_ptr<const BrickModel> joinCells(const BrickModel& cells)
     return BrickModel::create(grid, std::move(blocks));
 }
 
-} // namespace
-
-SurfaceReference::SurfaceReference(const BrickModel& cells)
-{
-    std::vector<Entry> entries;
-    entries.reserve(cells.getBricks().size());
-    for (const Brick& brick : cells.getBricks())
-    {
-        const glm::dvec3 middle = findMiddle(cells.getGrid(), brick);
-        entries.emplace_back(Place(middle.x, middle.y, middle.z), _colors.size());
-        _colors.push_back(toCieLab(brick.color));
-    }
-    _places = Tree(entries); // packed, which is faster than one by one
-    chooseOuterPlaces(cells);
-}
-
-/** Choose places that are seen from outside through gaps of about two blocks. */
-void SurfaceReference::chooseOuterPlaces(const BrickModel& cells)
+/** Some of the places that are seen from outside through gaps of about two blocks. */
+std::vector<Place> chooseOuterPlaces(const BrickModel& cells)
 {
     constexpr std::size_t MOST_PLACES = 8192;
     std::vector<Place> places;
@@ -122,13 +122,40 @@ void SurfaceReference::chooseOuterPlaces(const BrickModel& cells)
     {
         const Brick* const block = blocks->find(brick.getCell() / BLOCK);
         if (!block || block->openSides == 0) continue;
-        const glm::dvec3 middle = findMiddle(cells.getGrid(), brick);
-        places.emplace_back(middle.x, middle.y, middle.z);
+        places.push_back(toPlace(findMiddle(cells.getGrid(), brick)));
     }
     const std::size_t number = std::min(places.size(), MOST_PLACES);
+    std::vector<Place> chosen;
     for (std::size_t index = 0; index < number; ++index)
-        _outerPlaces.push_back(places[places.size() * index / number]);
+        chosen.push_back(places[places.size() * index / number]);
+    return chosen;
 }
+
+} // namespace
+
+struct SurfaceReference::Places
+{
+    Tree all;
+    std::vector<glm::dvec3> colors; // in CIELAB
+    std::vector<Place> outer;
+};
+
+SurfaceReference::SurfaceReference(const BrickModel& cells)
+{
+    auto places = std::make_unique<Places>();
+    std::vector<Entry> entries;
+    entries.reserve(cells.getBricks().size());
+    for (const Brick& brick : cells.getBricks())
+    {
+        entries.emplace_back(toPlace(findMiddle(cells.getGrid(), brick)), entries.size());
+        places->colors.push_back(toCieLab(brick.color));
+    }
+    places->all = Tree(entries); // packed, which is faster than one by one
+    places->outer = chooseOuterPlaces(cells);
+    _places = std::move(places);
+}
+
+SurfaceReference::~SurfaceReference() = default;
 
 SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
 {
@@ -148,18 +175,17 @@ SurfaceDifference SurfaceReference::compare(const BrickModel& model) const
             if (!(brick.openSides & side.side)) continue;
             glm::dvec3 middle = findMiddle(grid, brick);
             middle[side.axis] += side.offset * grid.cellSize[side.axis];
-            const Place place(middle.x, middle.y, middle.z);
             sides.push_back(findBox(grid, middle, side.axis));
             Entry nearest;
-            _places.query(boost::geometry::index::nearest(place, 1), &nearest);
+            _places->all.query(boost::geometry::index::nearest(toPlace(middle), 1), &nearest);
             area += areas[side.axis];
-            squares += areas[side.axis] * boost::geometry::comparable_distance(place, nearest.first);
-            colors += areas[side.axis] * ciede2000(color, _colors[nearest.second]);
+            squares += areas[side.axis] * boost::geometry::comparable_distance(toPlace(middle), nearest.first);
+            colors += areas[side.axis] * ciede2000(color, _places->colors[nearest.second]);
         }
     }
     constexpr double FAR = 1.25; // cells: the surface is at most one below a side, except in concave edges
     const double lost =
-        findFarShare(_outerPlaces, sides, FAR * std::max({grid.cellSize.x, grid.cellSize.y, grid.cellSize.z}));
+        findFarShare(_places->outer, sides, FAR * std::max({grid.cellSize.x, grid.cellSize.y, grid.cellSize.z}));
     return {std::sqrt(squares / area), colors / area, lost};
 }
 

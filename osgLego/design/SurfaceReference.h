@@ -2,12 +2,7 @@
 
 #include <osgLego/BrickModel.h>
 
-#include <utility>
-#include <vector>
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <glm/vec3.hpp>
+#include <memory>
 
 namespace osgLego
 {
@@ -30,24 +25,18 @@ struct SurfaceDifference
 class SurfaceReference
 {
 public:
-    using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-
     /** @param cells the cells that the mesh covers, much smaller than those of models, in the colours of the mesh. Not
      * empty. */
     explicit SurfaceReference(const BrickModel& cells);
+    ~SurfaceReference();
 
     /** @param model with at least one brick, in the same coordinates. Sides inside closed cavities do not count. */
     SurfaceDifference compare(const BrickModel& model) const;
 
 private:
-    using Entry = std::pair<Place, std::size_t>; // and the index of its colour
-    using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
+    struct Places; // of Boost.Geometry, whose headers take long to compile
 
-    void chooseOuterPlaces(const BrickModel& cells);
-
-    Tree _places;
-    std::vector<Place> _outerPlaces; // some of those that are seen from outside
-    std::vector<glm::dvec3> _colors; // in CIELAB
+    std::unique_ptr<const Places> _places;
 };
 
 } // namespace osgLego
