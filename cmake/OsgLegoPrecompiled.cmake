@@ -40,6 +40,6 @@ endfunction()
 
 # Make a program, or objects that are linked only into programs, use the header that applications/ precompiles for them.
 function(osglego_precompile_program target)
-    target_compile_options(${target} PRIVATE -fPIE)
+    osglego_compile_for_programs(${target})
     target_precompile_headers(${target} REUSE_FROM osgLegoPrecompiledProgram)
 endfunction()

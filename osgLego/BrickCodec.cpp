@@ -78,8 +78,8 @@ void writeGrid(const BrickGrid& grid, ByteWriter& writer)
 }
 
 /** @return one sentence if a grid has too many cells, or cells so long that tables of the space around bricks would not
- * fit into memory, or is so far away that nothing could draw it; otherwise empty. */
-std::string findObstacle(const glm::dvec3& cells, const BrickGrid& grid)
+ * fit into memory; otherwise empty. */
+std::string findObstacleOfCells(const glm::dvec3& cells, const BrickGrid& grid)
 {
     std::ostringstream text;
     if (!GridLimits::contain(cells, grid.getUpIndex()))
@@ -90,15 +90,37 @@ std::string findObstacle(const glm::dvec3& cells, const BrickGrid& grid)
     if (!(longest <= GridLimits::MOST_STRETCH * shortest))
         text << "the cells of the bricks are " << longest / shortest << " times as long as wide; expected at most "
              << GridLimits::MOST_STRETCH << " times in stored bricks";
+    return text.str();
+}
+
+/** @return one sentence if a grid is so far away or so small that nothing could draw it; otherwise empty. OSG computes
+ * views and bounds in single precision. */
+std::string findObstacleToDrawing(const glm::dvec3& cells, const BrickGrid& grid)
+{
     // Meshes end at SceneVertex::MAXIMUM_COORDINATE; a cell may be as long as they are, and begin a cell before them.
     constexpr double MOST_DISTANCE = 4e18;
-    const glm::dvec3 end = grid.origin + cells * grid.cellSize;
-    for (int axis = 0; axis < 3 && text.str().empty(); ++axis)
-        if (const double farthest = std::max(std::abs(grid.origin[axis]), std::abs(end[axis]));
-            farthest > MOST_DISTANCE)
-            text << "the bricks reach " << farthest << " model units; expected at most " << MOST_DISTANCE
-                 << " in stored bricks";
+    constexpr double LEAST_SIZE = 1e-18; // SceneTriangles ignores smaller meshes
+    constexpr double ROUNDING = 0x1p-24; // of single precision
+    const glm::dvec3 size = cells * grid.cellSize;
+    const glm::dvec3 reach = glm::max(glm::abs(grid.origin), glm::abs(grid.origin + size));
+    const double farthest = std::max({reach.x, reach.y, reach.z});
+    const double longest = std::max({size.x, size.y, size.z});
+    const double least = std::max(LEAST_SIZE, ROUNDING * farthest);
+    std::ostringstream text;
+    if (farthest > MOST_DISTANCE)
+        text << "the bricks reach " << farthest << " model units; expected at most " << MOST_DISTANCE
+             << " in stored bricks";
+    else if (longest > 0.0 && longest < least) // a model without cells draws nothing
+        text << "the longest side of the bricks is " << longest << " model units; expected at least " << least
+             << " of bricks that reach " << farthest;
     return text.str();
+}
+
+/** @return one sentence if a grid can't be stored; otherwise empty. */
+std::string findObstacleOfGrid(const glm::dvec3& cells, const BrickGrid& grid)
+{
+    std::string obstacle = findObstacleOfCells(cells, grid);
+    return obstacle.empty() ? findObstacleToDrawing(cells, grid) : obstacle;
 }
 
 /** @return false if a value is impossible, with one sentence in `error` if the grid is too large. */
@@ -117,7 +139,7 @@ bool readGrid(ByteReader& reader, BrickGrid& grid, std::string& error)
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(grid.origin[axis]) || !std::isfinite(grid.cellSize[axis]) || !(grid.cellSize[axis] > 0.0))
             return false;
-    if (const std::string obstacle = findObstacle(cells, grid); !obstacle.empty())
+    if (const std::string obstacle = findObstacleOfGrid(cells, grid); !obstacle.empty())
     {
         error = obstacle;
         return false;
@@ -157,7 +179,7 @@ std::string findObstacle(const std::vector<Part>& parts)
 std::string findObstacle(const BrickModel& model)
 {
     const BrickGrid& grid = model.getGrid();
-    if (std::string obstacle = findObstacle(grid.dimensions, grid); !obstacle.empty()) return obstacle;
+    if (std::string obstacle = findObstacleOfGrid(grid.dimensions, grid); !obstacle.empty()) return obstacle;
     if (!model.getParts().empty()) return findObstacle(model.getParts());
     return findObstacle(model.getBricks().size(), "bricks");
 }

@@ -14,7 +14,7 @@ namespace osgLego
 namespace
 {
 
-constexpr std::array<int, 2> SIGNALS{SIGINT, SIGTERM};
+constexpr std::array<int, 3> SIGNALS{SIGINT, SIGTERM, SIGHUP};
 constexpr int BY_SIGNAL = 128;
 
 // Signal handlers may only use atomic objects without locks.

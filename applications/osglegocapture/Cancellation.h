@@ -6,8 +6,8 @@
 namespace osgLego
 {
 
-/** Records SIGINT and SIGTERM, which then do not end the program, so that it can remove unfinished files. A signal that
- * the program was started to ignore is still ignored.
+/** Records SIGINT, SIGTERM and SIGHUP, which then do not end the program, so that it can remove unfinished files. A
+ * signal that the program was started to ignore is still ignored.
  *
  *     const Cancellation cancellation;
  *     options.isCancelled = Cancellation::isRequested;
@@ -43,7 +43,7 @@ public:
 private:
     using Handler = void (*)(int);
 
-    std::array<Handler, 2> _former{}; // of SIGINT and SIGTERM
+    std::array<Handler, 3> _former{}; // of the signals
 };
 
 } // namespace osgLego

@@ -1,5 +1,6 @@
 #include "CaptureFiles.h"
 
+#include "Cancellation.h"
 #include "ExitCode.h"
 
 #include <common/CompleteFile.h>
@@ -75,12 +76,14 @@ void checkAreDistinct(const std::vector<std::string>& fileNames)
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)
 {
-    const std::string why = writeCompleteFile(fileName,
-                                              [&](std::ostream& stream)
-                                              {
-                                                  write(stream);
-                                                  return std::string();
-                                              });
+    const std::string why =
+        writeCompleteFile(fileName,
+                          [&](std::ostream& stream)
+                          {
+                              write(stream);
+                              Cancellation::check("cancelled before '" + fileName + "' was written");
+                              return std::string();
+                          });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
 

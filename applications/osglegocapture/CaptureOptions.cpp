@@ -339,7 +339,7 @@ std::string createFooter()
            "key\n" +
            describeKeys(AmbientOcclusionSettings::describe()) +
            "\nExit codes: 0 fine, 1 --compare found a difference, 2 bad options, 3 bad input, 4 output can't be "
-           "written,\n5 no GL that can make bricks, 130 and 143 cancelled by SIGINT or SIGTERM.";
+           "written,\n5 no GL that can make bricks, 129, 130 and 143 cancelled by SIGHUP, SIGINT or SIGTERM.";
 }
 
 } // namespace

@@ -68,8 +68,7 @@ std::string findObstacle(const std::string& fileName)
 std::string findMissing(const std::string& fileName)
 {
     const std::string model = LegolizeName::stripPseudoLoaders(fileName);
-    // The built-in model and those of servers are no files.
-    if ((model != fileName && model == "sample") || osgDB::containsServerAddress(fileName)) return {};
+    if (model != fileName && model == "sample") return {}; // the built-in model is no file
     if (!osgDB::findDataFile(fileName).empty() || !osgDB::findDataFile(model).empty()) return {};
     return model == fileName ? "there is no such file" : "there is no file '" + model + "'";
 }
@@ -77,6 +76,7 @@ std::string findMissing(const std::string& fileName)
 /** The reason why OpenSceneGraph has not read a file. */
 std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
 {
+    if (osgDB::containsServerAddress(fileName)) return "osglegocapture does not use the network; expected a file";
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
     const std::string missing = findMissing(fileName);
     // OSG reports a missing plugin with the status of other errors, so that only its message tells.
@@ -87,7 +87,8 @@ std::string explain(const std::string& fileName, const osgDB::ReaderWriter::Read
     const std::string ownPrefix = "osgLego: can't read '" + fileName + "': ";
     if (result.message().starts_with(ownPrefix)) return result.message().substr(ownPrefix.size());
     if (!result.message().empty()) return result.message();
-    return missing.empty() ? "OpenSceneGraph can't read it" : missing;
+    return missing.empty() ? "OpenSceneGraph can't read it; expected a complete file of the format of its ending"
+                           : missing;
 }
 
 osg::ref_ptr<osg::Node> readMesh(const CaptureOptions& options)
@@ -206,7 +207,7 @@ void CaptureScene::legolize()
     _lego->setTiming(!_options.statistics.empty());
     _lego->setReadBack(!_options.statistics.empty() || !_options.cells.empty());
     if (!_lego->hasTriangles())
-        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize");
+        throw CaptureError(EXIT_BAD_INPUT, "'" + _options.mesh + "' has no triangles to legolize; expected a mesh");
     if (const std::string obstacle = _lego->getObstacle(); !obstacle.empty())
         throw CaptureError(EXIT_BAD_INPUT, obstacle);
 }

@@ -38,7 +38,6 @@ public:
                              osgDB::CaseSensitivity sensitivity) override
     {
         std::string found = FindFileCallback::findDataFile(fileName, options, sensitivity);
-        if (osgDB::containsServerAddress(fileName)) return found; // its plugin reads it without a search
         const bool isFile = !found.empty() && osgDB::fileType(found) != osgDB::DIRECTORY;
         const std::lock_guard lock(_mutex);
         (isFile ? _requested : _missing).insert(fileName);

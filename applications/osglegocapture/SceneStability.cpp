@@ -15,8 +15,10 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <thread>
 
 #include <fmt/format.h>
+#include <osg/Timer>
 
 namespace osgLego
 {
@@ -89,18 +91,47 @@ void warnOfTime(std::size_t numParts)
                numParts);
 }
 
+/** Whether to end, asked regularly by any thread: shows the seconds that the work has taken, by the thread that waits
+ * for it. Nothing tells how much is left. */
+class StabilityProgress
+{
+public:
+    StabilityProgress(std::size_t numParts, const ProgressBar& progress) : _numParts(numParts), _progress(progress) {}
+
+    bool operator()()
+    {
+        if (std::this_thread::get_id() == _caller) show();
+        return Cancellation::isRequested();
+    }
+
+private:
+    void show()
+    {
+        const auto seconds = static_cast<int>(_timer.time_s());
+        if (seconds == _seconds) return;
+        _seconds = seconds;
+        _progress.show(fmt::format("computing whether {} parts stand, {} s", _numParts, seconds));
+    }
+
+    std::size_t _numParts;
+    const ProgressBar& _progress;
+    std::thread::id _caller = std::this_thread::get_id();
+    osg::Timer _timer;
+    int _seconds = 0;
+};
+
 } // namespace
 
-SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models,
-                               const CaptureOptions& options) :
+SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, const CaptureOptions& options,
+                               const ProgressBar& progress) :
     _base(options.base.value()),
     _weights(findWeights(models, options.loads))
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
     {
         warnOfTime(model->getParts().size());
-        const std::optional<StabilityReport> report =
-            computeStability(*model, {_base, Cancellation::isRequested, _weights, options.tilt});
+        const std::optional<StabilityReport> report = computeStability(
+            *model, {_base, StabilityProgress(model->getParts().size(), progress), _weights, options.tilt});
         Cancellation::check();
         _models.push_back({model, *report, countPieces(*model, _base)});
     }

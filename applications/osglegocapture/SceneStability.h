@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CaptureOptions.h"
+#include "ProgressBar.h"
 
 #include <common/JsonValue.h>
 #include <osgLego/BrickModel.h>
@@ -21,8 +22,10 @@ class SceneStability
 public:
     /** Throws CaptureError if it is cancelled, and if loads are on no part or could be on several.
      * @param models at least one, each with parts.
-     * @param options their base, loads and tilt. */
-    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, const CaptureOptions& options);
+     * @param options their base, loads and tilt.
+     * @param progress tells how long the work has taken. */
+    SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>& models, const CaptureOptions& options,
+                   const ProgressBar& progress);
 
     /** The report on the only model; nothing if there are several. */
     std::optional<StabilityReport> getReport() const;

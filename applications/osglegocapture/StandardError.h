@@ -14,7 +14,7 @@ namespace osgLego
 template <typename... Arguments>
 void printError(fmt::format_string<Arguments...> format, Arguments&&... arguments)
 {
-    fmt::memory_buffer text; // on the stack, also if there is no more memory
+    fmt::memory_buffer text; // on the stack, unless the text is long: messages on a lack of memory are short
     fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
     std::fwrite(text.data(), 1, text.size(), stderr);
 }

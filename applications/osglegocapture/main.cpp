@@ -141,7 +141,7 @@ std::optional<SceneStability> reportStability(const CaptureOptions& options, con
 {
     if (!options.base) return std::nullopt;
     progress.show("computing stability");
-    SceneStability stability(scene.findPartModels(), options);
+    SceneStability stability(scene.findPartModels(), options, progress);
     progress.clear();
     fmt::print("{}", stability.toText());
     return stability;
@@ -280,6 +280,12 @@ void findOwnPlugins()
         if (std::filesystem::is_directory(tree / folder, error)) folders.push_back((tree / folder).string());
 }
 
+/** Keep OSG from reading what models name by addresses of servers: a model from elsewhere must not call home. */
+void forbidNetwork()
+{
+    osgDB::Registry::instance()->addFileExtensionAlias("curl", "no-network"); // for which there is no plugin
+}
+
 /** Throws CaptureError if something printed could not be written. */
 void checkPrinted()
 {
@@ -300,9 +306,11 @@ void keepStandardStreams()
 int run(int argc, char** argv)
 {
     keepStandardStreams();
-    std::signal(SIGXFSZ, SIG_IGN); // a file that becomes too large is an error of writing
+    std::signal(SIGXFSZ, SIG_IGN); // a file that becomes too large is an error of writing,
+    std::signal(SIGPIPE, SIG_IGN); // and so is a pipe that nobody reads
     adaptToThreadSupply();
     findOwnPlugins();
+    forbidNetwork();
     InputFiles::record();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options))
@@ -343,6 +351,11 @@ int main(int argc, char** argv)
     }
     catch (const std::system_error& error)
     {
+        if (std::ferror(stdout) != 0)
+        {
+            osgLego::printError("osglegocapture: can't write to standard output: {}\n", error.code().message());
+            return osgLego::EXIT_BAD_OUTPUT;
+        }
         const bool isThread = error.code() == std::errc::resource_unavailable_try_again;
         osgLego::printError("osglegocapture: {}\n",
                             isThread
@@ -353,6 +366,6 @@ int main(int argc, char** argv)
     catch (const std::exception& error)
     {
         osgLego::printError("osglegocapture: {}\n", error.what());
-        return std::ferror(stdout) != 0 ? osgLego::EXIT_BAD_OUTPUT : osgLego::EXIT_BAD_INPUT;
+        return osgLego::EXIT_BAD_INPUT;
     }
 }

@@ -162,7 +162,7 @@ private:
         osg::ref_ptr<osgLego::LegoNode> lego = new osgLego::LegoNode(settings.lego);
         lego->setName(name);
         lego->addChild(source);
-        if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it");
+        if (!lego->hasTriangles()) return ReadResult("there are no triangles to legolize in it; expected a mesh");
         if (const std::string obstacle = lego->getObstacle(); !obstacle.empty()) return ReadResult(obstacle);
         setLight(*lego, settings, probe);
         if (settings.lego.grid.upAxis == osgLego::UpAxis::Y)

@@ -74,6 +74,22 @@ TEST_F(CompleteFile, HasEachByteOfALargeText)
     EXPECT_TRUE(contentsOf(name) == text);
 }
 
+TEST_F(CompleteFile, OfTwoWritersAtOnceIsTheWholeFileOfTheOneThatEndsLast)
+{
+    const std::string name = pathOf("a.txt");
+    const auto writeBetween = [&](std::ostream& stream)
+    {
+        stream << "fir" << std::flush;
+        EXPECT_EQ(writeCompleteFile(name, writeWhole), "");
+        EXPECT_EQ(contentsOf(name), "whole");
+        stream << "st";
+        return std::string();
+    };
+    EXPECT_EQ(writeCompleteFile(name, writeBetween), "");
+    EXPECT_EQ(contentsOf(name), "first");
+    EXPECT_EQ(countFiles(), 1u);
+}
+
 TEST_F(CompleteFile, KeepsTheOldFileWhenWritingFails)
 {
     const std::string name = pathOf("a.txt");

@@ -36,7 +36,7 @@ BrickGrid createGrid(const glm::ivec3& dimensions)
 {
     BrickGrid grid;
     grid.dimensions = dimensions;
-    grid.origin = {-1.1, 1e-300, 1e18};
+    grid.origin = {-1.1, 1e-300, 4e5};
     grid.cellSize = {0.1, 0.1, 0.04};
     return grid;
 }
@@ -73,6 +73,12 @@ class BrickCodec : public ::testing::Test
 protected:
     osg::ref_ptr<const BrickModel> _car = legolizeOnCpu(*createRacingCar(), parseSettings("20,proportions=plate"));
     std::string _bytes = encodeBricks(*_car);
+
+    /** The bytes with other lengths of cells. */
+    std::string withCells(double length) const
+    {
+        return forge(_bytes, CELL_SIZE, toBytes(length) + toBytes(length) + toBytes(length));
+    }
 };
 
 TEST_F(BrickCodec, ModelsAreEqualAfterDecoding)
@@ -179,12 +185,24 @@ TEST_F(BrickCodec, GridsTooFarAwayToBeDrawnAreNotRead)
 {
     for (const std::string& forged : {forge(_bytes, ORIGIN, toBytes(-1e300)), forge(_bytes, ORIGIN + 8, toBytes(5e18))})
         EXPECT_NE(errorOf(forged).find("model units; expected at most 4e+18"), std::string::npos) << errorOf(forged);
-    std::string large = _bytes;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        large = forge(large, CELL_SIZE + 8 * axis, toBytes(1e300));
+    const std::string large = withCells(1e300);
     EXPECT_NE(errorOf(large).find("model units; expected at most 4e+18"), std::string::npos) << errorOf(large);
     std::string error;
-    EXPECT_TRUE(decodeBricks(forge(_bytes, ORIGIN, toBytes(-1e18)), error)) << error;
+    EXPECT_TRUE(decodeBricks(forge(withCells(1e17), ORIGIN, toBytes(-1e18)), error)) << error;
+}
+
+TEST_F(BrickCodec, GridsTooSmallToBeDrawnWhereTheyAreAreNotRead)
+{
+    const std::string expected = " model units; expected at least ";
+    for (const std::string& forged : {withCells(1e-15), withCells(1e-300), forge(_bytes, ORIGIN, toBytes(-1e12)),
+                                      forge(_bytes, ORIGIN, toBytes(1e18))})
+        EXPECT_NE(errorOf(forged).find(expected), std::string::npos) << errorOf(forged);
+    std::string small = withCells(1e-21);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        small = forge(small, ORIGIN + 8 * axis, toBytes(0.0));
+    EXPECT_NE(errorOf(small).find(expected + "1e-18"), std::string::npos) << errorOf(small);
+    std::string error;
+    EXPECT_TRUE(decodeBricks(withCells(0.1), error)) << error;
 }
 
 TEST_F(BrickCodec, GridsBeyondTheLimitsAreNeitherWrittenNorRead)

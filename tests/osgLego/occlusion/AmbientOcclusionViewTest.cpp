@@ -3,6 +3,9 @@
 #include <common/RacingCar.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <osg/BlendFunc>
 #include <osg/MatrixTransform>
@@ -50,6 +53,24 @@ TEST_F(AmbientOcclusionView, AViewportThatChangesItsSizeShowsWhatAFreshOneDoes)
         const osg::ref_ptr<osg::Image> resized = draw(*group, MIXED_VIEW);
         EXPECT_EQ(countDifferent(*resized, *draw(*createGroup("medium", scene), MIXED_VIEW), 1), 0u) << width;
         draw(*group, MIXED_VIEW);
+    }
+}
+
+TEST_F(AmbientOcclusionView, ViewportsOfNoPixelAndOfOneLeaveLaterPicturesAsTheyWere)
+{
+    const osg::ref_ptr<AmbientOcclusionScene> group = createGroup("medium", createMixedScene());
+    const auto drawInto = [&](int width, int height)
+    {
+        _viewer.getCamera()->setViewport(0, 0, width, height);
+        return draw(*group, MIXED_VIEW);
+    };
+    const osg::ref_ptr<osg::Image> before = drawInto(WIDTH, HEIGHT);
+    EXPECT_GT(countDrawn(*before), 1500u);
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {0, HEIGHT}, {WIDTH, 1}})
+    {
+        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+        drawInto(width, height);
+        EXPECT_EQ(countDifferent(*before, *drawInto(WIDTH, HEIGHT), 0), 0u);
     }
 }
 
