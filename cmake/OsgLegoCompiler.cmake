@@ -36,7 +36,9 @@ endif()
 if(OSGLEGO_SCALAR)
     target_compile_definitions(osgLegoOptions INTERFACE OSGLEGO_SCALAR)
 endif()
-if(OSGLEGO_SANITIZE STREQUAL "thread")
+if(OSGLEGO_SANITIZE AND MSVC)
+    message(FATAL_ERROR "OSGLEGO_SANITIZE needs the sanitizers of GCC or Clang; expected one of these compilers")
+elseif(OSGLEGO_SANITIZE STREQUAL "thread")
     target_compile_options(osgLegoOptions INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
     target_link_options(osgLegoOptions INTERFACE -fsanitize=thread)
 elseif(OSGLEGO_SANITIZE)
@@ -93,7 +95,11 @@ set(OSGLEGO_TEST_COMPILE_OPTIONS $<$<AND:$<NOT:$<BOOL:${MSVC}>>,$<CONFIG:Release
 
 # Link OSMesa before all other libraries, even if a program calls none of its functions.
 function(osglego_link_osmesa_first target)
-    target_link_options(${target} INTERFACE -Wl,--push-state,--no-as-needed -lOSMesa -Wl,--pop-state)
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux") # other linkers keep libraries of which nothing is called
+        target_link_options(${target} INTERFACE -Wl,--push-state,--no-as-needed -lOSMesa -Wl,--pop-state)
+    else()
+        target_link_options(${target} INTERFACE -lOSMesa)
+    endif()
 endfunction()
 
 # Link a program with libFuzzer, which has its main().

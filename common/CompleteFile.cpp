@@ -53,7 +53,16 @@ std::string writeDevice(const std::string& name, const std::function<std::string
 {
     const int descriptor = open(name.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return std::strerror(errno);
-    std::string why = writeTo(descriptor, write);
+    std::string why;
+    try
+    {
+        why = writeTo(descriptor, write);
+    }
+    catch (...)
+    {
+        close(descriptor);
+        throw;
+    }
     if (close(descriptor) != 0 && why.empty()) why = std::strerror(errno);
     return why;
 }

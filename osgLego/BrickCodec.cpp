@@ -112,7 +112,7 @@ std::string findObstacleToDrawing(const glm::dvec3& cells, const BrickGrid& grid
              << " in stored bricks";
     else if (longest > 0.0 && longest < least) // a model without cells draws nothing
         text << "the longest side of the bricks is " << longest << " model units; expected at least " << least
-             << " of bricks that reach " << farthest;
+             << " for bricks that reach " << farthest;
     return text.str();
 }
 

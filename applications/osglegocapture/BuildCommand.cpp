@@ -210,8 +210,11 @@ void buildModel(const CaptureOptions& given, osg::GraphicsContext& context)
 
     progress.setRange(DESIGN_SHARE, 1.0);
     writeInstructions(options, lego, {best.stability, best.plan}, context, progress);
-    std::error_code ignored;
-    std::filesystem::remove(files.get(".pdf"), ignored); // an older one would seem to be that of the new page
+    for (const char* ending : {".pdf", ".png", "-report.txt"}) // older ones would seem to belong to the new page
+    {
+        std::error_code ignored;
+        std::filesystem::remove(files.get(ending), ignored);
+    }
     if (options.base == BuildingBase::PLATE) scene->addBasePlate(*createBasePlate(*best.model));
     drawInto(options, *scene, files.get(".png"), context, progress);
     progress.show("printing the booklet");

@@ -38,8 +38,10 @@ Cancellation::Cancellation()
 {
     for (std::size_t index = 0; index < SIGNALS.size(); ++index)
     {
-        _former[index] = std::signal(SIGNALS[index], note);
-        if (_former[index] == SIG_IGN) std::signal(SIGNALS[index], SIG_IGN);
+        struct sigaction former = {};
+        sigaction(SIGNALS[index], nullptr, &former); // before it changes, so that no signal that is ignored arrives
+        _former[index] = former.sa_handler;
+        if (_former[index] != SIG_IGN) std::signal(SIGNALS[index], note);
     }
 }
 

@@ -23,7 +23,7 @@ public:
     Cancellation& operator=(const Cancellation&) = delete;
     ~Cancellation();
 
-    /** Work that does not ask isRequested(), and has written nothing that would remain: while this object exists, a
+    /** Work that does not ask isRequested(), while no file is half written: while this object exists, a
      * signal ends the program at once, with the message and the exit code of check(). */
     class Unasked
     {

@@ -76,14 +76,13 @@ void checkAreDistinct(const std::vector<std::string>& fileNames)
 
 void writeText(const std::string& fileName, const std::function<void(std::ostream&)>& write)
 {
-    const std::string why =
-        writeCompleteFile(fileName,
-                          [&](std::ostream& stream)
-                          {
-                              write(stream);
-                              Cancellation::check("cancelled before '" + fileName + "' was written");
-                              return std::string();
-                          });
+    const std::string why = writeCompleteFile(fileName,
+                                              [&](std::ostream& stream)
+                                              {
+                                                  write(stream);
+                                                  Cancellation::check("cancelled while '" + fileName + "' was written");
+                                                  return std::string();
+                                              });
     if (!why.empty()) throw cannotWrite(fileName, why);
 }
 

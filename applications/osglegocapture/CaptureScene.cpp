@@ -76,7 +76,6 @@ std::string findMissing(const std::string& fileName)
 /** The reason why OpenSceneGraph has not read a file. */
 std::string explain(const std::string& fileName, const osgDB::ReaderWriter::ReadResult& result)
 {
-    if (osgDB::containsServerAddress(fileName)) return "osglegocapture does not use the network; expected a file";
     if (std::string obstacle = findObstacle(fileName); !obstacle.empty()) return obstacle;
     const std::string missing = findMissing(fileName);
     // OSG reports a missing plugin with the status of other errors, so that only its message tells.

@@ -2,7 +2,6 @@
 
 #include "Cancellation.h"
 #include "ExitCode.h"
-#include "StandardError.h"
 
 #include <common/ColorName.h>
 #include <osgLego/Palette.h>
@@ -83,36 +82,30 @@ std::vector<AddedWeight> findWeights(const std::vector<osg::ref_ptr<const BrickM
     return weights;
 }
 
-void warnOfTime(std::size_t numParts)
+void warnOfTime(std::size_t numParts, const ProgressBar& progress)
 {
     constexpr std::size_t NOTABLE = 10'000; // take more than ten seconds; 50,000, more than ten minutes
     if (numParts < NOTABLE) return;
-    printError("osglegocapture: warning: computing whether {} parts stand may take minutes; Ctrl+C cancels it\n",
-               numParts);
+    progress.warn(fmt::format("computing whether {} parts stand may take minutes; Ctrl+C cancels it", numParts));
 }
 
-/** Whether to end, asked regularly by any thread: shows the seconds that the work has taken, by the thread that waits
- * for it. Nothing tells how much is left. */
+/** Shows the seconds that the work has taken, by the thread that made it. Nothing tells how much is left. */
 class StabilityProgress
 {
 public:
     StabilityProgress(std::size_t numParts, const ProgressBar& progress) : _numParts(numParts), _progress(progress) {}
 
-    bool operator()()
-    {
-        if (std::this_thread::get_id() == _caller) show();
-        return Cancellation::isRequested();
-    }
-
-private:
+    /** Call this regularly, from any thread. */
     void show()
     {
+        if (std::this_thread::get_id() != _caller) return;
         const auto seconds = static_cast<int>(_timer.time_s());
         if (seconds == _seconds) return;
         _seconds = seconds;
         _progress.show(fmt::format("computing whether {} parts stand, {} s", _numParts, seconds));
     }
 
+private:
     std::size_t _numParts;
     const ProgressBar& _progress;
     std::thread::id _caller = std::this_thread::get_id();
@@ -129,9 +122,15 @@ SceneStability::SceneStability(const std::vector<osg::ref_ptr<const BrickModel>>
 {
     for (const osg::ref_ptr<const BrickModel>& model : models)
     {
-        warnOfTime(model->getParts().size());
-        const std::optional<StabilityReport> report = computeStability(
-            *model, {_base, StabilityProgress(model->getParts().size(), progress), _weights, options.tilt});
+        warnOfTime(model->getParts().size(), progress);
+        StabilityProgress shown(model->getParts().size(), progress);
+        const auto isCancelled = [&shown]
+        {
+            shown.show();
+            return Cancellation::isRequested();
+        };
+        const std::optional<StabilityReport> report =
+            computeStability(*model, {_base, isCancelled, _weights, options.tilt});
         Cancellation::check();
         _models.push_back({model, *report, countPieces(*model, _base)});
     }

@@ -23,6 +23,7 @@ StandardOutput::StandardOutput()
 StandardOutput::~StandardOutput()
 {
     std::fflush(stdout);
+    std::clearerr(stdout); // what can't be written to standard error is lost
     dup2(_descriptor, STDOUT_FILENO);
     close(_descriptor);
 }

@@ -8,6 +8,7 @@
 #include "ExitCode.h"
 #include "InputFiles.h"
 #include "Instructions.h"
+#include "LocalReading.h"
 #include "ModelBound.h"
 #include "ProgressBar.h"
 #include "ScenePicture.h"
@@ -109,6 +110,7 @@ int drawAndWrite(const CaptureOptions& options, const CaptureScene& scene, const
     Cancellation::check("cancelled before the picture was written");
     progress.show("writing");
     if (!options.output.empty()) writePicture(options.output, image);
+    Cancellation::check();
     const std::optional<LayoutStatistics> layout = reportLayout(options, scene, context, progress);
     const CaptureStatistics statistics{scene, picture, layout, stability};
     const auto write = [&](std::ostream& stream) { writeStatistics(stream, statistics, context); };
@@ -236,6 +238,7 @@ int capture(const CaptureOptions& options, const osg::ref_ptr<osg::GraphicsConte
         writeInstructions(options, scene->getOnlyLegoNode(),
                           {stability && options.loads.empty() ? stability->getReport() : std::nullopt, nullptr},
                           *context, progress);
+    Cancellation::check(); // during the last output, too
     return code;
 }
 
@@ -280,12 +283,6 @@ void findOwnPlugins()
         if (std::filesystem::is_directory(tree / folder, error)) folders.push_back((tree / folder).string());
 }
 
-/** Keep OSG from reading what models name by addresses of servers: a model from elsewhere must not call home. */
-void forbidNetwork()
-{
-    osgDB::Registry::instance()->addFileExtensionAlias("curl", "no-network"); // for which there is no plugin
-}
-
 /** Throws CaptureError if something printed could not be written. */
 void checkPrinted()
 {
@@ -310,7 +307,7 @@ int run(int argc, char** argv)
     std::signal(SIGPIPE, SIG_IGN); // and so is a pipe that nobody reads
     adaptToThreadSupply();
     findOwnPlugins();
-    forbidNetwork();
+    keepReadingLocal();
     InputFiles::record();
     CaptureOptions options;
     if (const std::optional<int> code = readOptions(argc, argv, options))

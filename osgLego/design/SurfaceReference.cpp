@@ -1,4 +1,4 @@
-// Boost.Geometry includes such a header itself, which would print a note with every build.
+// Boost.Geometry itself includes a deprecated header of Boost, which would print a note with every build.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 
 #include <osgLego/design/SurfaceReference.h>
