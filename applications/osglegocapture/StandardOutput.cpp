@@ -23,7 +23,7 @@ StandardOutput::StandardOutput()
 StandardOutput::~StandardOutput()
 {
     std::fflush(stdout);
-    std::clearerr(stdout); // what can't be written to standard error is lost
+    std::clearerr(stdout); // messages that can't be written to standard error are lost
     dup2(_descriptor, STDOUT_FILENO);
     close(_descriptor);
 }
