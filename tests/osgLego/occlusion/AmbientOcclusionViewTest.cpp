@@ -1,5 +1,6 @@
 #include "AmbientOcclusionTest.h"
 
+#include <Notices.h>
 #include <common/RacingCar.h>
 
 #include <algorithm>
@@ -69,7 +70,7 @@ TEST_F(AmbientOcclusionView, ViewportsOfNoPixelAndOfOneLeaveLaterPicturesAsTheyW
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {0, HEIGHT}, {WIDTH, 1}})
     {
         SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
-        drawInto(width, height);
+        EXPECT_EQ(noticesOf([&] { drawInto(width, height); }), "");
         EXPECT_EQ(countDifferent(*before, *drawInto(WIDTH, HEIGHT), 0), 0u);
     }
 }
