@@ -67,10 +67,10 @@ TEST_F(AmbientOcclusionView, ViewportsOfNoPixelAndOfOneLeaveLaterPicturesAsTheyW
     };
     const osg::ref_ptr<osg::Image> before = drawInto(WIDTH, HEIGHT);
     EXPECT_GT(countDrawn(*before), 1500u);
-    for (const auto& [width, height] : std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {0, HEIGHT}, {WIDTH, 1}})
+    for (const std::pair<int, int>& size : {std::pair{0, 0}, {1, 1}, {0, HEIGHT}, {WIDTH, 1}})
     {
-        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
-        EXPECT_EQ(noticesOf([&] { drawInto(width, height); }), "");
+        SCOPED_TRACE(std::to_string(size.first) + " x " + std::to_string(size.second));
+        EXPECT_EQ(noticesOf([&] { drawInto(size.first, size.second); }), "");
         EXPECT_EQ(countDifferent(*before, *drawInto(WIDTH, HEIGHT), 0), 0u);
     }
 }
