@@ -146,8 +146,15 @@ void Front::solveForwards(const double* reciprocals, double* rows) const
         const std::size_t first = panel * WIDTH;
         double* values = rows + first;
         kernels.subtractVector(getStrip(panel), first, rows, values);
-        kernels.solveForwards(getStrip(panel) + first * WIDTH, reciprocals + first,
-                              std::min(WIDTH, _numColumns - first), values);
+        for (std::size_t column = first; column < std::min(first + WIDTH, _numColumns); ++column)
+        {
+            // The upper triangle of the strip is 0.
+            const double* factors = getStrip(panel) + column * WIDTH;
+            const double value = rows[column] * reciprocals[column];
+            for (std::size_t row = 0; row < WIDTH; ++row)
+                values[row] -= factors[row] * value;
+            rows[column] = value;
+        }
     }
     const std::size_t end = countStrips(_numColumns);
     forEach(end, _numStrips, (_numStrips - end) * WIDTH * _numColumns,
@@ -172,9 +179,15 @@ void Front::solveBackwards(const double* reciprocals, double* rows) const
     for (std::size_t panel = end; panel-- > 0;)
     {
         const std::size_t first = panel * WIDTH;
-        double* values = rows + first;
-        kernels.solveBackwards(getStrip(panel) + first * WIDTH, reciprocals + first,
-                               std::min(WIDTH, _numColumns - first), values);
+        const double* values = rows + first;
+        for (std::size_t column = std::min(first + WIDTH, _numColumns); column-- > first;)
+        {
+            const double* factors = getStrip(panel) + column * WIDTH;
+            double sum = rows[column];
+            for (std::size_t row = column - first + 1; row < WIDTH; ++row)
+                sum -= factors[row] * values[row];
+            rows[column] = sum * reciprocals[column];
+        }
         kernels.subtractTransposed(getStrip(panel), first, values, rows);
     }
 }

@@ -138,54 +138,6 @@ struct Kernels
         }
     }
 
-    static OSGLEGO_INLINE void solveForwards(const double* strip, const double* reciprocals, std::size_t numColumns,
-                                             double* values)
-    {
-        for (std::size_t column = 0; column < numColumns; ++column, strip += ROWS)
-        {
-            const double solution = values[column] * reciprocals[column];
-            // The upper triangle of the strip is 0.
-            OSGLEGO_UNROLL for (std::size_t place = 0; place < ROWS; place += LENGTH)
-            {
-                Vector rest, factors;
-                load(values + place, rest);
-                load(strip + place, factors);
-                rest -= factors * solution;
-                store(rest, values + place);
-            }
-            values[column] = solution;
-        }
-    }
-
-    static OSGLEGO_INLINE void solveBackwards(const double* strip, const double* reciprocals, std::size_t numColumns,
-                                              double* values)
-    {
-        constexpr std::size_t COUNT = ROWS / LENGTH;
-        Vector known[COUNT];
-        OSGLEGO_UNROLL for (std::size_t step = 1; step <= COUNT; ++step)
-        {
-            const std::size_t part = COUNT - step;
-            const std::size_t first = part * LENGTH;
-            for (std::size_t column = numColumns < first + LENGTH ? numColumns : first + LENGTH; column-- > first;)
-            {
-                const double* factors = strip + column * ROWS;
-                Vector sum = Vector{};
-                OSGLEGO_UNROLL for (std::size_t other = part + 1; other < COUNT; ++other)
-                {
-                    Vector value;
-                    load(factors + other * LENGTH, value);
-                    sum += value * known[other];
-                }
-                double total = 0.0;
-                OSGLEGO_UNROLL for (std::size_t element = 0; element < LENGTH; ++element) total += sum[element];
-                for (std::size_t row = column + 1; row < first + LENGTH; ++row)
-                    total += factors[row] * values[row];
-                values[column] = (values[column] - total) * reciprocals[column];
-            }
-            load(values + first, known[part]);
-        }
-    }
-
     static OSGLEGO_INLINE void subtractVector(const double* strip, std::size_t numColumns, const double* vector,
                                               double* result)
     {
@@ -239,16 +191,6 @@ struct Kernels
         {                                                                                                              \
             Kernels<__VA_ARGS__>::divide(triangle, reciprocals, count, strip);                                         \
         }                                                                                                              \
-        TARGET static void solveForwards(const double* strip, const double* reciprocals, std::size_t count,            \
-                                         double* values)                                                               \
-        {                                                                                                              \
-            Kernels<__VA_ARGS__>::solveForwards(strip, reciprocals, count, values);                                    \
-        }                                                                                                              \
-        TARGET static void solveBackwards(const double* strip, const double* reciprocals, std::size_t count,           \
-                                          double* values)                                                              \
-        {                                                                                                              \
-            Kernels<__VA_ARGS__>::solveBackwards(strip, reciprocals, count, values);                                   \
-        }                                                                                                              \
         TARGET static void subtractVector(const double* strip, std::size_t count, const double* vector,                \
                                           double* result)                                                              \
         {                                                                                                              \
@@ -259,8 +201,7 @@ struct Kernels
         {                                                                                                              \
             Kernels<__VA_ARGS__>::subtractTransposed(strip, count, vector, result);                                    \
         }                                                                                                              \
-        static constexpr StripKernels ALL{subtractProduct, factorize,         divide, solveForwards, solveBackwards,   \
-                                          subtractVector,  subtractTransposed};                                        \
+        static constexpr StripKernels ALL{subtractProduct, factorize, divide, subtractVector, subtractTransposed};     \
     };
 
 OSGLEGO_KERNELS(PlainKernels, , Register2, 2, 4)

@@ -29,14 +29,6 @@ struct StripKernels
      * lower triangle below the diagonal counts; reciprocals has those of the diagonal. */
     void (*divide)(const double* triangle, const double* reciprocals, std::size_t numColumns, double* strip);
 
-    /** Replace the first of 24 numbers, `values`, by the solution x of L * x = these numbers, and subtract from the
-     * others their rows of the strip * x. The strip is that of factorize(), or the first 24 rows of a longer one. */
-    void (*solveForwards)(const double* strip, const double* reciprocals, std::size_t numColumns, double* values);
-
-    /** Replace the first of 24 numbers, `values`, by the solution x of transposed strip * (x and the others) = these
-     * numbers, of which the strip has the columns; otherwise as solveForwards(). */
-    void (*solveBackwards)(const double* strip, const double* reciprocals, std::size_t numColumns, double* values);
-
     /** Subtract strip * vector from 24 numbers. */
     void (*subtractVector)(const double* strip, std::size_t numColumns, const double* vector, double* result);
 

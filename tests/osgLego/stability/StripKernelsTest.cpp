@@ -66,32 +66,6 @@ TEST(StripKernels, DivideByTrianglesOnEveryKindOfProcessor)
         }
 }
 
-TEST(StripKernels, SolveWithTrianglesOnEveryKindOfProcessor)
-{
-    for (const StripKernels& kernels : StripKernels::getAll())
-        for (const Eigen::Index count : {6, 12, 18, 24})
-        {
-            Eigen::MatrixXd strip = createStrip(count);
-            const Eigen::MatrixXd triangle = createTriangle(count);
-            strip.topRows(count) = triangle;
-            const Eigen::MatrixXd below = strip.bottomRows(ROWS - count);
-            const Eigen::VectorXd reciprocals = triangle.diagonal().cwiseInverse();
-            const Eigen::VectorXd solution = Eigen::VectorXd::Random(count);
-            const Eigen::VectorXd others = Eigen::VectorXd::Random(ROWS - count);
-
-            Eigen::VectorXd values(ROWS);
-            values << triangle * solution, others;
-            kernels.solveForwards(strip.data(), reciprocals.data(), static_cast<std::size_t>(count), values.data());
-            EXPECT_LT((values.head(count) - solution).norm(), 1e-11) << count;
-            EXPECT_LT((values.tail(ROWS - count) - (others - below * solution)).norm(), 1e-11) << count;
-
-            values << triangle.transpose() * solution + below.transpose() * others, others;
-            kernels.solveBackwards(strip.data(), reciprocals.data(), static_cast<std::size_t>(count), values.data());
-            EXPECT_LT((values.head(count) - solution).norm(), 1e-11) << count;
-            EXPECT_EQ(values.tail(ROWS - count), others) << count;
-        }
-}
-
 TEST(StripKernels, FactorizeOnEveryKindOfProcessor)
 {
     for (const StripKernels& kernels : StripKernels::getAll())
