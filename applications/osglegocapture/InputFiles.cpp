@@ -38,10 +38,10 @@ public:
                              osgDB::CaseSensitivity sensitivity) override
     {
         std::string found = FindFileCallback::findDataFile(fileName, options, sensitivity);
+        const bool isFile = !found.empty() && osgDB::fileType(found) != osgDB::DIRECTORY;
         const std::size_t scheme = fileName.find("://");
         // Some readers put the folder of the model before an address, too.
-        if (scheme != std::string::npos && fileName.find('/') < scheme) return found;
-        const bool isFile = !found.empty() && osgDB::fileType(found) != osgDB::DIRECTORY;
+        if (!isFile && scheme != std::string::npos && fileName.find('/') < scheme) return found;
         const std::lock_guard lock(_mutex);
         (isFile ? _requested : _missing).insert(fileName);
         if (isFile) _found.insert(found);
