@@ -31,6 +31,8 @@ else()
         $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow>
         # The first is part of Clang's -Wconversion, but not of GCC's; Clang 14 gives the second for defaulted operators <=>.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion -Wno-zero-as-null-pointer-constant>
+        # Without times, Clang's precompiled headers are the same in each new clone, so that ccache finds what they compiled.
+        $<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-Xclang -fno-pch-timestamp>
         $<$<BOOL:${OSGLEGO_WARNINGS_AS_ERRORS}>:-Werror>)
 endif()
 if(OSGLEGO_SCALAR)
